@@ -1,0 +1,169 @@
+"""Sets LISPAC up in this checkout and starts it; needs nothing but Python.
+
+    python3 installer/bootstrap.py demo       the whole way on the built-in survey
+    python3 installer/bootstrap.py run        the program (with a project folder, if one is given)
+    python3 installer/bootstrap.py test       linting, typing, import rules and tests
+    python3 installer/bootstrap.py lint       the same without the tests
+    python3 installer/bootstrap.py benchmark  the benchmarks, which print times
+
+The first start makes the environment .venv in the checkout and installs the locked dependencies;
+later ones find everything in place. Nothing is written but .venv and the user's cache folder (and,
+on Linux as root, the system packages that are missing).
+"""
+
+from __future__ import annotations
+
+import argparse
+import ctypes
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # the checkout stays clean
+import environment  # noqa: E402
+import system_packages  # noqa: E402
+from environment import SetupError, say, script  # noqa: E402
+
+OLDEST_PYTHON = (3, 11)
+NEWEST_PYTHON = (3, 14)  # the locked dependencies have wheels up to here
+
+
+def python_complaint(version: tuple[int, int]) -> str | None:
+    """Why this Python cannot be used, or None where it can."""
+    if OLDEST_PYTHON <= version <= NEWEST_PYTHON:
+        return None
+    span = f"{OLDEST_PYTHON[0]}.{OLDEST_PYTHON[1]} to {NEWEST_PYTHON[0]}.{NEWEST_PYTHON[1]}"
+    return (
+        f"LISPAC needs Python {span}, this is {version[0]}.{version[1]}: "
+        "start this script with one of those, for example python3.12 installer/bootstrap.py"
+    )
+
+
+def has_display(platform: str, variables: Mapping[str, str]) -> bool:
+    """Whether a window can open: on Linux, whether the X server or Wayland answers."""
+    if platform in ("win32", "darwin") or variables.get("WAYLAND_DISPLAY"):
+        return True
+    if not variables.get("DISPLAY"):
+        return False
+    try:
+        x11 = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return False
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = x11.XOpenDisplay(None)
+    if not display:
+        return False
+    x11.XCloseDisplay(ctypes.c_void_p(display))
+    return True
+
+
+def ensure_system(kind: str) -> None:
+    """On Linux, has the missing system libraries installed or says how to."""
+    if not sys.platform.startswith("linux"):
+        return
+    missing = system_packages.missing_packages(with_virtual_screen=kind == "test")
+    root, apt_get = system_packages.is_root(), shutil.which("apt-get")
+    system_packages.ensure(missing, root=root, apt_get=apt_get, say=say)
+
+
+def lint_commands() -> list[tuple[str, list[str]]]:
+    """Name and command line of each check before the tests."""
+    python, cache = script("python"), str(environment.ENVIRONMENT / "cache" / "import-linter")
+    return [
+        ("ruff check", [python, "-m", "ruff", "check", "."]),
+        ("ruff format", [python, "-m", "ruff", "format", "--check", "."]),
+        ("mypy", [python, "-m", "mypy"]),
+        ("import rules", [script("lint-imports"), "--no-logo", "--cache-dir", cache]),
+    ]
+
+
+def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, list[str]]]:
+    """Name and command line of every step of `test`, `lint` or `benchmark`, in order."""
+    cache = environment.ENVIRONMENT / "cache" / "pytest"
+    # A test that hangs fails with every thread's traceback instead of stopping the run for ever.
+    pytest = [script("python"), "-m", "pytest", "-o", f"cache_dir={cache}", "--timeout=300"]
+    if command == "lint":
+        return lint_commands()
+    if command == "benchmark":
+        options = ["tests/benchmarks", "--benchmark-enable", "--capture=no", "-m", ""]
+        return [("benchmarks", [*pytest, *options, *arguments])]
+    return [*lint_commands(), ("pytest", [*pytest, *arguments])]
+
+
+def run_checks(commands: Sequence[tuple[str, list[str]]], variables: Mapping[str, str]) -> int:
+    """Runs the commands in the checkout and stops at the first that fails; returns its code."""
+    for name, command in commands:
+        say(f"== {name}")
+        code = subprocess.call(command, cwd=environment.CHECKOUT, env=dict(variables))
+        if code != 0:
+            say(f"{name} failed: {shlex.join(command)}")
+            return code if code > 0 else 1
+    return 0
+
+
+def demo_command(output: Path, display: bool) -> list[str]:
+    """Command line of the demo, with its window where there is a display."""
+    command = [script("lispac"), "demo", "--output", str(output)]
+    return command if display else [*command, "--no-window"]
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command line of this script."""
+    form = argparse.RawDescriptionHelpFormatter
+    top = argparse.ArgumentParser(
+        prog="bootstrap.py", description=__doc__, formatter_class=form, allow_abbrev=False
+    )
+    commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    demo = commands.add_parser("demo", help="the whole way on the built-in survey")
+    demo.add_argument("--output", type=Path, metavar="DIR", help="folder for survey and report")
+    run = commands.add_parser("run", help="start the program")
+    run.add_argument("project", nargs="?", metavar="PROJECT", help="project folder to open")
+    commands.add_parser("lint", help="linting, typing and import rules")
+    for name, text in (("test", "all checks and the tests"), ("benchmark", "the benchmarks")):
+        check = commands.add_parser(
+            name, help=text, usage=f"bootstrap.py {name} [PYTEST ARGUMENT...]"
+        )
+        check.set_defaults(takes_rest=True)
+    return top
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs one command; returns the exit code."""
+    complaint = python_complaint(sys.version_info[:2])
+    if complaint:
+        print(complaint, file=sys.stderr)
+        return 1
+    form = parser()
+    options, rest = form.parse_known_args(arguments)
+    if rest and not getattr(options, "takes_rest", False):
+        form.error(f"unrecognized arguments: {' '.join(rest)}")
+    kind = "run" if options.command in ("demo", "run") else "test"
+    cache = environment.user_cache(sys.platform, os.environ, Path.home())
+    try:
+        ensure_system(kind)
+        environment.ensure_installed(kind, cache)
+        variables = environment.child_variables(os.environ, cache, testing=kind == "test")
+        if kind == "test":
+            return run_checks(check_commands(options.command, rest), variables)
+        display = has_display(sys.platform, os.environ)
+        if options.command == "demo":
+            output = options.output or cache / "demo"
+            return subprocess.call(demo_command(output, display), env=variables)
+        if not display:
+            raise SetupError("There is no display for the window; `demo` runs without one.")
+        project = [options.project] if options.project else []
+        return subprocess.call([script("python"), "-m", "lispac.gui", *project], env=variables)
+    except (SetupError, system_packages.PackagesMissingError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("Stopped. The same command starts again where it has to.", file=sys.stderr)
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,266 @@
+"""The private environment .venv of a checkout: what is in it, what has to be, and how to get there.
+
+What was installed is kept in a stamp file that is written last. Where it matches the lock file and
+the project, nothing is done; where it is unfinished, the environment is made from nothing.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+ENVIRONMENT = CHECKOUT / ".venv"
+STAMP = ENVIRONMENT / "lispac-installed.json"
+INSTALL_LOG = ENVIRONMENT / "install.log"
+LOCKS = {"run": "lock-run.txt", "test": "lock-test.txt"}
+# Changes to these change what installing the project itself does.
+PROJECT_FILES = ("pyproject.toml", "lispac/__init__.py")
+
+
+class SetupError(Exception):
+    """The environment cannot be made; the message says why in a sentence."""
+
+
+def say(line: str) -> None:
+    """Prints one line of progress at once."""
+    print(line, flush=True)
+
+
+def user_cache(platform: str, variables: Mapping[str, str], home: Path) -> Path:
+    """The program's folder in the user's cache folder."""
+    if platform == "win32":
+        return (
+            Path(variables.get("LOCALAPPDATA") or home / "AppData" / "Local") / "lispac" / "Cache"
+        )
+    if platform == "darwin":
+        return home / "Library" / "Caches" / "lispac"
+    return Path(variables.get("XDG_CACHE_HOME") or home / ".cache") / "lispac"
+
+
+def script(name: str, platform: str = sys.platform) -> str:
+    """Path of a program in the environment."""
+    if platform == "win32":
+        return str(ENVIRONMENT / "Scripts" / f"{name}.exe")
+    return str(ENVIRONMENT / "bin" / name)
+
+
+def child_variables(
+    variables: Mapping[str, str], cache: Path, *, testing: bool = False
+) -> dict[str, str]:
+    """The environment variables of everything started here: caches go where they may.
+
+    Parameters
+    ----------
+    variables : mapping, the variables of this process
+    cache : Path, the program's folder in the user's cache folder
+    testing : bool, software OpenGL and settings of its own, so that every machine tests the same
+    """
+    own = ENVIRONMENT / "cache"
+    # Modules of another environment would be found before the locked ones.
+    kept = {k: v for k, v in variables.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
+    kept.update(
+        PYTHONPYCACHEPREFIX=str(own / "bytecode"),
+        HYPOTHESIS_STORAGE_DIRECTORY=str(own / "hypothesis"),
+        MYPY_CACHE_DIR=str(own / "mypy"),
+        RUFF_CACHE_DIR=str(own / "ruff"),
+        NUMBA_CACHE_DIR=variables.get("NUMBA_CACHE_DIR") or str(cache / "numba"),
+        MPLCONFIGDIR=variables.get("MPLCONFIGDIR") or str(cache / "matplotlib"),
+        IPYTHONDIR=variables.get("IPYTHONDIR") or str(cache / "ipython"),
+    )
+    if testing:
+        kept.update(
+            LIBGL_ALWAYS_SOFTWARE="1",
+            PYTEST_DEBUG_TEMPROOT=str(own),
+            XDG_CONFIG_HOME=str(own / "config"),
+            XDG_DATA_HOME=str(own / "data"),
+        )
+        (own / "config").mkdir(parents=True, exist_ok=True)
+    return kept
+
+
+def digest(*paths: Path) -> str:
+    """SHA-256 over the contents of some files."""
+    total = hashlib.sha256()
+    for path in paths:
+        total.update(path.read_bytes())
+    return total.hexdigest()
+
+
+def wanted_state(checkout: Path = CHECKOUT) -> dict[str, Any]:
+    """What the stamp says once everything is installed for tests."""
+    installer = checkout / "installer"
+    return {
+        # Scripts of an environment hold its path, so a moved checkout needs a new one.
+        "checkout": str(checkout),
+        "python": f"{sys.version} {sys.base_prefix}",
+        "locks": {kind: digest(installer / name) for kind, name in LOCKS.items()},
+        "project": digest(*(checkout / name for name in PROJECT_FILES)),
+    }
+
+
+def read_stamp(path: Path) -> dict[str, Any] | None:
+    """What an earlier start finished, or None where nothing was or it was interrupted."""
+    try:
+        state = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return state if isinstance(state, dict) and "locks" in state else None
+
+
+def steps_needed(installed: dict[str, Any] | None, wanted: dict[str, Any], kind: str) -> list[str]:
+    """Which of "environment", "dependencies" and "project" have to be made anew.
+
+    Parameters
+    ----------
+    installed : dict or None, as from `read_stamp`
+    wanted : dict, as from `wanted_state`
+    kind : str, "run" or "test"; the lock for tests holds everything of the one to run
+    """
+    if installed is None or any(installed.get(k) != wanted[k] for k in ("checkout", "python")):
+        return ["environment", "dependencies", "project"]
+    steps = []
+    if installed["locks"].get(kind) != wanted["locks"][kind]:
+        steps.append("dependencies")
+    if installed.get("project") != wanted["project"]:
+        steps.append("project")
+    return steps
+
+
+def write_stamp(state: dict[str, Any], path: Path) -> None:
+    """Replaces the stamp in one step, so that it is either whole or absent."""
+    draft = path.with_suffix(".part")
+    draft.write_text(json.dumps(state, indent=1), encoding="utf-8")
+    draft.replace(path)
+
+
+def make_environment() -> None:
+    """Makes .venv from nothing.
+
+    Raises
+    ------
+    SetupError
+        There is a .venv that this script did not make, or Python cannot make one.
+    """
+    if (ENVIRONMENT / "pyvenv.cfg").exists() and not STAMP.exists():
+        raise SetupError(
+            f"{ENVIRONMENT} is an environment that this script did not make: "
+            "move or remove it, then start again"
+        )
+    if ENVIRONMENT.exists():
+        shutil.rmtree(ENVIRONMENT)
+    ENVIRONMENT.mkdir()
+    write_stamp({"state": "unfinished"}, STAMP)
+    say("Making the environment .venv")
+    command = [sys.executable, "-m", "venv", str(ENVIRONMENT)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise SetupError(f"Python cannot make an environment: {done.stdout}{done.stderr}".strip())
+
+
+def pip_progress(lines: Iterable[str], total: int, report: Callable[[str], None]) -> None:
+    """Turns pip's output into a few plain lines: big downloads, and every 25 packages."""
+    seen = 0
+    for line in lines:
+        text = line.strip()
+        if text.startswith(("Collecting ", "Requirement already satisfied", "Ignoring ")):
+            seen += 1
+            if seen % 25 == 0:
+                report(f"  {min(seen, total)} of {total} packages")
+        elif text.startswith("Installing collected packages"):
+            report("  unpacking")
+        big = re.match(r"Downloading (?:\S*/)?(\S+?-\d\S*?)-\S* \((\d+)\.?\d* MB\)", text)
+        if big and int(big.group(2)) >= 50:
+            report(f"  downloading {big.group(1)} ({big.group(2)} MB)")
+
+
+def pip_command() -> list[str]:
+    """What every install starts with; bytecode is compiled where and when it is needed."""
+    return [script("python"), "-m", "pip", "install", "--progress-bar", "off", "--no-compile"]
+
+
+def run_pip(arguments: Sequence[str], variables: Mapping[str, str], total: int) -> None:
+    """Runs pip in the environment and keeps its output in the install log.
+
+    Raises
+    ------
+    SetupError
+        pip failed; the message holds its last lines.
+    """
+    quiet = {
+        **variables,
+        "PIP_DISABLE_PIP_VERSION_CHECK": "1",
+        "PIP_NO_INPUT": "1",
+        "PIP_USER": "0",
+        "PYTHONUNBUFFERED": "1",
+        # pip asks rustc for its version, and rustup's stand-in makes a folder at home when asked.
+        "RUSTUP_HOME": str(ENVIRONMENT / "cache" / "rustup"),
+    }
+    output: list[str] = []
+
+    def kept(stream: Iterable[str]) -> Iterator[str]:
+        with INSTALL_LOG.open("a", encoding="utf-8") as log:
+            for line in stream:
+                log.write(line)
+                output.append(line.rstrip())
+                yield line
+
+    with subprocess.Popen(
+        [*pip_command(), *arguments],
+        env=quiet,
+        cwd=CHECKOUT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        errors="replace",
+    ) as process:
+        pip_progress(kept(process.stdout or ()), total, say)
+    if process.returncode != 0:
+        tail = "\n    ".join(line for line in output[-12:] if line)
+        raise SetupError(
+            f"Installing the dependencies failed (all of pip's output is in {INSTALL_LOG}):"
+            f"\n    {tail}\nStart the same command again once the cause is mended."
+        )
+
+
+def requirement_count(lock: Path) -> int:
+    """How many packages a lock file names."""
+    return len(re.findall(r"^[A-Za-z0-9][^\s=]*==", lock.read_text(encoding="utf-8"), re.MULTILINE))
+
+
+def ensure_installed(kind: str, cache: Path) -> None:
+    """Brings .venv up to date for `kind`, "run" or "test"; does nothing where it is."""
+    wanted = wanted_state()
+    installed = read_stamp(STAMP)
+    steps = steps_needed(installed, wanted, kind)
+    if not steps:
+        return
+    started = time.monotonic()
+    if "environment" in steps:
+        make_environment()
+        installed = None
+    locks = dict(installed["locks"]) if installed else {}
+    write_stamp({"state": "unfinished"}, STAMP)  # an interrupted install starts from nothing
+    variables = child_variables(os.environ, cache)
+    if "dependencies" in steps:
+        lock = CHECKOUT / "installer" / LOCKS[kind]
+        total = requirement_count(lock)
+        say(f"Installing {total} locked packages (the first time this takes some minutes)")
+        run_pip(["--only-binary", ":all:", "--require-hashes", "-r", str(lock)], variables, total)
+        # The lock for tests holds everything of the one to run.
+        kinds = LOCKS if kind == "test" else (kind,)
+        locks = {name: wanted["locks"][name] for name in kinds}
+    say("Installing LISPAC")
+    project = ["--no-deps", "--no-build-isolation", "--no-index", "--editable", str(CHECKOUT)]
+    run_pip(project, variables, 1)
+    write_stamp({**wanted, "locks": locks}, STAMP)
+    say(f"Installed in {time.monotonic() - started:.0f} s")

@@ -1,0 +1,235 @@
+"""The least-squares adjustment of boresight and planes (thesis B.3)."""
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg
+import scipy.stats
+from numpy.typing import NDArray
+
+from lispac.adjustment.conditions import (
+    BORESIGHT,
+    MISCLOSURE,
+    PLANE,
+    POSE,
+    linearise,
+    sum_by_sighting,
+)
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    ChiSquare,
+    SightingResidual,
+    TargetResidual,
+)
+from lispac.adjustment.stochastic import StochasticModel, effect_factor
+from lispac.errors import NotConverged, RankDeficient
+from lispac.progress import Progress, no_progress
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+MAX_ITERATIONS = 30
+CONVERGED = 1e-11
+"""Largest change of an angle (rad) or a plane parameter (m) in the last iteration."""
+
+WORST_SIGMA = np.radians(5.0)
+"""An angle that the geometry cannot tell to better than this is not determined by it: the mounting
+is known to a few degrees from looking at it."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    correction: Array  # boresight (3), then 3 per plane
+    covariance: Array
+    quadratic: float  # v' P v at the linearisation point
+
+
+def adjust(
+    observations: Observations,
+    mounting: Mounting,
+    model: StochasticModel,
+    *,
+    planes: Array | None = None,
+    progress: Progress = no_progress,
+) -> AdjustmentResult:
+    """Find the boresight that makes each target's points, over all lines, one plane.
+
+    Gauss-Helmert model with unit normals kept exactly: a plane moves by two turns of its normal
+    and its offset. The products summed over each sighting carry all the points say, so an
+    iteration costs one pass over them and a small solve.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        Lever arm, and the prior boresight as the starting value.
+    planes : ndarray of shape (targets, 4), optional
+        Starting planes; fitted to the points placed with the prior boresight where not given.
+
+    Raises
+    ------
+    AdjustmentError
+        Where a sighting has too few points.
+    RankDeficient
+        Where lines and targets do not determine the boresight.
+    NotConverged
+    """
+    started = time.perf_counter()
+    observations.require_usable()
+    fitted = fit_planes(observations, mounting)
+    current = fitted if planes is None else planes / np.linalg.norm(planes[:, :3], axis=1)[:, None]
+    factor = effect_factor(observations, model) if model.pos_errors == "correlated" else None
+    boresight = np.array(mounting.boresight, dtype=float)
+    for iteration in range(1, MAX_ITERATIONS + 1):
+        progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
+        step = _solve(observations, mounting.with_boresight(boresight), current, factor)
+        boresight = boresight + step.correction[:3]
+        current = _moved(current, step.correction[3:].reshape(-1, 3))
+        if np.abs(step.correction).max() < CONVERGED:
+            break
+    else:
+        raise NotConverged(
+            f"The adjustment did not settle in {MAX_ITERATIONS} iterations (last change "
+            f"{np.degrees(np.abs(step.correction[:3]).max()):.4f} deg); check that each target is "
+            "the same plane on every line, and the prior boresight."
+        )
+    # The last correction is below any figure shown, so what it was computed from describes the
+    # solution.
+    freedom = len(observations) - 3 - 3 * len(observations.targets)
+    lower, upper = scipy.stats.chi2.ppf([0.025, 0.975], freedom) if freedom > 0 else (0.0, 0.0)
+    adjusted = mounting.with_boresight(boresight)
+    targets, sightings, rms = _residuals(
+        observations, linearise(observations, mounting, fitted).misclosure,
+        linearise(observations, adjusted, current).misclosure, current,
+    )  # fmt: skip
+    return AdjustmentResult(
+        boresight=boresight,
+        prior_boresight=np.array(mounting.boresight, dtype=float),
+        covariance=step.covariance,
+        model=model,
+        variance_factor=step.quadratic / freedom if freedom > 0 else float("nan"),
+        degrees_of_freedom=freedom,
+        chi_square=ChiSquare(step.quadratic, float(lower), float(upper)),
+        iterations=iteration,
+        targets=targets,
+        sightings=sightings,
+        rms_before=rms[0],
+        rms_after=rms[1],
+        elapsed=time.perf_counter() - started,
+    )
+
+
+def fit_planes(observations: Observations, mounting: Mounting) -> Array:
+    """Least-squares plane of each target through its points placed with ``mounting``.
+
+    Returns
+    -------
+    ndarray of shape (targets, 4), unit normal and offset, local frame
+    """
+    any_plane = np.tile([0.0, 0.0, 1.0, 0.0], (len(observations.targets), 1))
+    # The Jacobian by (a, b, c) is the point itself.
+    points_local = linearise(observations, mounting, any_plane).rows[:, 3:6]
+    target = observations.target_of_sighting[observations.sighting]
+    planes = np.empty((len(observations.targets), 4))
+    for k in range(len(observations.targets)):
+        own = points_local[target == k]
+        centre = own.mean(axis=0)
+        normal = np.linalg.eigh(np.cov((own - centre).T))[1][:, 0]
+        planes[k] = *normal, -normal @ centre
+    return planes
+
+
+def _tangents(planes: Array) -> Array:
+    """Basis of the allowed changes of each plane, shape (targets, 4, 3)."""
+    tangents = np.zeros((len(planes), 4, 3))
+    for tangent, plane in zip(tangents, planes, strict=True):
+        tangent[:3, :2] = scipy.linalg.null_space(plane[None, :3])
+        tangent[3, 2] = 1
+    return tangents
+
+
+def _moved(planes: Array, corrections: Array) -> Array:
+    moved = planes + np.einsum("kij,kj->ki", _tangents(planes), corrections)
+    return np.asarray(moved / np.linalg.norm(moved[:, :3], axis=1)[:, None])
+
+
+def _solve(
+    observations: Observations, mounting: Mounting, planes: Array, factor: Array | None
+) -> _Step:
+    sums = sum_by_sighting(observations, mounting, planes, pose_in_variance=factor is None)
+    tangents = _tangents(planes)
+    parameters = 3 + 3 * len(planes)
+    effects = 0 if factor is None else factor.shape[2]
+    normal = np.zeros((parameters + effects, parameters + effects))
+    right = np.zeros(parameters + effects)
+    misclosures = 0.0
+    for s, (total, target) in enumerate(
+        zip(sums, observations.target_of_sighting, strict=True)
+    ):
+        # This sighting's columns as functions of all unknowns
+        own = np.zeros((13, parameters + effects))
+        own[BORESIGHT, :3] = np.eye(3)
+        own[PLANE, 3 + 3 * target : 6 + 3 * target] = tangents[target]
+        if factor is not None:
+            own[POSE, parameters:] = factor[s]
+        normal += own.T @ total[:13, :13] @ own
+        right -= own.T @ total[:13, MISCLOSURE]
+        misclosures += total[MISCLOSURE, MISCLOSURE]
+    # The effects are unit normal variables: their prior adds one to the diagonal.
+    normal[range(parameters, parameters + effects), range(parameters, parameters + effects)] += 1
+    covariance = _covariance(normal, parameters)
+    solution = scipy.linalg.solve(normal, right, assume_a="pos")
+    return _Step(
+        solution[:parameters], covariance, float(misclosures - solution @ right)
+    )
+
+
+def _covariance(normal: Array, parameters: int) -> Array:
+    """Covariance of the boresight: everything else eliminated.
+
+    Raises
+    ------
+    RankDeficient
+    """
+    try:
+        rest = scipy.linalg.cho_factor(normal[3:, 3:])
+    except np.linalg.LinAlgError as error:
+        raise RankDeficient(
+            "A target's plane is not determined by its points; pick points that spread over it "
+            "in two directions."
+        ) from error
+    reduced = normal[:3, :3] - normal[:3, 3:] @ scipy.linalg.cho_solve(rest, normal[3:, :3])
+    eigenvalues, directions = np.linalg.eigh((reduced + reduced.T) / 2)
+    if eigenvalues[0] < max(1 / WORST_SIGMA**2, 1e-12 * eigenvalues[2]):
+        share = np.abs(directions[:, 0])
+        angle = ("roll", "pitch", "yaw")[int(np.argmax(share))]
+        raise RankDeficient(
+            f"These lines and targets do not determine the boresight (mainly {angle}); add a "
+            "target of another inclination, or lines in other directions: a vertical target shows "
+            "roll on lines 0/180, pitch on 45/225 and yaw on 45/135 deg to it."
+        )
+    return np.asarray(np.linalg.inv(reduced))
+
+
+def _residuals(
+    observations: Observations, before: Array, after: Array, planes: Array
+) -> tuple[
+    tuple[TargetResidual, ...], tuple[SightingResidual, ...], tuple[float, float]
+]:
+    squares = observations.mean_by_sighting(np.stack([before**2, after**2], axis=1))
+    means = observations.mean_by_sighting(after)
+    sightings = tuple(
+        SightingResidual(sighting, int(count), float(b), float(a), float(mean))
+        for sighting, count, (b, a), mean in zip(
+            observations.sightings, observations.counts, np.sqrt(squares), means, strict=True
+        )
+    )
+    targets = []
+    for k, name in enumerate(observations.targets):
+        own = observations.target_of_sighting == k
+        counts = observations.counts[own]
+        b, a = np.sqrt(counts @ squares[own] / counts.sum())
+        targets.append(TargetResidual(name, int(counts.sum()), float(b), float(a), planes[k]))
+    both = np.sqrt(observations.counts @ squares / len(observations))
+    return tuple(targets), sightings, (float(both[0]), float(both[1]))

@@ -1,0 +1,41 @@
+"""Entry point of ``lispac``: exit 0 done, 1 refused with one plain line, 2 wrong usage."""
+
+import sys
+from collections.abc import Sequence
+
+from lispac.cli.parser import build_parser
+from lispac.errors import Cancelled, LispacError
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; errors the user can act on become one line on stderr."""
+    parser = build_parser()
+    arguments = parser.parse_args(argv)
+    # Imported after parsing: --version and --help answer without NumPy and Numba.
+    from lispac.cli import commands
+    from lispac.cli.console import UsageError
+
+    try:
+        getattr(commands, arguments.command)(arguments)
+    except UsageError as error:
+        print(f"lispac: {error}", file=sys.stderr)
+        return 2
+    except LispacError as error:
+        print(f"lispac: {error}", file=sys.stderr)
+        return 1
+    except (KeyboardInterrupt, Cancelled):
+        print("lispac: stopped; nothing was changed.", file=sys.stderr)
+        return 1
+    except BrokenPipeError:
+        return 1
+    except MemoryError:
+        print("lispac: not enough memory; use shorter lines.", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"lispac: {error.filename or 'a file'}: {error.strerror or error}.", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,155 @@
+"""The commands and their options."""
+
+import argparse
+import math
+from pathlib import Path
+
+from lispac import __version__
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """Describe every command; imports nothing heavy."""
+    parser = argparse.ArgumentParser(
+        prog="lispac",
+        description="Boresight calibration of mobile LiDAR systems.",
+        epilog="Angles: roll positive left side up, pitch positive bow down, yaw clockwise; "
+        "LiDAR to body frame (forward, left, up). Lengths in metres, angles in degrees.",
+    )
+    parser.add_argument("--version", action="version", version=f"lispac {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    _demo(commands)
+    _new(commands)
+    _pick(commands)
+    _estimate(commands)
+    _validate(commands)
+    _georeference(commands)
+    _report(commands)
+    return parser
+
+
+Commands = argparse._SubParsersAction  # the type argparse gives no public name
+
+
+def _command(commands: "Commands[argparse.ArgumentParser]", name: str, text: str) -> argparse.ArgumentParser:
+    return commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
+
+
+def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
+    demo = _command(commands, "demo", "simulate the built-in survey and calibrate it, all the way")
+    demo.add_argument("--output", type=Path, required=True, metavar="DIR", help="project folder")
+    demo.add_argument("--no-window", action="store_true", help="do not open the window at the end")
+    _json(demo)
+
+
+def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
+    new = _command(commands, "new", "make a project from raw lines and a trajectory")
+    new.add_argument("project", type=Path, metavar="PROJECT", help="folder to make")
+    new.add_argument("lines", type=Path, nargs="+", metavar="LINE", help="scan file (LAS, LAZ, text)")
+    new.add_argument("--trajectory", type=Path, required=True, metavar="FILE", help="SBET")
+    new.add_argument("--trajectory-accuracy", type=Path, metavar="FILE", help="smrmsg")
+    _triple(new, "--lever-arm", ("X", "Y", "Z"), "LiDAR from POS: forward, left, up (m)", required=True)
+    _triple(new, "--boresight", ("ROLL", "PITCH", "YAW"), "prior boresight (deg), default 0 0 0")
+    _triple(new, "--origin", ("LAT", "LON", "HEIGHT"), "origin of the local frame (deg, m)")
+    _triple(new, "--position-sigma", ("N", "E", "D"), "position sigmas without accuracy file (m)")
+    _triple(
+        new, "--attitude-sigma", ("ROLL", "PITCH", "HEADING"),
+        "attitude sigmas without accuracy file (deg)",
+    )  # fmt: skip
+    new.add_argument("--lidar-sigma", type=_positive, metavar="METRES", help="LiDAR noise on each axis")
+    new.add_argument(
+        "--columns",
+        metavar="NAMES",
+        help="columns of text lines from the left, e.g. time,x,y,z,intensity",
+    )
+    _json(new)
+
+
+def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
+    pick = _command(commands, "pick", "find the plane at a seed, in every line")
+    pick.add_argument("project", type=Path, metavar="PROJECT")
+    _triple(pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True)
+    pick.add_argument("--name", required=True, help="name of the target, e.g. T1")
+    pick.add_argument("--role", choices=("target", "validation"), default="target")
+    pick.add_argument("--line", help="seek in this line only")
+    pick.add_argument(
+        "--threshold",
+        type=_positive,
+        metavar="METRES",
+        help="RANSAC distance threshold (default 0.01, or 3 LiDAR sigma where larger)",
+    )
+    pick.add_argument("--radius", type=_positive, metavar="METRES", help="search radius")
+    _json(pick)
+
+
+def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
+    estimate = _command(commands, "estimate", "adjust the boresight of a project or of plane files")
+    estimate.add_argument("project", type=Path, nargs="?", metavar="PROJECT")
+    estimate.add_argument("--subsample", type=_not_negative, metavar="METRES", help="0 keeps all")
+    estimate.add_argument(
+        "--pos-errors",
+        choices=("independent", "correlated"),
+        help="POS errors shared by the points of a sighting (correlated) or not (independent: "
+        "thesis mode, the default for plane files)",
+    )
+    estimate.add_argument("--planes", type=Path, nargs="+", metavar="FILE", help="25-column files")
+    _triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes (m)")
+    _triple(estimate, "--boresight", ("R", "P", "Y"), "with --planes: prior (deg), default 0 0 0")
+    estimate.add_argument("--lidar-sigma", type=_positive, metavar="METRES", help="with --planes")
+    _json(estimate)
+
+
+def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
+    validate = _command(commands, "validate", "compare the lines on the validation planes")
+    validate.add_argument("project", type=Path, metavar="PROJECT")
+    _json(validate)
+
+
+def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
+    georeference = _command(commands, "georeference", "write the lines in the local frame as LAZ")
+    georeference.add_argument("project", type=Path, metavar="PROJECT")
+    georeference.add_argument("--output", type=Path, required=True, metavar="DIR")
+    georeference.add_argument("--boresight", choices=("prior", "estimated"), default="estimated")
+
+
+def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
+    report = _command(commands, "report", "write the report")
+    report.add_argument("project", type=Path, metavar="PROJECT")
+    report.add_argument(
+        "--output", type=Path, required=True, metavar="FILE", help=".pdf, .html or .json"
+    )
+
+
+def _json(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--json", action="store_true", help="one JSON object on stdout")
+
+
+def _triple(
+    parser: argparse.ArgumentParser,
+    name: str,
+    parts: tuple[str, str, str],
+    text: str,
+    *,
+    required: bool = False,
+) -> None:
+    parser.add_argument(name, type=_finite, nargs=3, metavar=parts, help=text, required=required)
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text} is not a finite number")
+    return value
+
+
+def _positive(text: str) -> float:
+    value = _finite(text)
+    if not value > 0:
+        raise argparse.ArgumentTypeError(f"{text} is not larger than zero")
+    return value
+
+
+def _not_negative(text: str) -> float:
+    value = _finite(text)
+    if not value >= 0:
+        raise argparse.ArgumentTypeError(f"{text} is negative")
+    return value

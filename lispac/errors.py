@@ -1,0 +1,37 @@
+"""Every error the program raises on purpose.
+
+A message is one plain sentence for a surveyor: what is wrong, where, and what to do about it.
+The command line prints it and exits with 1; the window shows it in a dialogue.
+"""
+
+
+class LispacError(Exception):
+    """Something the user can act on."""
+
+
+class InputError(LispacError):
+    """A file or a value that cannot be used."""
+
+
+class ProjectError(LispacError):
+    """A project folder that cannot be opened or written, or lacks what a step needs."""
+
+
+class PlaneNotFound(LispacError):
+    """No plane was found where the seed was set."""
+
+
+class AdjustmentError(LispacError):
+    """The least-squares adjustment cannot give an answer."""
+
+
+class RankDeficient(AdjustmentError):
+    """The geometry of lines and targets does not determine the boresight."""
+
+
+class NotConverged(AdjustmentError):
+    """The iterations did not settle."""
+
+
+class Cancelled(Exception):  # noqa: N818 - a request, not an error
+    """The user asked a running task to stop; nothing has been changed."""

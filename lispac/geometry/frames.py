@@ -1,0 +1,129 @@
+"""The local frame: North, West, Up at one origin (thesis equations 1.2-1.5 and B.1-B.3)."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+SEMI_MAJOR_AXIS = 6378137.0  # WGS84, metres
+FLATTENING = 1 / 298.257223563
+ECCENTRICITY_SQUARED = FLATTENING * (2 - FLATTENING)
+
+
+def geodetic_to_ecef(latitude: Array, longitude: Array, height: Array) -> Array:
+    """Earth-centred coordinates of geodetic ones (thesis equation B.2).
+
+    Parameters
+    ----------
+    latitude, longitude : ndarray of shape (...), radians
+    height : ndarray of shape (...), metres above the ellipsoid
+
+    Returns
+    -------
+    ndarray of shape (..., 3), metres
+    """
+    sin, cos = np.sin(latitude), np.cos(latitude)
+    prime_vertical = SEMI_MAJOR_AXIS / np.sqrt(1 - ECCENTRICITY_SQUARED * sin**2)
+    return np.stack(
+        [
+            (prime_vertical + height) * cos * np.cos(longitude),
+            (prime_vertical + height) * cos * np.sin(longitude),
+            (prime_vertical * (1 - ECCENTRICITY_SQUARED) + height) * sin,
+        ],
+        axis=-1,
+    )
+
+
+def ecef_to_geodetic(ecef: Array) -> tuple[Array, Array, Array]:
+    """Latitude, longitude (radians) and height (metres) of earth-centred coordinates.
+
+    Iterates on the latitude until it moves by less than 1e-14 rad, four or five rounds near the
+    surface (Hofmann-Wellenhof, GNSS, 8.2).
+
+    Parameters
+    ----------
+    ecef : ndarray of shape (..., 3), metres
+    """
+    x, y, z = np.moveaxis(np.asarray(ecef, dtype=float), -1, 0)
+    distance = np.hypot(x, y)
+    latitude = np.arctan2(z, distance * (1 - ECCENTRICITY_SQUARED))
+    for _ in range(20):
+        sin = np.sin(latitude)
+        prime_vertical = SEMI_MAJOR_AXIS / np.sqrt(1 - ECCENTRICITY_SQUARED * sin**2)
+        previous = latitude
+        latitude = np.arctan2(z + ECCENTRICITY_SQUARED * prime_vertical * sin, distance)
+        if np.all(np.abs(latitude - previous) < 1e-14):
+            break
+    sin, cos = np.sin(latitude), np.cos(latitude)
+    height = distance * cos + z * sin - SEMI_MAJOR_AXIS * np.sqrt(1 - ECCENTRICITY_SQUARED * sin**2)
+    return latitude, np.arctan2(y, x), height
+
+
+def rotation_nwu_ecef(latitude: Array | float, longitude: Array | float) -> Array:
+    """Rotation from earth-centred axes to North-West-Up (thesis equation B.1).
+
+    Parameters
+    ----------
+    latitude, longitude : float or ndarray of shape (...), radians
+
+    Returns
+    -------
+    ndarray of shape (..., 3, 3)
+    """
+    latitude, longitude = np.broadcast_arrays(latitude, longitude)
+    sin_lat, cos_lat = np.sin(latitude), np.cos(latitude)
+    sin_lon, cos_lon = np.sin(longitude), np.cos(longitude)
+    rows = (
+        (-cos_lon * sin_lat, -sin_lon * sin_lat, cos_lat),
+        (sin_lon, -cos_lon, np.zeros_like(cos_lon)),
+        (cos_lon * cos_lat, sin_lon * cos_lat, sin_lat),
+    )
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+@dataclass(frozen=True)
+class LocalFrame:
+    """North-West-Up frame tangent to the ellipsoid at an origin (radians, metres)."""
+
+    latitude: float
+    longitude: float
+    height: float
+
+    @cached_property
+    def _origin_ecef(self) -> Array:
+        return geodetic_to_ecef(
+            np.asarray(self.latitude), np.asarray(self.longitude), np.asarray(self.height)
+        )
+
+    @cached_property
+    def _rotation_local_ecef(self) -> Array:
+        return rotation_nwu_ecef(self.latitude, self.longitude)
+
+    def to_local(self, latitude: Array, longitude: Array, height: Array) -> Array:
+        """Local coordinates, ndarray of shape (n, 3), metres, of geodetic ones (radians, metres)."""
+        offset = geodetic_to_ecef(latitude, longitude, height) - self._origin_ecef
+        return offset @ self._rotation_local_ecef.T
+
+    def to_geodetic(self, points_local: Array) -> tuple[Array, Array, Array]:
+        """Latitude, longitude (radians) and height (metres) of ``points_local``, shape (n, 3)."""
+        return ecef_to_geodetic(points_local @ self._rotation_local_ecef + self._origin_ecef)
+
+    def rotation_local_level(self, latitude: Array, longitude: Array) -> Array:
+        """Rotation from North-West-Up at other places into this frame.
+
+        An INS reports its attitude against the north and the vertical where the vessel is, not at
+        the origin: 1 km east of it, at 45 deg of latitude, north has turned by 0.009 deg.
+
+        Parameters
+        ----------
+        latitude, longitude : ndarray of shape (n,), radians
+
+        Returns
+        -------
+        ndarray of shape (n, 3, 3)
+        """
+        rotation_ecef_level = np.swapaxes(rotation_nwu_ecef(latitude, longitude), -1, -2)
+        return self._rotation_local_ecef @ rotation_ecef_level

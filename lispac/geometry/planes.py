@@ -1,0 +1,140 @@
+"""Planes: the value, the least-squares fit, and directions and sizes within a plane."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import PlaneNotFound
+
+Array = NDArray[np.float64]
+
+# Below this share of the largest spread the points are taken to lie on one straight line.
+LINE_SHARE = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """The points X with ``normal . X + d = 0``.
+
+    Attributes
+    ----------
+    normal : ndarray of shape (3,), unit vector
+    d : float, metres
+    """
+
+    normal: Array
+    d: float
+
+    def distances(self, points: Array) -> Array:
+        """Signed distance of each point, positive on the side the normal points to.
+
+        Parameters
+        ----------
+        points : ndarray of shape (..., 3), metres, in the plane's frame
+
+        Returns
+        -------
+        ndarray of shape (...), metres
+        """
+        signed: Array = points @ self.normal + self.d
+        return signed
+
+    def flipped(self) -> "Plane":
+        """The same plane with its normal reversed."""
+        return Plane(-self.normal, -self.d)
+
+    def facing(self, direction: Array) -> "Plane":
+        """The same plane with its normal on the side of ``direction``, shape (3,)."""
+        return self if float(self.normal @ direction) >= 0.0 else self.flipped()
+
+    def tilt_to(self, other: "Plane") -> float:
+        """Angle between the two planes, radians in [0, pi/2]."""
+        along = abs(float(self.normal @ other.normal))
+        across = float(np.linalg.norm(np.cross(self.normal, other.normal)))
+        return float(np.arctan2(across, along))
+
+
+def plane_through(point: Array, normal: Array) -> Plane:
+    """The plane through ``point`` across ``normal``, both of shape (3,)."""
+    unit = normal / np.linalg.norm(normal)
+    return Plane(unit, -float(unit @ point))
+
+
+def fit_plane(points: Array, weights: Array | None = None) -> Plane:
+    """Fit a plane by least squares of the orthogonal distances.
+
+    The normal's largest component is positive, so that equal points give equal planes.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    weights : ndarray of shape (n,), optional
+        Not negative; all alike when left out.
+
+    Raises
+    ------
+    PlaneNotFound
+        Fewer than three points, or all on one straight line.
+    """
+    if len(points) < 3:
+        raise PlaneNotFound(f"A plane needs at least three points, here there are {len(points)}.")
+    # Centring first: at UTM northings the products would lose the millimetres.
+    if weights is None:
+        centre = points.mean(axis=0)
+        centred = points - centre
+        scatter = centred.T @ centred
+    else:
+        centre = weights @ points / weights.sum()
+        centred = points - centre
+        scatter = (centred * weights[:, None]).T @ centred
+    if not np.all(np.isfinite(scatter)):
+        raise PlaneNotFound("A plane cannot be fitted to points with missing coordinates.")
+    spread, axes = np.linalg.eigh(scatter)
+    if spread[1] <= spread[2] * LINE_SHARE**2:
+        raise PlaneNotFound("The points lie on one straight line and do not determine a plane.")
+    normal = axes[:, 0]
+    normal = normal * np.sign(normal[np.argmax(np.abs(normal))])
+    return plane_through(centre, normal)
+
+
+def rms_distance(plane: Plane, points: Array) -> float:
+    """Root mean square distance of points (n, 3) to a plane, metres."""
+    return float(np.sqrt(np.mean(plane.distances(points) ** 2)))
+
+
+def in_plane_axes(normal: Array) -> Array:
+    """Two unit vectors in the plane: the level one and the one up the slope.
+
+    A plane within a thousandth of level has no slope; there the axes are west and north.
+
+    Parameters
+    ----------
+    normal : ndarray of shape (3,), unit vector in the local frame
+
+    Returns
+    -------
+    ndarray of shape (2, 3)
+        Rows: level (the width runs along it), up the slope (the height).
+    """
+    level = np.array([-normal[1], normal[0], 0.0])
+    length = float(np.hypot(normal[0], normal[1]))
+    if length < 1e-3:
+        level, length = np.array([0.0, 1.0, 0.0]) - normal[1] * normal, 1.0
+    level = level / np.linalg.norm(level)
+    slope = np.cross(normal, level)
+    if slope[2] < 0.0 or (length < 1e-3 and slope[0] < 0.0):
+        slope = -slope
+    return np.stack([level, slope])
+
+
+def extent_in_plane(plane: Plane, points: Array) -> Array:
+    """Width (level) and height (up the slope) that points (n, 3) span on a plane.
+
+    Returns
+    -------
+    ndarray of shape (2,), metres
+    """
+    placed = points @ in_plane_axes(plane.normal).T
+    span: Array = np.ptp(placed, axis=0)
+    return span

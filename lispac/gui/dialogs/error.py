@@ -1,0 +1,43 @@
+"""The one dialogue for everything that went wrong."""
+
+import traceback
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QPushButton, QWidget
+
+from lispac.errors import LispacError
+
+
+def describe(error: BaseException) -> tuple[str, str]:
+    """A plain sentence, and details where the sentence is not the program's own."""
+    if isinstance(error, LispacError):
+        return str(error), ""
+    if isinstance(error, MemoryError):
+        return "There is not enough memory for this; close other programs or use fewer lines.", ""
+    details = "".join(traceback.format_exception(error))
+    return (
+        "Something went wrong that the program did not foresee. Your project is as it was before "
+        "this step; save it, and send the details to the program's maintainers.",
+        details,
+    )
+
+
+def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
+    """The dialogue, not yet shown."""
+    sentence, details = describe(error)
+    box = QMessageBox(QMessageBox.Icon.Warning, "LISPAC", sentence, parent=parent)
+    box.setObjectName("error_dialog")
+    box.setStandardButtons(QMessageBox.StandardButton.Close)
+    if details:
+        box.setIcon(QMessageBox.Icon.Critical)
+        box.setDetailedText(details)
+        copy = QPushButton("Copy details")
+        copy.setObjectName("copy_details")
+        box.addButton(copy, QMessageBox.ButtonRole.ActionRole)
+        # A message box closes with any of its buttons; this one is to leave it open.
+        copy.clicked.disconnect()
+        copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(details))
+    buttons = box.findChild(QDialogButtonBox)
+    if buttons is not None:
+        buttons.setCenterButtons(False)
+    return box

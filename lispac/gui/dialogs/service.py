@@ -1,0 +1,100 @@
+"""Every question the window asks in a dialogue, in one place.
+
+The window gets such an object; a test gives it one that answers by itself.
+"""
+
+from pathlib import Path
+from typing import Literal
+
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QWidget
+
+from lispac.gui.dialogs.about import about_box, shortcuts_box
+from lispac.gui.dialogs.error import error_box
+from lispac.gui.dialogs.new_project import NewProjectDialog, NewProjectRequest
+
+Answer = Literal["save", "discard", "cancel"]
+
+REPORT_FILTER = "PDF (*.pdf);;HTML (*.html);;Numbers as JSON (*.json)"
+
+
+class Dialogs:
+    """Asks the user."""
+
+    def __init__(self) -> None:
+        self.parent: QWidget | None = None
+        self._error_open = False
+
+    def new_project(self) -> NewProjectRequest | None:
+        """What a new project is to hold."""
+        dialog = NewProjectDialog(self.parent)
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        request = dialog.request() if accepted else None
+        dialog.deleteLater()
+        return request
+
+    def project_to_open(self, start: Path) -> Path | None:
+        """A project's folder."""
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent, "Open project", str(start), "LISPAC project (project.json)"
+        )
+        return Path(name) if name else None
+
+    def report_file(self, start: Path) -> Path | None:
+        """Where the report goes; the ending chooses its kind."""
+        name, kind = QFileDialog.getSaveFileName(
+            self.parent, "Export report", str(start), REPORT_FILTER
+        )
+        if not name:
+            return None
+        path = Path(name)
+        endings = {"PDF": ".pdf", "HTML": ".html", "Numbers": ".json"}
+        return path if path.suffix else path.with_suffix(endings[kind.split(" ")[0]])
+
+    def lines_folder(self, start: Path) -> Path | None:
+        """Where georeferenced lines go."""
+        name = QFileDialog.getExistingDirectory(
+            self.parent, "Folder for the georeferenced lines", str(start)
+        )
+        return Path(name) if name else None
+
+    def save_changes(self, name: str) -> Answer:
+        """What to do with a changed project that is to be closed."""
+        buttons = QMessageBox.StandardButton
+        box = QMessageBox(
+            QMessageBox.Icon.Question,
+            "LISPAC",
+            f"Save the changes to {name}?",
+            buttons.Save | buttons.Discard | buttons.Cancel,
+            self.parent,
+        )
+        box.setInformativeText("Without saving, what was picked and computed since is lost.")
+        box.setDefaultButton(buttons.Save)
+        chosen = box.exec()
+        box.deleteLater()
+        if chosen == buttons.Save:
+            return "save"
+        return "discard" if chosen == buttons.Discard else "cancel"
+
+    def show_error(self, error: BaseException) -> None:
+        """Say what went wrong; a second error while one is shown does not pile up."""
+        if self._error_open:
+            return
+        self._error_open = True
+        try:
+            box = error_box(self.parent, error)
+            box.exec()
+            box.deleteLater()
+        finally:
+            self._error_open = False
+
+    def about(self) -> None:
+        """Say what the program is."""
+        box = about_box(self.parent)
+        box.exec()
+        box.deleteLater()
+
+    def shortcuts(self) -> None:
+        """Say what mouse and keys do."""
+        box = shortcuts_box(self.parent)
+        box.exec()
+        box.deleteLater()

@@ -1,0 +1,44 @@
+"""Edits of a project's targets that the window offers: each gives a new project."""
+
+from dataclasses import replace
+
+from lispac.errors import ProjectError
+from lispac.project import Project
+
+
+def with_use_of_target(project: Project, name: str, used: bool) -> Project:
+    """Let a target take part, or not."""
+    target = project.target(name)
+    return project if target.used == used else project.with_target(replace(target, used=used))
+
+
+def with_use_of_sighting(project: Project, name: str, line: str, used: bool) -> Project:
+    """Let one sighting take part, or not."""
+    target = project.target(name)
+    sighting = target.sighting(line)
+    if sighting is None or sighting.used == used:
+        return project
+    changed = replace(sighting, used=used)
+    sightings = tuple(changed if s.line == line else s for s in target.sightings)
+    return project.with_target(replace(target, sightings=sightings))
+
+
+def with_name(project: Project, old: str, new: str) -> Project:
+    """Rename a target; it keeps its place, and what was computed under its old name goes.
+
+    Raises
+    ------
+    ProjectError
+        Where the name is empty or taken.
+    """
+    new = new.strip()
+    if not new:
+        raise ProjectError(f"A target needs a name; {old} keeps its own.")
+    if any(target.name == new for target in project.targets if target.name != old):
+        raise ProjectError(f"There is a {new} already; give {old} another name.")
+    names = [target.name for target in project.targets]
+    # The edit itself tells which results no longer hold; only the order is put back.
+    edited = project.without_target(old).with_target(replace(project.target(old), name=new))
+    by_name = {target.name: target for target in edited.targets}
+    order = [new if name == old else name for name in names]
+    return replace(edited, targets=tuple(by_name[name] for name in order))

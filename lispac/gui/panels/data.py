@@ -1,0 +1,227 @@
+"""Step 1: the files, the lines, and the mounting the user states."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFormLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.project import Project, Settings
+from lispac.workflow.survey import Survey
+
+
+class DataPanel(QWidget):
+    """Shows what the project points at; lets the user hide lines and change the mounting."""
+
+    line_shown = Signal(str, bool)
+    """A line is to be shown, or hidden."""
+    settings_edited = Signal(object)
+    """Settings with the numbers of the fields."""
+    new_asked = Signal()
+    open_asked = Signal()
+    demo_asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._settings: Settings | None = None
+        layout = widgets.column(self)
+        self._empty = _EmptyState(self)
+        layout.addWidget(self._empty)
+        self._filled = QWidget()
+        layout.addWidget(self._filled)
+        filled = widgets.column(self._filled, 0)
+
+        files = QFormLayout()
+        files.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        files.setHorizontalSpacing(10)
+        files.setVerticalSpacing(4)
+        self._trajectory = widgets.label(name="trajectory_name")
+        self._accuracy = widgets.label(name="accuracy_name")
+        files.addRow(widgets.label("Trajectory", "muted"), self._trajectory)
+        files.addRow(widgets.label("Accuracy", "muted"), self._accuracy)
+        filled.addLayout(files)
+
+        self.lines = _lines_table()
+        self.lines.itemChanged.connect(self._line_toggled)
+        filled.addWidget(self.lines)
+
+        self.lever_arm = widgets.lever_arm_fields("lever_arm")
+        self.boresight = widgets.boresight_fields("prior")
+        self.lidar_sigma = widgets.number(
+            "lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
+            tip="Standard deviation of one LiDAR point on each axis, millimetres",
+        )  # fmt: skip
+        filled.addWidget(widgets.label("Lever arm, POS to LiDAR", "heading"))
+        filled.addWidget(self.lever_arm)
+        filled.addWidget(widgets.label("Prior boresight", "heading"))
+        filled.addWidget(self.boresight)
+        noise = QHBoxLayout()
+        noise.addWidget(widgets.label("LiDAR noise (1 σ)"))
+        noise.addStretch(1)
+        noise.addWidget(self.lidar_sigma)
+        filled.addLayout(noise)
+
+        self.apply = widgets.button(
+            "Apply", "apply_mounting", primary=True,
+            tip="Place the lines with these numbers; results that rest on the old ones are dropped",
+        )  # fmt: skip
+        self.revert = widgets.button("Revert", "revert_mounting", tip="Back to the values in use")
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(self.revert)
+        row.addWidget(self.apply)
+        filled.addLayout(row)
+        self.apply.clicked.connect(self._apply)
+        self.revert.clicked.connect(lambda: self._fill(self._settings))
+        for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma):
+            field.valueChanged.connect(self._compare)
+        self.show_project(None, None)
+
+    def show_project(self, project: Project | None, survey: Survey | None) -> None:
+        """Fill in; ``survey`` is None while the data are being read."""
+        self._empty.setVisible(project is None)
+        self._filled.setVisible(project is not None)
+        if project is None:
+            self._settings = None
+            return
+        _name_file(self._trajectory, project.trajectory, "")
+        _name_file(self._accuracy, project.accuracy, "typed sigmas, the same at all times")
+        self._list_lines(project, survey)
+        if project.settings != self._settings:
+            self._fill(project.settings)
+
+    def _list_lines(self, project: Project, survey: Survey | None) -> None:
+        names = [line.name for line in project.lines]
+        colours = theme.line_colours(names)
+        table = self.lines
+        shown = {
+            table.item(row, 0).text(): table.item(row, 0).checkState()
+            for row in range(table.rowCount())
+        }
+        table.blockSignals(True)
+        table.setRowCount(len(names))
+        for row, line in enumerate(project.lines):
+            item = QTableWidgetItem(theme.swatch(colours[line.name]), line.name)
+            item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsUserCheckable)
+            item.setCheckState(shown.get(line.name, Qt.CheckState.Checked))
+            item.setToolTip(f"{line.path}\nTick to show the line in the view")
+            table.setItem(row, 0, item)
+            here = survey is not None and line.name in survey.scans
+            heading = f"{_degrees(survey.heading[line.name])}°" if here else "–"
+            points = f"{len(survey.scans[line.name]):,}" if here else "–"
+            for place, text in ((1, heading), (2, points)):
+                cell = QTableWidgetItem(text)
+                cell.setFlags(Qt.ItemFlag.ItemIsEnabled)
+                cell.setTextAlignment(
+                    Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+                )
+                cell.setFont(theme.tabular(table.font()))
+                table.setItem(row, place, cell)
+        table.blockSignals(False)
+        height = table.horizontalHeader().sizeHint().height() + 26 * min(len(names), 8) + 4
+        table.setFixedHeight(height)
+
+    def _line_toggled(self, item: QTableWidgetItem) -> None:
+        if item.column() == 0:
+            self.line_shown.emit(item.text(), item.checkState() == Qt.CheckState.Checked)
+
+    def _fill(self, settings: Settings | None) -> None:
+        self._settings = settings
+        if settings is not None:
+            self.lever_arm.set_value(settings.lever_arm)
+            self.boresight.set_value(settings.boresight_deg)
+            self.lidar_sigma.blockSignals(True)
+            self.lidar_sigma.setValue(settings.lidar_sigma * 1000)
+            self.lidar_sigma.blockSignals(False)
+        self._compare()
+
+    def _edited(self) -> Settings | None:
+        """Settings with every field the user moved; None where nothing differs as shown."""
+        if self._settings is None:
+            return None
+        fresh = self._settings
+        if _moved(self.lever_arm.value(), fresh.lever_arm):
+            fresh = replace(fresh, lever_arm=self.lever_arm.value())
+        if _moved(self.boresight.value(), fresh.boresight_deg):
+            fresh = replace(fresh, boresight_deg=self.boresight.value())
+        if _moved((self.lidar_sigma.value() / 1000,), (fresh.lidar_sigma,)):
+            fresh = replace(fresh, lidar_sigma=self.lidar_sigma.value() / 1000)
+        return None if fresh is self._settings else fresh
+
+    def _compare(self) -> None:
+        differs = self._edited() is not None
+        self.apply.setEnabled(differs)
+        self.revert.setEnabled(differs)
+
+    def _apply(self) -> None:
+        edited = self._edited()
+        if edited is not None:
+            self.settings_edited.emit(edited)
+
+
+class _EmptyState(QWidget):
+    """What to do when no project is open."""
+
+    def __init__(self, panel: DataPanel) -> None:
+        super().__init__()
+        layout = widgets.column(self, 0)
+        layout.addWidget(
+            widgets.label(
+                "A project holds a trajectory (SBET), its accuracies, and one raw scan file for "
+                "each pass of the vessel.", "hint", wrap=True,
+            )
+        )  # fmt: skip
+        make = widgets.button("New project…", "empty_new", icon="folder-plus-outline", primary=True)
+        load = widgets.button("Open project…", "empty_open", icon="folder-open-outline")
+        demo = widgets.button("Open the demo survey", "empty_demo", icon="ferry")
+        make.clicked.connect(panel.new_asked)
+        load.clicked.connect(panel.open_asked)
+        demo.clicked.connect(panel.demo_asked)
+        for each in (make, load, demo):
+            layout.addWidget(each)
+
+
+def _lines_table() -> QTableWidget:
+    table = QTableWidget(0, 3)
+    table.setObjectName("lines_table")
+    table.setAccessibleName("Lines of the survey")
+    table.setHorizontalHeaderLabels(["Line", "Heading", "Points"])
+    for column in (1, 2):
+        table.horizontalHeaderItem(column).setTextAlignment(
+            Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        )
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(26)
+    table.setShowGrid(False)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    header = table.horizontalHeader()
+    header.setHighlightSections(False)
+    header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+    header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+    header.setSectionResizeMode(2, QHeaderView.ResizeMode.ResizeToContents)
+    return table
+
+
+def _name_file(where, path: Path | None, otherwise: str) -> None:
+    where.setText(path.name if path is not None else otherwise)
+    where.setToolTip(str(path) if path is not None else otherwise)
+
+
+def _moved(shown: tuple[float, ...], kept: tuple[float, ...]) -> bool:
+    # The fields show four decimals; a value typed elsewhere with more has not been moved.
+    return any(abs(a - b) > 0.51e-4 for a, b in zip(shown, kept, strict=True))
+
+
+def _degrees(heading: float) -> int:
+    return round(heading * 57.29577951308232) % 360

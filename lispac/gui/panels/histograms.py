@@ -1,0 +1,152 @@
+"""Each validation plane: distances between the lines before and after."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QStackedLayout,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.project import Project
+from lispac.validation.results import PlaneComparison
+
+_HEADS = ("Plane", "n", "Median", "RMS", "95th percentile")
+_TIPS = (
+    "Validation plane",
+    "Distances between points of one line and the surface of another",
+    "Median distance, millimetres, before → after",
+    "Root mean square distance, millimetres, before → after",
+    "95 % of the distances are smaller, millimetres, before → after",
+)
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class HistogramsPanel(QWidget):
+    """A row of figures for each plane, and the two histograms of the selected one."""
+
+    plane_selected = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._comparisons: tuple[PlaneComparison, ...] = ()
+        self._stack = QStackedLayout(self)
+        empty = QWidget()
+        layout = widgets.column(empty)
+        layout.addWidget(
+            widgets.label(
+                "No comparison yet. Pick validation planes, estimate, then press Validate in "
+                "step 4: the distances between the lines before and after appear here.",
+                "muted", wrap=True, name="histograms_empty",
+            )
+        )  # fmt: skip
+        layout.addStretch(1)
+        self._stack.addWidget(empty)
+        filled = QWidget()
+        self._row = QHBoxLayout(filled)
+        self._row.setContentsMargins(6, 6, 6, 6)
+        self.table = _table()
+        self.table.itemSelectionChanged.connect(self._selected)
+        self._row.addWidget(self.table, 3)
+        self._stack.addWidget(filled)
+        self.canvas: QWidget | None = None
+
+    @property
+    def current(self) -> str | None:
+        """Name of the plane whose histograms are drawn."""
+        rows = self.table.selectionModel().selectedRows()
+        return self._comparisons[rows[0].row()].name if rows else None
+
+    def show_project(self, project: Project | None) -> None:
+        """Show the comparisons, where there are some."""
+        comparisons = () if project is None else project.validation
+        self._stack.setCurrentIndex(1 if comparisons else 0)
+        if comparisons is self._comparisons:
+            return
+        self._comparisons = comparisons
+        self.table.blockSignals(True)
+        self.table.setRowCount(len(comparisons))
+        for row, each in enumerate(comparisons):
+            for column, text in enumerate(_texts(each)):
+                item = QTableWidgetItem(text)
+                item.setFont(theme.tabular(self.table.font()))
+                if column:
+                    item.setTextAlignment(_RIGHT)
+                item.setToolTip(f"{each.name}: {each.pooled_from} of lines")
+                self.table.setItem(row, column, item)
+        self.table.clearSelection()
+        self.table.blockSignals(False)
+        if comparisons:
+            self.table.selectRow(0)
+
+    def select(self, name: str) -> None:
+        """Draw one plane's histograms."""
+        names = [each.name for each in self._comparisons]
+        if name in names and self.current != name:
+            self.table.selectRow(names.index(name))
+
+    def _selected(self) -> None:
+        name = self.current
+        if name is not None:
+            self._draw(next(each for each in self._comparisons if each.name == name))
+            self.plane_selected.emit(name)
+
+    def _draw(self, comparison: PlaneComparison) -> None:
+        # Matplotlib takes half a second to import, which the start of the window does not wait for.
+        from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+
+        from lispac.report.figures import histogram_figure
+
+        if self.canvas is None:
+            figure = histogram_figure(comparison)
+            self.canvas = FigureCanvasQTAgg(figure)
+            self.canvas.setObjectName("histogram_canvas")
+            self.canvas.setMinimumSize(260, 140)
+            self._row.addWidget(self.canvas, 4)
+        else:
+            histogram_figure(comparison, figure=self.canvas.figure)
+            self.canvas.draw_idle()
+        self.canvas.setAccessibleName(
+            f"Histograms of {comparison.name}, before in blue and after in brown"
+        )
+
+
+def _texts(each: PlaneComparison) -> list[str]:
+    def change(before: float, after: float) -> str:
+        return f"{before * 1000:.1f} → {after * 1000:.1f} mm"
+
+    return [
+        each.name,
+        f"{each.before.n:,}",
+        change(each.before.median, each.after.median),
+        change(each.before.rms, each.after.rms),
+        change(each.before.p95, each.after.p95),
+    ]
+
+
+def _table() -> QTableWidget:
+    table = QTableWidget(0, len(_HEADS))
+    table.setObjectName("comparison_table")
+    table.setAccessibleName("Validation planes before and after")
+    table.setHorizontalHeaderLabels(list(_HEADS))
+    for column, tip in enumerate(_TIPS):
+        head = table.horizontalHeaderItem(column)
+        head.setToolTip(tip)
+        if column:
+            head.setTextAlignment(_RIGHT)
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(26)
+    table.setShowGrid(False)
+    table.setAlternatingRowColors(True)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.horizontalHeader().setHighlightSections(False)
+    table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    table.horizontalHeader().setStretchLastSection(True)
+    return table

@@ -1,0 +1,25 @@
+"""What happened, line by line."""
+
+from datetime import datetime
+
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import QPlainTextEdit
+
+MOST_LINES = 2000
+
+
+class LogPanel(QPlainTextEdit):
+    """Notes of the program with their time, to read and to copy."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("log")
+        self.setAccessibleName("Log")
+        self.setReadOnly(True)
+        self.setMaximumBlockCount(MOST_LINES)
+        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
+
+    def note(self, text: str) -> None:
+        """Add a line."""
+        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {text}")

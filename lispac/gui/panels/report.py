@@ -1,0 +1,38 @@
+"""Step 5: what leaves the program."""
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from lispac.gui.panels import widgets
+from lispac.gui.status import StepStatus
+
+
+class ReportPanel(QWidget):
+    """Exports the report and the georeferenced lines."""
+
+    report_asked = Signal()
+    lines_asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        layout = widgets.column(self)
+        self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
+        layout.addWidget(self.advice)
+        self.report = widgets.button(
+            "Export report…", "export_report", icon="file-document-outline", primary=True,
+            tip="PDF, HTML or JSON; pictures of the view before and after go into it (Ctrl+E)",
+        )  # fmt: skip
+        self.lines = widgets.button(
+            "Export georeferenced lines…", "export_lines", icon="export-variant",
+            tip="Every line as LAZ in the local frame, with the boresight the view shows",
+        )  # fmt: skip
+        self.report.clicked.connect(self.report_asked)
+        self.lines.clicked.connect(self.lines_asked)
+        layout.addWidget(self.report)
+        layout.addWidget(self.lines)
+
+    def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
+        """What can be exported now."""
+        self.advice.setText(status.advice)
+        self.report.setEnabled(status.ready and not busy)
+        self.lines.setEnabled(data_ready and not busy)

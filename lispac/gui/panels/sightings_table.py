@@ -1,0 +1,222 @@
+"""Targets by lines: points and RMS of every sighting, and which of them take part."""
+
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QBrush, QColor
+from PySide6.QtWidgets import QAbstractItemView, QTableView
+
+from lispac.gui import theme
+from lispac.project import PickedSighting, Project, Target
+from lispac.workflow.survey import Survey
+
+Role = Qt.ItemDataRole
+Index = QModelIndex | QPersistentModelIndex
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_NAME_TIP = "Tick to let the whole target take part"
+
+
+class SightingsModel(QAbstractTableModel):
+    """First column the target, then one for each line."""
+
+    target_used = Signal(str, bool)
+    sighting_used = Signal(str, str, bool)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._project: Project | None = None
+        self._heading: dict[str, float] = {}
+        self._lines: list[str] = []
+        self._colours: dict[str, tuple[int, int, int]] = {}
+
+    def show_project(self, project: Project | None, survey: Survey | None) -> None:
+        """Show another value."""
+        self.beginResetModel()
+        self._project = project
+        self._lines = [] if project is None else [line.name for line in project.lines]
+        self._colours = theme.line_colours(self._lines)
+        self._heading = {} if survey is None else dict(survey.heading)
+        self.endResetModel()
+
+    def key(self, index: Index) -> tuple[str, str] | None:
+        """(target, line) of a cell; line "" for the name's column."""
+        if not index.isValid() or index.row() >= len(self._targets):
+            return None
+        line = "" if index.column() == 0 else self._lines[index.column() - 1]
+        return self._targets[index.row()].name, line
+
+    def row_of(self, name: str) -> int | None:
+        """Row of a target."""
+        return next((k for k, t in enumerate(self._targets) if t.name == name), None)
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
+        return 0 if parent.isValid() else len(self._targets)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(self._lines) + 1
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+        if orientation == Qt.Orientation.Vertical:
+            return None
+        if section == 0:
+            return "Target" if role == Role.DisplayRole else None
+        line = self._lines[section - 1]
+        heading = self._heading.get(line)
+        if role == Role.DisplayRole:
+            return line if heading is None else f"{line}  {round(heading * 57.29578) % 360}°"
+        if role == Role.DecorationRole:
+            return QColor(*self._colours[line])
+        if role == Role.ToolTipRole:
+            return f"{line}: points and RMS about the sighting's own plane, in millimetres"
+        return None
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        if index.column() == 0 or self._sighting(index) is not None:
+            flags |= Qt.ItemFlag.ItemIsUserCheckable
+        return flags
+
+    def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
+        target = self._targets[index.row()]
+        if index.column() == 0:
+            return _of_name(target, role)
+        line = self._lines[index.column() - 1]
+        sighting = target.sighting(line)
+        if role == Role.TextAlignmentRole:
+            return _RIGHT if sighting is not None else Qt.AlignmentFlag.AlignCenter
+        if sighting is None:
+            return _of_missing(target, line, role)
+        return self._of_sighting(target, sighting, role)
+
+    def setData(self, index: Index, value: Any, role: int = Role.EditRole) -> bool:
+        if role != Role.CheckStateRole:
+            return False
+        key = self.key(index)
+        if key is None:
+            return False
+        used = Qt.CheckState(value) == Qt.CheckState.Checked
+        if key[1]:
+            self.sighting_used.emit(*key, used)
+        else:
+            self.target_used.emit(key[0], used)
+        return True
+
+    @property
+    def _targets(self) -> tuple[Target, ...]:
+        return () if self._project is None else self._project.targets
+
+    def _sighting(self, index: Index) -> PickedSighting | None:
+        return self._targets[index.row()].sighting(self._lines[index.column() - 1])
+
+    def _of_sighting(self, target: Target, sighting: PickedSighting, role: int) -> Any:
+        used = target.used and sighting.used
+        if role == Role.DisplayRole:
+            return f"{len(sighting.indices):,}   {sighting.rms * 1000:.1f} mm"
+        if role == Role.CheckStateRole:
+            return Qt.CheckState.Checked if sighting.used else Qt.CheckState.Unchecked
+        if role == Role.ForegroundRole and not used:
+            return QBrush(QColor("#93a0ac"))
+        if role == Role.ToolTipRole:
+            return self._tip(target, sighting)
+        return None
+
+    def _tip(self, target: Target, sighting: PickedSighting) -> str:
+        lines = [
+            f"{target.name} on {sighting.line}: {len(sighting.indices):,} points, "
+            f"{sighting.rms * 1000:.1f} mm RMS about their own plane"
+        ]
+        result = None if self._project is None else self._project.result
+        for residual in () if result is None else result.sightings:
+            if (residual.sighting.target, residual.sighting.line) == (target.name, sighting.line):
+                lines.append(
+                    f"Distance to the adjusted plane: {residual.rms_before * 1000:.1f} mm RMS "
+                    f"before, {residual.rms_after * 1000:.1f} mm after"
+                )
+        lines.append("Untick to leave this sighting out")
+        return "\n".join(lines)
+
+
+class SightingsTable(QTableView):
+    """The table; a selected cell tells which sighting it is."""
+
+    sighting_selected = Signal(str, str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("sightings_table")
+        self.setAccessibleName("Targets by lines")
+        self.sightings = SightingsModel()
+        self.setModel(self.sightings)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setAlternatingRowColors(True)
+        self.setFont(theme.tabular(self.font()))
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(26)
+        self.horizontalHeader().setHighlightSections(False)
+        self.horizontalHeader().setDefaultSectionSize(140)
+        self.horizontalHeader().setMinimumSectionSize(90)
+        self.selectionModel().currentChanged.connect(self._moved)
+
+    def show_project(self, project: Project | None, survey: Survey | None) -> None:
+        """Show another value; the selected cell stays selected where it still is."""
+        key = self.sightings.key(self.currentIndex())
+        place = self.currentIndex()
+        row, column = place.row(), place.column()
+        self.sightings.show_project(project, survey)
+        if key is not None and self.sightings.row_of(key[0]) == row:
+            self._set_current(row, column)
+
+    def select(self, name: str) -> None:
+        """Select a target's row by its name, without telling anyone."""
+        row = self.sightings.row_of(name)
+        key = self.sightings.key(self.currentIndex())
+        if row is not None and (key is None or key[0] != name):
+            self._set_current(row, 0)
+
+    def _set_current(self, row: int, column: int) -> None:
+        self.selectionModel().blockSignals(True)
+        self.selectionModel().setCurrentIndex(
+            self.sightings.index(row, column), QItemSelectionModel.SelectionFlag.ClearAndSelect
+        )
+        self.selectionModel().blockSignals(False)
+        self.viewport().update()
+
+    def _moved(self, current: QModelIndex, _previous: QModelIndex) -> None:
+        key = self.sightings.key(current)
+        if key is not None:
+            self.sighting_selected.emit(*key)
+
+
+def _of_name(target: Target, role: int) -> Any:
+    is_target = target.role == "target"
+    if role == Role.DisplayRole:
+        return target.name
+    if role == Role.DecorationRole:
+        return QColor(*(theme.TARGET_COLOUR if is_target else theme.VALIDATION_COLOUR))
+    if role == Role.CheckStateRole:
+        return Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked
+    if role == Role.ToolTipRole:
+        what = "takes part in the adjustment" if is_target else "validation plane, takes no part"
+        return f"{target.name}: {what}\n{_NAME_TIP}"
+    return None
+
+
+def _of_missing(target: Target, line: str, role: int) -> Any:
+    if role == Role.DisplayRole:
+        return "–"
+    if role == Role.ForegroundRole:
+        return QBrush(QColor("#93a0ac"))
+    if role == Role.ToolTipRole:
+        reason = target.missing.get(line, "not sought on this line")
+        return (
+            f"{target.name} on {line}: {reason}\nTo seed this line alone, choose it under "
+            "“Seek on” in step 2 and Ctrl+click."
+        )
+    return None

@@ -1,0 +1,317 @@
+"""Step 2: seeds, the candidate just found, and the list of targets."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QButtonGroup,
+    QComboBox,
+    QFormLayout,
+    QFrame,
+    QHBoxLayout,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.project import Project, Role, Target
+from lispac.workflow.survey import Survey
+
+ALL_LINES = "All lines"
+
+
+class TargetsPanel(QWidget):
+    """How the next seed is taken, accept or reject, and what has been picked."""
+
+    role_changed = Signal(str)
+    accepted = Signal()
+    rejected = Signal()
+    renamed = Signal(str, str)
+    removed = Signal(str)
+    used_changed = Signal(str, bool)
+    selected = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        layout = widgets.column(self)
+        self.hint = widgets.label(
+            "Hold <b>Ctrl</b> and click a target in the view. The plane is sought on every line.",
+            "hint", wrap=True, name="seed_hint",
+        )  # fmt: skip
+        layout.addWidget(self.hint)
+        layout.addLayout(self._roles())
+        layout.addLayout(self._seed_form())
+        self.candidate = _CandidateBox()
+        self.candidate.accept.clicked.connect(self.accepted)
+        self.candidate.reject.clicked.connect(self.rejected)
+        self.candidate.hide()
+        layout.addWidget(self.candidate)
+        self.table = _targets_table()
+        self.table.itemChanged.connect(self._item_changed)
+        self.table.itemSelectionChanged.connect(self._selection_changed)
+        layout.addWidget(self.table)
+        layout.addLayout(self._buttons())
+        self._names: list[str] = []
+        self._selection_changed()
+
+    @property
+    def role(self) -> Role:
+        """What the next seed makes."""
+        return "validation" if self._validation.isChecked() else "target"
+
+    @property
+    def line(self) -> str | None:
+        """The one line the next seed is for, or None for all."""
+        return self.line_choice.currentText() if self.line_choice.currentIndex() > 0 else None
+
+    @property
+    def radius(self) -> float | None:
+        """Search radius in metres, None for the finder's own."""
+        return self._radius.value() or None
+
+    @property
+    def threshold(self) -> float | None:
+        """RANSAC threshold in metres, None for the project's own."""
+        return self._threshold.value() / 1000 or None
+
+    @property
+    def current(self) -> str | None:
+        """Name of the selected target."""
+        rows = self.table.selectionModel().selectedRows()
+        return self._names[rows[0].row()] if rows else None
+
+    def set_role(self, role: str) -> None:
+        """Choose what the next seed makes."""
+        (self._validation if role == "validation" else self._target).setChecked(True)
+
+    def show_project(self, project: Project | None, survey: Survey | None) -> None:
+        """Fill in the list and the lines."""
+        lines = [] if project is None else [line.name for line in project.lines]
+        known = [self.line_choice.itemText(k) for k in range(1, self.line_choice.count())]
+        if known != lines:
+            self.line_choice.clear()
+            self.line_choice.addItem(ALL_LINES)
+            for line, colour in theme.line_colours(lines).items():
+                self.line_choice.addItem(theme.swatch(colour), line)
+        if project is not None:
+            usual = project.settings.threshold * 1000
+            self._threshold.setSpecialValueText(f"default ({usual:.0f} mm)")
+        self._list(project)
+
+    def show_candidate(self, candidate: Target | None, known: Target | None, lines: int) -> None:
+        """Offer a plane just found; ``known`` is the target it would replace."""
+        self.candidate.setVisible(candidate is not None)
+        if candidate is not None:
+            self.candidate.fill(candidate, known, lines)
+
+    def select(self, name: str) -> None:
+        """Select a target in the list."""
+        if name in self._names and self.current != name:
+            self.table.selectRow(self._names.index(name))
+
+    def _list(self, project: Project | None) -> None:
+        targets = () if project is None else project.targets
+        selected = self.current
+        self.table.blockSignals(True)
+        self._names = [target.name for target in targets]
+        self.table.setRowCount(len(targets))
+        for row, target in enumerate(targets):
+            for column, item in enumerate(_row(target, project)):
+                self.table.setItem(row, column, item)
+        self.table.clearSelection()
+        if selected in self._names:
+            self.table.selectRow(self._names.index(selected))
+        self.table.blockSignals(False)
+        self.table.setFixedHeight(30 + 26 * min(max(len(targets), 3), 9))
+        self._selection_changed(tell=False)
+
+    def _item_changed(self, item: QTableWidgetItem) -> None:
+        name = self._names[item.row()]
+        if item.column() == 0 and item.text() != name:
+            self.renamed.emit(name, item.text())
+        elif item.column() == 0:
+            self.used_changed.emit(name, item.checkState() == Qt.CheckState.Checked)
+
+    def _selection_changed(self, tell: bool = True) -> None:
+        name = self.current
+        self.rename.setEnabled(name is not None)
+        self.remove.setEnabled(name is not None)
+        if name is not None and tell:
+            self.selected.emit(name)
+        self._explain()
+
+    def _explain(self) -> None:
+        if self.line is None:
+            text = (
+                "Hold <b>Ctrl</b> and click a target in the view. "
+                "The plane is sought on every line."
+            )
+        elif self.current is not None:
+            text = (
+                f"<b>Ctrl</b>+click gives {self.current} a sighting of its own on {self.line}; "
+                "its other lines stay as they are."
+            )
+        else:
+            text = (
+                f"<b>Ctrl</b>+click seeks a new plane on {self.line} only. To add the line to a "
+                "target, select the target in the list first."
+            )
+        self.hint.setText(text)
+
+    def _roles(self) -> QHBoxLayout:
+        self._target = widgets.button(
+            "Adjustment target", "role_target", tip="The plane takes part in the adjustment (F6)"
+        )
+        self._validation = widgets.button(
+            "Validation plane", "role_validation",
+            tip="The plane takes no part; the lines are compared on it before and after (F7)",
+        )  # fmt: skip
+        group = QButtonGroup(self)
+        row = QHBoxLayout()
+        row.setSpacing(0)
+        for each, colour in (
+            (self._target, theme.TARGET_COLOUR),
+            (self._validation, theme.VALIDATION_COLOUR),
+        ):
+            each.setCheckable(True)
+            each.setProperty("segment", True)
+            each.setIcon(theme.swatch(colour))
+            group.addButton(each)
+            row.addWidget(each)
+        self._target.setChecked(True)
+        self._validation.toggled.connect(lambda: self.role_changed.emit(self.role))
+        return row
+
+    def _seed_form(self) -> QFormLayout:
+        self.line_choice = QComboBox()
+        self.line_choice.setObjectName("line_choice")
+        self.line_choice.addItem(ALL_LINES)
+        self.line_choice.setToolTip(
+            "Choose one line to seed it alone, where the search from another line failed"
+        )
+        self.line_choice.currentIndexChanged.connect(self._explain)
+        self._radius = widgets.number(
+            "search_radius", suffix=" m", decimals=2, low=0, high=100, step=0.25,
+            tip="Only points this near to the seed can belong to the plane; 0 leaves it to the "
+            "program",
+        )  # fmt: skip
+        self._radius.setSpecialValueText("default")
+        self._threshold = widgets.number(
+            "threshold", suffix=" mm", decimals=0, low=0, high=1000, step=5,
+            tip="Farthest a point may lie from its plane (RANSAC threshold); 0 gives the larger "
+            "of 10 mm and 3 × the LiDAR noise",
+        )  # fmt: skip
+        self._threshold.setSpecialValueText("default")
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setHorizontalSpacing(10)
+        form.setVerticalSpacing(6)
+        form.addRow("Seek on", self.line_choice)
+        form.addRow("Search radius", self._radius)
+        form.addRow("Threshold", self._threshold)
+        return form
+
+    def _buttons(self) -> QHBoxLayout:
+        self.rename = widgets.button("Rename", "rename_target", icon="pencil-outline", tip="F2")
+        self.remove = widgets.button("Remove", "remove_target", icon="trash-can-outline", tip="Del")
+        self.rename.clicked.connect(self._rename)
+        self.remove.clicked.connect(self._remove)
+        gone = QShortcut(QKeySequence.StandardKey.Delete, self.table, self._remove)
+        gone.setContext(Qt.ShortcutContext.WidgetShortcut)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(self.rename)
+        row.addWidget(self.remove)
+        return row
+
+    def _rename(self) -> None:
+        if self.current is not None:
+            self.table.setFocus()
+            self.table.editItem(self.table.item(self._names.index(self.current), 0))
+
+    def _remove(self) -> None:
+        if self.current is not None:
+            self.removed.emit(self.current)
+
+
+class _CandidateBox(QFrame):
+    """The plane just found, waiting for a yes or a no."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("candidate_box")
+        self.setProperty("role", "candidate")
+        layout = widgets.column(self, 10)
+        self.title = widgets.label("", "heading", name="candidate_title")
+        self.detail = widgets.label("", wrap=True, name="candidate_detail")
+        layout.addWidget(self.title)
+        layout.addWidget(self.detail)
+        self.accept = widgets.button(
+            "Accept  ⏎", "accept_candidate", icon="check-bold", primary=True, tip="Enter"
+        )
+        self.reject = widgets.button("Reject  Esc", "reject_candidate", icon="close", tip="Esc")
+        row = QHBoxLayout()
+        row.addWidget(self.accept, 1)
+        row.addWidget(self.reject, 1)
+        layout.addLayout(row)
+
+    def fill(self, candidate: Target, known: Target | None, lines: int) -> None:
+        """Say what was found, and where not."""
+        what = "Target" if candidate.role == "target" else "Validation plane"
+        again = "" if known is None else " (in place of the present one)"
+        self.title.setText(f"{what} {candidate.name}{again}")
+        found = candidate.sightings
+        points = sum(len(sighting.indices) for sighting in found)
+        worst = max((sighting.rms for sighting in found), default=0.0)
+        text = (
+            f"Found on {len(found)} of {lines} lines: {points:,} points, "
+            f"within {worst * 1000:.1f} mm RMS of their planes."
+        )
+        if candidate.missing:
+            text += f" Not found on {', '.join(candidate.missing)}."
+        self.detail.setText(text)
+
+
+def _targets_table() -> QTableWidget:
+    table = QTableWidget(0, 3)
+    table.setObjectName("targets_table")
+    table.setAccessibleName("Targets and validation planes")
+    table.setHorizontalHeaderLabels(["Name", "Role", "Lines"])
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(26)
+    table.setShowGrid(False)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setEditTriggers(
+        QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed
+    )
+    header = table.horizontalHeader()
+    header.setHighlightSections(False)
+    for column, mode in enumerate(
+        (
+            QHeaderView.ResizeMode.Stretch,
+            QHeaderView.ResizeMode.ResizeToContents,
+            QHeaderView.ResizeMode.ResizeToContents,
+        )
+    ):
+        header.setSectionResizeMode(column, mode)
+    return table
+
+
+def _row(target: Target, project: Project) -> list[QTableWidgetItem]:
+    flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+    is_target = target.role == "target"
+    colour = theme.TARGET_COLOUR if is_target else theme.VALIDATION_COLOUR
+    name = QTableWidgetItem(theme.swatch(colour), target.name)
+    name.setFlags(flags | Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsEditable)
+    name.setCheckState(Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked)
+    name.setToolTip("Tick to use it; double-click or F2 to rename")
+    role = QTableWidgetItem("target" if is_target else "validation")
+    lines = QTableWidgetItem(f"{len(target.used_sightings)} of {len(project.lines)}")
+    lines.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    for item in (role, lines):
+        item.setFlags(flags)
+    return [name, role, lines]

@@ -1,0 +1,142 @@
+"""Small building blocks of the panels."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import (
+    QDoubleSpinBox,
+    QGridLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import theme
+
+
+def label(text: str = "", role: str = "", *, wrap: bool = False, name: str = "") -> QLabel:
+    """A label; ``role`` is one of the style sheet's: muted, heading, error, hint."""
+    made = QLabel(text)
+    made.setProperty("role", role)
+    made.setWordWrap(wrap)
+    made.setObjectName(name)
+    if wrap:
+        made.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+    return made
+
+
+def button(
+    text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False
+) -> QPushButton:
+    """A push button."""
+    made = QPushButton(text)
+    made.setObjectName(name)
+    made.setToolTip(tip)
+    if primary:
+        made.setProperty("primary", True)
+    if icon:
+        made.setIcon(theme.icon(icon, "#ffffff" if primary else theme.TEXT))
+        made.setIconSize(QSize(16, 16))
+    return made
+
+
+def number(
+    name: str,
+    *,
+    suffix: str,
+    decimals: int,
+    low: float,
+    high: float,
+    step: float,
+    tip: str = "",
+) -> QDoubleSpinBox:
+    """A field for a number with its unit; the mouse wheel does not change it in passing."""
+    made = _Number()
+    made.setObjectName(name)
+    made.setAccessibleName(tip or name)
+    made.setDecimals(decimals)
+    made.setRange(low, high)
+    made.setSingleStep(step)
+    made.setSuffix(suffix)
+    made.setToolTip(tip)
+    made.setAlignment(Qt.AlignmentFlag.AlignRight)
+    made.setFont(theme.tabular(made.font()))
+    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    made.setKeyboardTracking(True)
+    return made
+
+
+class _Number(QDoubleSpinBox):
+    def wheelEvent(self, event) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+class Triple(QWidget):
+    """Three numbers side by side with a word over each."""
+
+    def __init__(self, words: Sequence[str], fields: Sequence[QDoubleSpinBox]) -> None:
+        super().__init__()
+        self.fields = tuple(fields)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(6)
+        grid.setVerticalSpacing(2)
+        for column, (word, field) in enumerate(zip(words, fields, strict=True)):
+            above = label(word, "muted")
+            above.setBuddy(field)
+            grid.addWidget(above, 0, column)
+            field.setMinimumWidth(86)
+            grid.addWidget(field, 1, column)
+            grid.setColumnStretch(column, 1)
+
+    def value(self) -> tuple[float, float, float]:
+        """The three numbers."""
+        a, b, c = (field.value() for field in self.fields)
+        return a, b, c
+
+    def set_value(self, values: Sequence[float]) -> None:
+        """Fill in three numbers without telling anyone."""
+        for field, value in zip(self.fields, values, strict=True):
+            field.blockSignals(True)
+            field.setValue(value)
+            field.blockSignals(False)
+
+
+def lever_arm_fields(prefix: str) -> Triple:
+    """Lever arm in metres."""
+    directions = ("forward", "left", "up")
+    fields = [
+        number(
+            f"{prefix}_{axis}", suffix=" m", decimals=4, low=-100, high=100, step=0.01,
+            tip=f"Lever arm {axis.upper()}: LiDAR optical centre from the POS centre, "
+            f"metres, positive {direction}",
+        )
+        for axis, direction in zip("xyz", directions, strict=True)
+    ]  # fmt: skip
+    return Triple(("X forward", "Y left", "Z up"), fields)
+
+
+def boresight_fields(prefix: str) -> Triple:
+    """Prior boresight in degrees."""
+    meanings = ("left side up", "bow down", "clockwise from above")
+    fields = [
+        number(
+            f"{prefix}_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=0.1,
+            tip=f"Prior {angle} of the LiDAR in the body frame, degrees, positive {meaning}",
+        )
+        for angle, meaning in zip(("roll", "pitch", "yaw"), meanings, strict=True)
+    ]  # fmt: skip
+    return Triple(("Roll", "Pitch", "Yaw"), fields)
+
+
+def column(parent: QWidget, margin: int = 12) -> QVBoxLayout:
+    """A vertical layout with the spacing all panels share."""
+    layout = QVBoxLayout(parent)
+    layout.setContentsMargins(margin, margin, margin, margin)
+    layout.setSpacing(theme.SPACE)
+    return layout

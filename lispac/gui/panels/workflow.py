@@ -1,0 +1,111 @@
+"""The five steps, one below the other; the open one shows its panel."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.gui.status import STEPS, State, StepStatus
+
+_GLYPHS: dict[State, tuple[str, str, str]] = {
+    "empty": ("circle-outline", "#9aa6b2", "not yet"),
+    "todo": ("circle-slice-4", theme.ACCENT, "to do"),
+    "done": ("check-circle", theme.DONE, "done"),
+    "warning": ("alert-circle", theme.WARNING, "look at this"),
+}
+
+
+class WorkflowPanel(QWidget):
+    """Five headers with their state; one panel open at a time."""
+
+    step_opened = Signal(int)
+
+    def __init__(self, panels: Sequence[QWidget]) -> None:
+        super().__init__()
+        self.setMinimumWidth(340)
+        outer = QVBoxLayout(self)
+        outer.setContentsMargins(0, 0, 0, 0)
+        outer.setSpacing(0)
+        self.headers = [_Header(k + 1, title) for k, title in enumerate(STEPS)]
+        self._areas = []
+        for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
+            header.clicked.connect(lambda _=False, k=k: self.open(k))
+            area = QScrollArea()
+            area.setWidgetResizable(True)
+            area.setFrameShape(QFrame.Shape.NoFrame)
+            area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+            area.setWidget(_on_top(panel))
+            self._areas.append(area)
+            outer.addWidget(header)
+            outer.addWidget(area, 1)
+        self.opened = -1
+        self.open(0)
+
+    def open(self, step: int) -> None:
+        """Open one step, numbered from 0, and close the others."""
+        for k, (header, area) in enumerate(zip(self.headers, self._areas, strict=True)):
+            header.setChecked(k == step)
+            area.setVisible(k == step)
+        if step != self.opened:
+            self.opened = step
+            self.step_opened.emit(step)
+
+    def show_status(self, statuses: Sequence[StepStatus]) -> None:
+        """Glyph and sentence of each step."""
+        for header, status in zip(self.headers, statuses, strict=True):
+            header.show_status(status)
+
+
+class _Header(QPushButton):
+    """A step's number, name and sentence; a click opens it."""
+
+    def __init__(self, number: int, title: str) -> None:
+        super().__init__()
+        self.setObjectName(f"step_{title.lower()}")
+        self.setProperty("step", True)
+        self.setCheckable(True)
+        self.setMinimumHeight(46)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        self._title = f"{number}  {title}"
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 4, 12, 4)
+        row.setSpacing(10)
+        self._glyph = QLabel()
+        name = widgets.label(self._title, "heading")
+        self.sentence = widgets.label("", "muted")
+        self.sentence.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        row.addWidget(self._glyph)
+        row.addWidget(name)
+        row.addWidget(self.sentence, 1)
+        for inner in (self._glyph, name, self.sentence):
+            inner.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 46)
+
+    def show_status(self, status: StepStatus) -> None:
+        glyph, colour, word = _GLYPHS[status.state]
+        self._glyph.setPixmap(theme.icon(glyph, colour).pixmap(18, 18))
+        self.sentence.setText(status.sentence)
+        self.setAccessibleName(f"{self._title}: {status.sentence}")
+        self.setToolTip(f"{self._title}: {status.sentence} ({word})")
+
+
+def _on_top(panel: QWidget) -> QWidget:
+    holder = QWidget()
+    layout = QVBoxLayout(holder)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.addWidget(panel)
+    layout.addStretch(1)
+    return holder

@@ -1,0 +1,161 @@
+"""What the viewport shows: the lines before or after, the sightings, the labels."""
+
+from collections.abc import Mapping
+from typing import Literal
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from lispac.gui import theme
+from lispac.gui.document import Document
+from lispac.gui.viewport.base import Array, Highlight, Marker, Viewport
+from lispac.project import Target
+
+Which = Literal["prior", "estimated"]
+
+
+class Scene(QObject):
+    """Keeps the viewport in step with the document, the candidate and the before/after switch."""
+
+    which_changed = Signal(str)
+
+    def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._viewport = document, viewport
+        self._estimated: tuple[object, Mapping[str, Array]] | None = None
+        self.which: Which = "prior"
+        self.candidate: Target | None = None
+        self._fit_next = True
+        document.opened.connect(self._another)
+        document.survey_changed.connect(self._reload)
+        document.changed.connect(self._project_changed)
+
+    @property
+    def clouds(self) -> Mapping[str, Array]:
+        """The lines as they are shown."""
+        survey = self._document.survey
+        if survey is None:
+            return {}
+        if self.which == "estimated" and self._estimated is not None:
+            return self._estimated[1]
+        return survey.clouds
+
+    @property
+    def has_estimated(self) -> bool:
+        """Whether the lines placed with the present result are at hand."""
+        project = self._document.project
+        return (
+            self._estimated is not None
+            and project is not None
+            and project.result is not None
+            and self._estimated[0] is project.result
+        )
+
+    def keep_estimated(self, result: object, clouds: Mapping[str, Array]) -> None:
+        """Keep the lines placed with ``result``."""
+        self._estimated = (result, clouds)
+
+    def show(self, which: Which) -> None:
+        """Show the lines before or after."""
+        if which == "estimated" and not self.has_estimated:
+            which = "prior"
+        if which != self.which:
+            self.which = which
+            self._draw_clouds()
+            self._draw_targets()
+        self.which_changed.emit(self.which)
+
+    def show_candidate(self, candidate: Target | None) -> None:
+        """Show a plane just found beside the others."""
+        self.candidate = candidate
+        self._draw_targets()
+        self._viewport.select(None if candidate is None else (candidate.name, ""))
+
+    def look_at(self, name: str, line: str) -> None:
+        """Emphasise a sighting, or a target on all its lines with ``line`` "", and go there."""
+        project = self._document.project
+        if project is None:
+            return
+        target = project.target(name)
+        self._viewport.select((name, line))
+        points = self._points(target, line)
+        if points is not None:
+            self._viewport.fit(points)
+
+    def _another(self) -> None:
+        self.candidate = None
+        self._fit_next = True
+
+    def _reload(self) -> None:
+        self._estimated = None
+        self.which = "prior"
+        survey = self._document.survey
+        if survey is None:
+            self._viewport.clear()
+        else:
+            self._viewport.set_station(_vessel(survey))
+            self._draw_clouds()
+            if self._fit_next:
+                self._viewport.fit()
+                self._fit_next = False
+        self._draw_targets()
+        self.which_changed.emit(self.which)
+
+    def _project_changed(self) -> None:
+        if self.which == "estimated" and not self.has_estimated:
+            self.which = "prior"
+            self._draw_clouds()
+            self.which_changed.emit(self.which)
+        self._draw_targets()
+
+    def _draw_clouds(self) -> None:
+        clouds = self.clouds
+        self._viewport.show_clouds(clouds, theme.line_colours(list(clouds)))
+
+    def _draw_targets(self) -> None:
+        project = self._document.project
+        targets = [] if project is None or self._document.survey is None else list(project.targets)
+        if self.candidate is not None:
+            targets = [t for t in targets if t.name != self.candidate.name] + [self.candidate]
+        highlights, markers = [], []
+        for target in targets:
+            for sighting in target.sightings:
+                used = target.used and sighting.used
+                colour = self._colour(target) if used else theme.UNUSED_COLOUR
+                points = self._points(target, sighting.line)
+                if points is not None:
+                    highlights.append(Highlight((target.name, sighting.line), points, colour))
+            label = f"{target.name}?" if target is self.candidate else target.name
+            markers.append(Marker(label, self._centre(target), self._colour(target)))
+        self._viewport.show_highlights(highlights)
+        self._viewport.show_markers(markers)
+
+    def _points(self, target: Target, line: str) -> Array | None:
+        clouds = self.clouds
+        groups = [
+            clouds[s.line][s.indices]
+            for s in target.sightings
+            if s.line in clouds and line in ("", s.line)
+        ]
+        return np.concatenate(groups) if groups else None
+
+    def _centre(self, target: Target) -> tuple[float, float, float]:
+        points = self._points(target, "")
+        if points is None or not len(points):
+            return target.seed
+        x, y, z = (float(v) for v in points.mean(axis=0))
+        return x, y, z
+
+    def _colour(self, target: Target):
+        if target is self.candidate:
+            return theme.CANDIDATE_COLOUR
+        return theme.TARGET_COLOUR if target.role == "target" else theme.VALIDATION_COLOUR
+
+
+def _vessel(survey) -> tuple[float, float, float]:
+    """Mean place of the vessel while it scanned: where a standard view looks from."""
+    times = np.concatenate(
+        [np.linspace(scan.time.min(), scan.time.max(), 21) for scan in survey.scans.values()]
+    )
+    north, west, up = (float(v) for v in survey.trajectory.at(times).position.mean(axis=0))
+    return north, west, up

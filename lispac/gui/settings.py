@@ -1,0 +1,64 @@
+"""What the window remembers between two runs."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings
+
+MOST_RECENT = 8
+
+
+class AppSettings:
+    """Recent projects, layout and looks, kept in the place the system has for that.
+
+    Parameters
+    ----------
+    file : Path or None
+        An INI file to use instead.
+    """
+
+    def __init__(self, file: Path | None = None) -> None:
+        if file is None:
+            self._store = QSettings("LISPAC", "LISPAC")
+        else:
+            self._store = QSettings(str(file), QSettings.Format.IniFormat)
+
+    def recent(self) -> list[Path]:
+        """Project folders opened last, the newest first."""
+        stored = self._store.value("recent", [])
+        names = [stored] if isinstance(stored, str) else list(stored or [])
+        return [Path(name) for name in names if name]
+
+    def add_recent(self, folder: Path) -> None:
+        """Put a project folder in front."""
+        others = [known for known in self.recent() if known != folder]
+        self._store.setValue("recent", [str(p) for p in [folder, *others][:MOST_RECENT]])
+
+    def forget_recent(self) -> None:
+        """Empty the list."""
+        self._store.setValue("recent", [])
+
+    def layout(self) -> tuple[QByteArray, QByteArray] | None:
+        """Geometry and dock state of the window, if it has been open before."""
+        geometry, state = self._store.value("geometry"), self._store.value("docks")
+        if isinstance(geometry, QByteArray) and isinstance(state, QByteArray):
+            return geometry, state
+        return None
+
+    def keep_layout(self, geometry: QByteArray, state: QByteArray) -> None:
+        """Remember geometry and dock state."""
+        self._store.setValue("geometry", geometry)
+        self._store.setValue("docks", state)
+
+    @property
+    def point_size(self) -> int:
+        """Pixels of a drawn point."""
+        stored = str(self._store.value("point_size", 2))
+        return int(stored) if stored.isdigit() else 2
+
+    @point_size.setter
+    def point_size(self, pixels: int) -> None:
+        self._store.setValue("point_size", pixels)
+
+    def sync(self) -> None:
+        """Write now."""
+        self._store.sync()

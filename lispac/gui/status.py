@@ -1,0 +1,169 @@
+"""What each of the five steps has, lacks and asks for next, in words."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from lispac.project import Project
+from lispac.workflow.survey import Survey
+
+State = Literal["empty", "todo", "done", "warning"]
+
+STEPS = ("Data", "Targets", "Adjust", "Validate", "Report")
+
+
+@dataclass(frozen=True)
+class StepStatus:
+    """State of one step.
+
+    Attributes
+    ----------
+    sentence : short, for the step's header
+    advice : what to do next, for the step's panel
+    ready : whether the step can be run
+    """
+
+    state: State
+    sentence: str
+    advice: str
+    ready: bool = False
+
+
+def counted(number: int, word: str, many: str = "") -> str:
+    """``1 line``, ``6 lines``."""
+    return f"{number:,} {word if number == 1 else many or word + 's'}"
+
+
+def point_count(number: int) -> str:
+    """A large count as one reads it: ``812``, ``26,104``, ``4.9 M points``."""
+    return f"{number / 1e6:.1f} M points" if number >= 1_000_000 else counted(number, "point")
+
+
+def steps(project: Project | None, survey: Survey | None) -> tuple[StepStatus, ...]:
+    """Status of the five steps in order; ``survey`` is None while data are not loaded."""
+    if project is None:
+        nothing = StepStatus("empty", "no project", "Open or make a project first.")
+        first = StepStatus(
+            "todo",
+            "no project open",
+            "Make a project from a trajectory and raw lines, or open the built-in demo survey.",
+        )
+        return (first, *[nothing] * 4)
+    return (
+        _data(project, survey),
+        _targets(project, survey),
+        _adjust(project, survey),
+        _validate(project, survey),
+        _report(project, survey),
+    )
+
+
+def _data(project: Project, survey: Survey | None) -> StepStatus:
+    lines = counted(len(project.lines), "line")
+    if survey is None:
+        return StepStatus("todo", f"{lines}, being read", "The files are being read.")
+    points = sum(len(scan) for scan in survey.scans.values())
+    return StepStatus(
+        "done",
+        f"{lines}, {point_count(points)}",
+        "Check the lever arm and its signs, then go on to the targets.",
+        ready=True,
+    )
+
+
+def _targets(project: Project, survey: Survey | None) -> StepStatus:
+    used = [target for target in project.of_role("target") if target.used]
+    planes = project.of_role("validation")
+    if survey is None:
+        return StepStatus("empty", "data first", "Wait until the data are read.")
+    if not used:
+        return StepStatus(
+            "todo", "no targets yet", "Hold Ctrl and click a target in the view.", ready=True
+        )
+    thin = [target.name for target in used if len(target.used_sightings) < 2]
+    lines = {s.line for target in used for s in target.used_sightings}
+    sentence = f"{counted(len(used), 'target')} in {counted(len(lines), 'line')}"
+    if planes:
+        sentence += f", {counted(len(planes), 'validation plane')}"
+    if thin:
+        return StepStatus(
+            "warning",
+            sentence,
+            f"{thin[0]} is seen on fewer than two lines: seed it on another line, or do not use it.",
+            ready=True,
+        )
+    if len(used) < 2:
+        return StepStatus(
+            "warning",
+            sentence,
+            "One plane seldom determines all three angles: pick another that faces elsewhere.",
+            ready=True,
+        )
+    advice = (
+        "Enough to adjust. Pick validation planes too, to show how well the lines agree."
+        if not planes
+        else "Enough to adjust and to validate."
+    )
+    return StepStatus("done", sentence, advice, ready=True)
+
+
+def _adjust(project: Project, survey: Survey | None) -> StepStatus:
+    used = [target for target in project.of_role("target") if target.used]
+    ready = survey is not None and bool(used)
+    if project.result is not None:
+        factor = project.result.variance_factor
+        passed = project.result.chi_square.passed
+        return StepStatus(
+            "done" if passed else "warning",
+            f"done: variance factor {factor:.2f}",
+            "The result stands on the right."
+            if passed
+            else "The residuals do not match the stated sigmas: see the test on the right.",
+            ready=ready,
+        )
+    if not ready:
+        return StepStatus("empty", "pick targets first", "Pick at least two targets first.")
+    return StepStatus("todo", "ready to estimate", "Press Estimate.", ready=True)
+
+
+def _validate(project: Project, survey: Survey | None) -> StepStatus:
+    planes = [plane for plane in project.of_role("validation") if plane.used]
+    if project.validation:
+        better = sum(c.after.rms < c.before.rms for c in project.validation)
+        total = len(project.validation)
+        return StepStatus(
+            "done" if better == total else "warning",
+            f"{better} of {total} {'plane' if total == 1 else 'planes'} closer than before",
+            "The histograms stand below.",
+            ready=project.result is not None and survey is not None,
+        )
+    if not planes:
+        return StepStatus(
+            "empty",
+            "no validation planes",
+            "Pick planes that take no part in the adjustment: choose Validation plane in step 2, "
+            "then Ctrl+click.",
+        )
+    if project.result is None:
+        return StepStatus(
+            "empty",
+            f"{counted(len(planes), 'plane')}, estimate first",
+            "Estimate the boresight first; then the lines are compared before and after.",
+        )
+    return StepStatus(
+        "todo",
+        f"{counted(len(planes), 'plane')} to compare",
+        "Press Validate to compare the lines on each plane.",
+        ready=survey is not None,
+    )
+
+
+def _report(project: Project, survey: Survey | None) -> StepStatus:
+    if project.result is None:
+        return StepStatus("empty", "estimate first", "The report needs an estimated boresight.")
+    missing = "" if project.validation else " It will have no validation: run step 4 for it."
+    return StepStatus(
+        "todo" if project.validation else "warning",
+        "ready to export" if project.validation else "ready, without validation",
+        "Export the report as PDF or HTML, or its numbers as JSON." + missing,
+        ready=survey is not None,
+    )

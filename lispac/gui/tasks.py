@@ -1,0 +1,179 @@
+"""Long work: one runner on the GUI thread, one worker thread, one cancel flag per task.
+
+The worker gets a function that takes `progress` and returns a value. It only leaves numbers in
+the task and asks for the cancel flag; the GUI thread looks at them twenty times a second, and it
+alone calls what is to be done with the value. A cancelled or failed task changes nothing.
+"""
+
+import queue
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from lispac.errors import Cancelled
+from lispac.progress import Progress
+
+REFRESH_MS = 50
+
+
+@dataclass(eq=False)
+class Task:
+    """A piece of work on its way.
+
+    Attributes
+    ----------
+    work : takes a Progress, returns a value; runs in the worker
+    done : takes the value; runs on the GUI thread
+    quiet : nobody waits for it, and it gives way to work that somebody waits for
+    key : a later quiet task of the same key takes its place
+    """
+
+    title: str
+    work: Callable[[Progress], Any]
+    done: Callable[[Any], None]
+    quiet: bool = False
+    key: str = ""
+    cancel: threading.Event = field(default_factory=threading.Event)
+    fraction: float = 0.0
+    message: str = ""
+    started: float = 0.0
+    value: Any = None
+    error: BaseException | None = None
+
+    def report(self, fraction: float, message: str = "") -> None:
+        """The `progress` the work is given."""
+        if self.cancel.is_set():
+            raise Cancelled
+        self.fraction = min(max(fraction, 0.0), 1.0)
+        if message:
+            self.message = message
+
+    def seconds_left(self) -> float | None:
+        """Seconds still to go at the mean rate so far; None while too little is known."""
+        elapsed = time.monotonic() - self.started
+        if elapsed < 0.5 or self.fraction < 0.02:
+            return None
+        return elapsed * (1 - self.fraction) / self.fraction
+
+
+class TaskRunner(QObject):
+    """Runs tasks one after the other."""
+
+    changed = Signal()
+    """A task started, moved or ended: look at `current`."""
+    failed = Signal(object)
+    """The exception a task ended with."""
+    stopped = Signal(str)
+    """Title of a task that was cancelled."""
+    idle = Signal()
+    """Nothing runs and nothing waits."""
+    _ended = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.current: Task | None = None
+        self._waiting: list[Task] = []
+        self._inbox: queue.SimpleQueue[Task | None] = queue.SimpleQueue()
+        self._worker: threading.Thread | None = None
+        self._closed = False
+        self._timer = QTimer(self)
+        self._timer.setInterval(REFRESH_MS)
+        self._timer.timeout.connect(self.changed)
+        self._ended.connect(self._finish, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether work runs, or waits, that somebody waits for."""
+        return any(not task.quiet for task in self._all())
+
+    @property
+    def active(self) -> bool:
+        """Whether any work runs or waits."""
+        return bool(self._all())
+
+    def run(
+        self,
+        title: str,
+        work: Callable[[Progress], Any],
+        done: Callable[[Any], None],
+        *,
+        quiet: bool = False,
+        key: str = "",
+    ) -> Task:
+        """Give work to the worker; ``done`` gets its value on the GUI thread."""
+        task = Task(title, work, done, quiet, key)
+        for other in self._all():
+            replaced = key and other.key == key
+            gives_way = other.quiet and not quiet
+            if replaced or gives_way:
+                other.cancel.set()
+        self._waiting = [other for other in self._waiting if not other.cancel.is_set()]
+        self._waiting.append(task)
+        self._next()
+        return task
+
+    def cancel(self) -> None:
+        """Ask the running task, and those that wait, to stop."""
+        for task in self._all():
+            task.cancel.set()
+        self._waiting = []
+        self.changed.emit()
+
+    def close(self) -> None:
+        """Stop everything and wait for the worker to end."""
+        self._closed = True
+        self.cancel()
+        self._timer.stop()
+        if self._worker is not None:
+            self._inbox.put(None)
+            self._worker.join()
+            self._worker = None
+        self.current = None
+
+    def _all(self) -> list[Task]:
+        return [*([self.current] if self.current else []), *self._waiting]
+
+    def _next(self) -> None:
+        if self.current is not None or self._closed:
+            return
+        if not self._waiting:
+            self.idle.emit()
+            return
+        if self._worker is None:
+            self._worker = threading.Thread(target=self._loop, name="lispac-worker")
+            self._worker.start()
+        self.current = self._waiting.pop(0)
+        self.current.started = time.monotonic()
+        self._inbox.put(self.current)
+        self._timer.start()
+        self.changed.emit()
+
+    def _loop(self) -> None:
+        while (task := self._inbox.get()) is not None:
+            try:
+                task.report(0.0)
+                task.value = task.work(task.report)
+            except BaseException as error:  # noqa: BLE001, RUF100 - handed to the GUI thread whole
+                task.error = error
+            self._ended.emit()
+
+    def _finish(self) -> None:
+        task, self.current = self.current, None
+        if task is None or self._closed:
+            return
+        self._timer.stop()
+        try:
+            if task.cancel.is_set() or isinstance(task.error, Cancelled):
+                if not task.quiet:
+                    self.stopped.emit(task.title)
+            elif task.error is not None:
+                self.failed.emit(task.error)
+            else:
+                task.done(task.value)
+        finally:
+            self.changed.emit()
+            self._next()

@@ -1,0 +1,103 @@
+"""What the window asks of a 3D viewport; `vtk` draws it, `recording` remembers it for tests."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+Array = NDArray[np.float64]
+Colour = tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class PickedPoint:
+    """The point under a Ctrl+click: its line and its local coordinates in metres."""
+
+    line: str
+    position: tuple[float, float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Highlight:
+    """Points of one sighting to draw over the clouds.
+
+    Attributes
+    ----------
+    key : (target name, line name)
+    points : ndarray of shape (n, 3), metres, local frame
+    """
+
+    key: tuple[str, str]
+    points: Array
+    colour: Colour
+
+
+@dataclass(frozen=True)
+class Marker:
+    """A labelled spot: a seed or the name of a target."""
+
+    label: str
+    position: tuple[float, float, float]
+    colour: Colour
+
+
+class ViewportSignals(QObject):
+    """What a viewport tells the window."""
+
+    seed_clicked = Signal(object)  # PickedPoint, on Ctrl+click on a point
+    missed = Signal()  # Ctrl+click in empty space
+
+
+class Viewport(Protocol):
+    """A 3D view of lines, targets and seeds, in the local frame."""
+
+    signals: ViewportSignals
+
+    @property
+    def widget(self) -> QWidget:
+        """The widget to put into the window."""
+
+    def show_clouds(self, clouds: Mapping[str, Array], colours: Mapping[str, Colour]) -> None:
+        """Draw the lines, each in its colour; replaces those shown, keeps the camera."""
+
+    def set_line_visible(self, line: str, visible: bool) -> None:
+        """Show or hide one line."""
+
+    def show_highlights(self, highlights: Sequence[Highlight]) -> None:
+        """Draw sightings over the clouds; replaces those shown."""
+
+    def show_markers(self, markers: Sequence[Marker]) -> None:
+        """Draw seeds and labels; replaces those shown."""
+
+    def select(self, key: tuple[str, str] | None) -> None:
+        """Emphasise one sighting, (target, line); line "" means all lines of the target."""
+
+    def set_station(self, position: tuple[float, float, float]) -> None:
+        """Say from where the scene is seen, usually the middle of the trajectory.
+
+        "front" looks from there at the lines, the other standard views follow; the origin of the
+        local frame until it is said.
+        """
+
+    def fit(self, points: Array | None = None) -> None:
+        """Bring everything, or the given points of shape (n, 3), into view."""
+
+    def view(self, name: str) -> None:
+        """Standard view: "top", "front", "side" or "isometric"."""
+
+    def set_point_size(self, pixels: int) -> None:
+        """Size of the drawn points."""
+
+    def screenshot(self, path: Path) -> None:
+        """Write what is shown as PNG."""
+
+    def clear(self) -> None:
+        """Show nothing."""
+
+    def close(self) -> None:
+        """Release the graphics; called before the window closes."""

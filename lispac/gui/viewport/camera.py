@@ -1,0 +1,156 @@
+"""The eye of the viewport: where it stands, how mouse movements turn it, what lands where.
+
+Local frame, metres: North, West, Up; up stays up on the screen, as a surveyor reads terrain. Pixels
+are those of the widget, from its upper left corner, x to the right and y down.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+VIEW_ANGLE = float(np.radians(30.0))
+"""Height of the field of view."""
+
+ORBIT_RATE = float(np.radians(0.35))
+"""Turn per pixel of mouse movement, radians."""
+
+CLOSEST = 0.02
+"""Nearest the eye comes to what it looks at, metres."""
+
+
+@dataclass(frozen=True)
+class Size:
+    """Width and height of the widget in pixels."""
+
+    width: float
+    height: float
+
+    @property
+    def pixels_per_tangent(self) -> float:
+        """Focal length of the view in pixels."""
+        return 0.5 * self.height / float(np.tan(0.5 * VIEW_ANGLE))
+
+
+@dataclass(frozen=True, eq=False)
+class Camera:
+    """Where the eye is and which way it looks.
+
+    Attributes
+    ----------
+    focal : ndarray of shape (3,), metres, local frame
+        Point in the middle of the picture.
+    azimuth : direction of view, radians clockwise from north
+    elevation : how far above the focal point the eye is, radians; pi/2 looks straight down
+    distance : metres from the eye to the focal point
+    """
+
+    focal: Array
+    azimuth: float
+    elevation: float
+    distance: float
+
+    @property
+    def axes(self) -> Array:
+        """Rows right, up and forward of the eye; shape (3, 3), local frame."""
+        sin_a, cos_a = np.sin(self.azimuth), np.cos(self.azimuth)
+        sin_e, cos_e = np.sin(self.elevation), np.cos(self.elevation)
+        return np.array(
+            [
+                [-sin_a, -cos_a, 0.0],
+                [sin_e * cos_a, -sin_e * sin_a, cos_e],
+                [cos_e * cos_a, -cos_e * sin_a, -sin_e],
+            ]
+        )
+
+    @property
+    def position(self) -> Array:
+        """The eye; shape (3,), metres, local frame."""
+        return self.focal - self.distance * self.axes[2]
+
+    def project(self, points: Array, size: Size) -> Array:
+        """Where points appear.
+
+        Parameters
+        ----------
+        points : ndarray of shape (n, 3), metres, local frame
+
+        Returns
+        -------
+        ndarray of shape (n, 3)
+            x and y in pixels and the depth in metres; x and y are NaN behind the eye.
+        """
+        seen = (np.atleast_2d(points) - self.position) @ self.axes.T
+        depth = np.where(seen[:, 2] > 0.0, seen[:, 2], np.nan)
+        scale = size.pixels_per_tangent / depth
+        return np.column_stack(
+            [0.5 * size.width + seen[:, 0] * scale, 0.5 * size.height - seen[:, 1] * scale, seen[:, 2]]
+        )
+
+    def slopes(self, x: float, y: float, size: Size) -> tuple[float, float]:
+        """Metres to the right and upwards, per metre of depth, of the ray through a pixel."""
+        return (
+            (x - 0.5 * size.width) / size.pixels_per_tangent,
+            (0.5 * size.height - y) / size.pixels_per_tangent,
+        )
+
+    def point_at(self, x: float, y: float, depth: float, size: Size) -> Array:
+        """Point at the given depth behind a pixel; shape (3,), metres, local frame."""
+        right, up = self.slopes(x, y, size)
+        return self.position + depth * (np.array([right, up, 1.0]) @ self.axes)
+
+    def metres_per_pixel(self, size: Size) -> float:
+        """Scale at the focal point."""
+        return self.distance / size.pixels_per_tangent
+
+    def refocused(self, depth: float) -> "Camera":
+        """The same picture with the focal point at another depth."""
+        depth = max(depth, CLOSEST)
+        return replace(self, focal=self.position + depth * self.axes[2], distance=depth)
+
+    def orbited(self, dx: float, dy: float, pivot: Array) -> "Camera":
+        """Turned about a point, as if the scene were dragged by (dx, dy) pixels."""
+        limit = 0.5 * np.pi
+        turned = replace(
+            self,
+            azimuth=float(np.remainder(self.azimuth + dx * ORBIT_RATE, 2.0 * np.pi)),
+            elevation=float(np.clip(self.elevation + dy * ORBIT_RATE, -limit, limit)),
+        )
+        rotation = turned.axes.T @ self.axes
+        return replace(turned, focal=pivot + rotation @ (self.focal - pivot))
+
+    def panned(self, dx: float, dy: float, depth: float, size: Size) -> "Camera":
+        """Shifted so that a point at ``depth`` follows the mouse by (dx, dy) pixels."""
+        step = depth / size.pixels_per_tangent
+        return replace(self, focal=self.focal + step * (np.array([-dx, dy, 0.0]) @ self.axes))
+
+    def zoomed(self, factor: float, target: Array) -> "Camera":
+        """All distances to ``target`` times ``factor``; the target stays at its pixel."""
+        factor = max(factor, CLOSEST / self.distance)
+        return replace(
+            self,
+            focal=target + factor * (self.focal - target),
+            distance=factor * self.distance,
+        )
+
+    def fitted(self, points: Array, size: Size, margin: float = 1.06) -> "Camera":
+        """The same direction of view from where all of the points (n, 3) are seen."""
+        aspect = max(size.width, 1.0) / max(size.height, 1.0)
+        tangent = np.tan(0.5 * VIEW_ANGLE) * np.array([aspect, 1.0])
+        seen = points @ self.axes.T
+        # Perspective shifts the middle of the picture, so the centre is sought in a few steps.
+        centre = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
+        distance = CLOSEST
+        for _ in range(6):
+            offset = seen - centre
+            ahead = offset[:, 2]
+            low, high = (
+                (sign * offset[:, :2] / tangent - ahead[:, None]).max(axis=0) for sign in (-1, 1)
+            )
+            distance = float(max(low.max(), high.max(), CLOSEST))
+            centre[:2] += 0.5 * (high - low) * tangent
+        return replace(
+            self, focal=centre @ self.axes, distance=max(margin * distance, 5.0 * CLOSEST)
+        )

@@ -1,0 +1,131 @@
+"""Mouse and keys over the viewport, turned into intents.
+
+Left drag rotates, middle or Shift+left or right drag moves, the wheel zooms, Ctrl+click picks and a
+double click looks at a point. A Ctrl+drag does nothing, so that a slip of the hand picks nothing.
+"""
+
+from enum import Enum, auto
+
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QApplication, QWidget
+
+WHEEL_STEP = 120.0
+"""Units of one notch of a wheel; touch pads send less at a time."""
+
+
+class _Drag(Enum):
+    NONE = auto()
+    ROTATE = auto()
+    PAN = auto()
+    PICK = auto()
+
+
+class Mouse(QObject):
+    """Watches a widget and tells what the user wants; positions are pixels of the widget."""
+
+    drag_started = Signal(float, float)
+    rotated = Signal(float, float)  # dx, dy since the last
+    panned = Signal(float, float)
+    drag_ended = Signal()
+    zoomed = Signal(float, float, float)  # notches (positive comes closer), x, y
+    picked = Signal(float, float)
+    centred = Signal(float, float)
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._widget = widget
+        self._drag = _Drag.NONE
+        self._press = QPointF()
+        self._last = QPointF()
+        widget.setMouseTracking(True)
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Take what concerns the viewport and leave everything else to the widget."""
+        kind = event.type()
+        if isinstance(event, QMouseEvent):
+            if kind == QEvent.Type.MouseButtonPress:
+                self._pressed(event)
+            elif kind == QEvent.Type.MouseMove:
+                self._moved(event)
+            elif kind == QEvent.Type.MouseButtonRelease:
+                self._released(event)
+            elif kind == QEvent.Type.MouseButtonDblClick:
+                self._double_clicked(event)
+            event.accept()
+            return True
+        if isinstance(event, QWheelEvent):
+            notches = event.angleDelta().y() / WHEEL_STEP
+            if notches:
+                self.zoomed.emit(notches, event.position().x(), event.position().y())
+            event.accept()
+            return True
+        if isinstance(event, QKeyEvent) and kind in (
+            QEvent.Type.KeyPress,
+            QEvent.Type.KeyRelease,
+        ):
+            if event.key() == Qt.Key.Key_Control:
+                self._show_cursor(kind == QEvent.Type.KeyPress)
+            # VTK's own keys (q ends, w draws wires) would surprise; the window may have the key.
+            event.ignore()
+            return True
+        if kind in (QEvent.Type.Enter, QEvent.Type.Leave, QEvent.Type.FocusOut):
+            self._show_cursor(kind == QEvent.Type.Enter and _control(QApplication.keyboardModifiers()))
+            return kind != QEvent.Type.FocusOut
+        return False
+
+    def _pressed(self, event: QMouseEvent) -> None:
+        if self._drag is not _Drag.NONE:
+            return  # a second button during a drag
+        self._press = self._last = event.position()
+        self._drag = _intent(event)
+        if self._drag in (_Drag.ROTATE, _Drag.PAN):
+            self.drag_started.emit(self._press.x(), self._press.y())
+
+    def _moved(self, event: QMouseEvent) -> None:
+        self._show_cursor(_control(event.modifiers()))
+        step = event.position() - self._last
+        self._last = event.position()
+        if self._drag is _Drag.ROTATE:
+            self.rotated.emit(step.x(), step.y())
+        elif self._drag is _Drag.PAN:
+            self.panned.emit(step.x(), step.y())
+
+    def _released(self, event: QMouseEvent) -> None:
+        if event.buttons() != Qt.MouseButton.NoButton:
+            return
+        drag, self._drag = self._drag, _Drag.NONE
+        if drag in (_Drag.ROTATE, _Drag.PAN):
+            self.drag_ended.emit()
+        elif drag is _Drag.PICK:
+            way = (event.position() - self._press).manhattanLength()
+            if way < QApplication.startDragDistance():
+                self.picked.emit(self._press.x(), self._press.y())
+
+    def _double_clicked(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and not _control(event.modifiers()):
+            self.centred.emit(event.position().x(), event.position().y())
+        else:
+            self._pressed(event)  # two quick Ctrl+clicks are two picks
+
+    def _show_cursor(self, picking: bool) -> None:
+        shape = Qt.CursorShape.CrossCursor if picking else Qt.CursorShape.ArrowCursor
+        if self._widget.cursor().shape() != shape:
+            self._widget.setCursor(shape)
+
+
+def _control(modifiers: Qt.KeyboardModifier) -> bool:
+    return bool(modifiers & Qt.KeyboardModifier.ControlModifier)
+
+
+def _intent(event: QMouseEvent) -> _Drag:
+    button = event.button()
+    if button == Qt.MouseButton.LeftButton:
+        if _control(event.modifiers()):
+            return _Drag.PICK
+        shifted = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        return _Drag.PAN if shifted else _Drag.ROTATE
+    if button in (Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton):
+        return _Drag.PAN
+    return _Drag.NONE

@@ -1,0 +1,146 @@
+"""From mouse to camera: turning about what is under the cursor, fitting, standard views, picks."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from lispac.gui.viewport.base import Array, PickedPoint
+from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.decimation import robust_sample
+from lispac.gui.viewport.mouse import Mouse
+from lispac.gui.viewport.picking import pick
+
+WHEEL_FACTOR = 0.85
+"""Distance left after one notch."""
+
+SNAP = (3.0, 8.0, 20.0)
+"""Pixels within which a drag or the wheel finds the surface it turns about or comes closer to."""
+
+VIEWS_DEG = {"front": (0.0, 0.0), "side": (90.0, 0.0), "isometric": (30.0, 26.0)}
+"""Azimuth from the front and elevation; "top" is apart, with north up."""
+
+
+class Navigator(QObject):
+    """The camera over a widget, moved by its mouse.
+
+    Attributes
+    ----------
+    camera : where the eye is
+    clouds : all points (n, 3) of the visible lines, which are picked
+    coarse : the thinned points (n, 3) of them, which are navigated by
+    station : ndarray of shape (3,), metres, local frame
+        Where "front" looks from.
+    """
+
+    moved = Signal()  # the user moves the camera
+    settled = Signal()  # and pauses
+    picked = Signal(object)  # PickedPoint
+    missed = Signal()
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self.camera = Camera(np.zeros(3), 0.0, float(np.radians(VIEWS_DEG["isometric"][1])), 50.0)
+        self.clouds: Mapping[str, Array] = {}
+        self.coarse: Mapping[str, Array] = {}
+        self.station: Array = np.zeros(3)
+        self._widget = widget
+        self._pivot: Array = np.zeros(3)
+        self._kept_in_view: Array | None = None
+        self.mouse = Mouse(widget)
+        self.mouse.drag_started.connect(self._on_drag_started)
+        self.mouse.rotated.connect(self._on_rotated)
+        self.mouse.panned.connect(self._on_panned)
+        self.mouse.drag_ended.connect(self.settled)
+        self.mouse.zoomed.connect(self._on_zoomed)
+        self.mouse.picked.connect(self._on_picked)
+        self.mouse.centred.connect(self._on_centred)
+
+    @property
+    def size(self) -> Size:
+        """Size of the widget; one pixel where it has none yet."""
+        return Size(max(self._widget.width(), 1), max(self._widget.height(), 1))
+
+    def fit(self, points: Array | None = None) -> None:
+        """Bring everything, or points of shape (n, 3), into view.
+
+        It stays in view when the widget changes its size, until the user moves the camera.
+        """
+        target = self._everything() if points is None else np.asarray(points, dtype=np.float64)
+        if len(target):
+            self._kept_in_view = target
+            self.refit()
+
+    def refit(self) -> None:
+        """Bring what was fitted into view again; after a change of size."""
+        if self._kept_in_view is not None:
+            self.camera = self.camera.fitted(self._kept_in_view, self.size)
+
+    def release(self) -> None:
+        """Keep nothing in view."""
+        self._kept_in_view = None
+
+    def view(self, name: str) -> None:
+        """Look at everything from a standard direction."""
+        if name == "top":
+            azimuth, elevation = 0.0, 0.5 * np.pi
+        else:
+            turn, elevation = np.radians(VIEWS_DEG[name])
+            azimuth = self._front_azimuth() + turn
+        self.camera = replace(self.camera, azimuth=float(azimuth), elevation=float(elevation))
+        self.fit()
+
+    def _everything(self) -> Array:
+        parts = list(self.coarse.values())
+        return robust_sample(np.concatenate(parts)) if parts else np.empty((0, 3))
+
+    def _front_azimuth(self) -> float:
+        everything = self._everything()
+        if len(everything) == 0:
+            return 0.0
+        north, west, _ = np.median(everything, axis=0) - self.station
+        return float(np.arctan2(-west, north)) if np.hypot(north, west) > 1.0 else 0.0
+
+    def _on_drag_started(self, x: float, y: float) -> None:
+        self._pivot = self._surface_at(x, y)
+        depth = self.camera.project(self._pivot, self.size)[0, 2]
+        self.camera = self.camera.refocused(float(depth))
+
+    def _on_rotated(self, dx: float, dy: float) -> None:
+        self._move(self.camera.orbited(dx, dy, self._pivot))
+
+    def _on_panned(self, dx: float, dy: float) -> None:
+        self._move(self.camera.panned(dx, dy, self.camera.distance, self.size))
+
+    def _on_zoomed(self, notches: float, x: float, y: float) -> None:
+        self._move(self.camera.zoomed(WHEEL_FACTOR**notches, self._surface_at(x, y)))
+        self.settled.emit()
+
+    def _on_centred(self, x: float, y: float) -> None:
+        hit = pick(self.clouds, self.camera, x, y, self.size)
+        if hit is not None:
+            focal = self.clouds[hit.line][hit.index]
+            self._move(replace(self.camera, focal=focal, distance=0.6 * hit.depth))
+            self.settled.emit()
+
+    def _on_picked(self, x: float, y: float) -> None:
+        hit = pick(self.clouds, self.camera, x, y, self.size)
+        if hit is None:
+            self.missed.emit()
+            return
+        north, west, up = (float(v) for v in self.clouds[hit.line][hit.index])
+        self.picked.emit(PickedPoint(hit.line, (north, west, up)))
+
+    def _surface_at(self, x: float, y: float) -> Array:
+        """Surface under a pixel, else the point behind it as deep as the focal point."""
+        hit = pick(self.coarse, self.camera, x, y, self.size, SNAP)
+        if hit is not None:
+            return self.coarse[hit.line][hit.index]
+        return self.camera.point_at(x, y, self.camera.distance, self.size)
+
+    def _move(self, camera: Camera) -> None:
+        self.camera = camera
+        self._kept_in_view = None
+        self.moved.emit()

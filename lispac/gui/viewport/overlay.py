@@ -1,0 +1,211 @@
+"""What is written over the 3D picture: labels, the axes, a scale bar and the hint of an empty view.
+
+Painted by Qt rather than by the 3D library: the fonts are those of the window, sharp on every
+screen, and nothing in the scene can hide them.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from lispac.gui.viewport.base import Marker
+from lispac.gui.viewport.camera import Camera, Size
+
+EMPTY_TITLE = "Nothing loaded yet"
+EMPTY_HINT = "Open or make a project to see its lines here"
+HELP = "Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+click: set a seed"
+
+INK = QColor(38, 50, 56)
+FAINT = QColor(96, 110, 120)
+PAPER = QColor(255, 255, 255, 225)
+AXES = (("N", QColor(200, 60, 45)), ("W", QColor(30, 130, 76)), ("U", QColor(40, 90, 190)))
+
+MARGIN = 14.0
+
+
+def scale_length(metres_per_pixel: float, longest: float = 150.0) -> float:
+    """Longest 1, 2 or 5 times a power of ten, in metres, that is at most ``longest`` pixels."""
+    limit = metres_per_pixel * longest
+    power = 10.0 ** np.floor(np.log10(limit))
+    return float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= limit * 1.000001))
+
+
+def length_text(metres: float) -> str:
+    """A round length with the unit it is read in."""
+    if metres >= 1000.0:
+        return f"{metres / 1000.0:g} km"
+    if metres >= 1.0:
+        return f"{metres:g} m"
+    return f"{metres * 100.0:g} cm" if metres >= 0.01 else f"{metres * 1000.0:g} mm"
+
+
+class Overlay(QWidget):
+    """A see-through sheet over the picture; the mouse goes through it."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.camera: Camera | None = None
+        """None paints the hint of an empty view."""
+        self.markers: Sequence[Marker] = ()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint on the screen."""
+        painter = QPainter(self)
+        self.paint(painter)
+        painter.end()
+
+    def paint(self, painter: QPainter) -> None:
+        """Paint on anything of the size of this widget, the screen or a picture to be saved."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setFont(self.font())
+        if self.camera is None:
+            self._paint_hint(painter)
+            return
+        size = Size(self.width(), self.height())
+        self._paint_markers(painter, self.camera, size)
+        self._paint_axes(painter, self.camera)
+        self._paint_scale(painter, self.camera.metres_per_pixel(size))
+        self._paint_help(painter)
+
+    def _paint_hint(self, painter: QPainter) -> None:
+        middle = QRectF(self.rect()).center()
+        width = float(self.width())
+        painter.setFont(_scaled(self.font(), 1.5))
+        painter.setPen(INK)
+        flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
+        painter.drawText(QRectF(0.0, middle.y() - 60.0, width, 56.0), flags, EMPTY_TITLE)
+        painter.setFont(_scaled(self.font(), 1.1))
+        painter.setPen(FAINT)
+        flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
+        painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, EMPTY_HINT)
+
+    def _paint_markers(self, painter: QPainter, camera: Camera, size: Size) -> None:
+        if not self.markers:
+            return
+        font = _scaled(self.font(), 1.0)
+        font.setBold(True)
+        painter.setFont(font)
+        metrics = QFontMetricsF(font)
+        spots = camera.project(np.array([m.position for m in self.markers]), size)
+        # Far ones first, so that the label of a near one lies on top.
+        for k in np.argsort(-spots[:, 2]):
+            x, y, depth = spots[k]
+            if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
+                _paint_marker(painter, metrics, QPointF(x, y), self.markers[k])
+
+    def _paint_axes(self, painter: QPainter, camera: Camera) -> None:
+        centre = QPointF(MARGIN + 42.0, self.height() - MARGIN - 42.0)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(255, 255, 255, 150))
+        painter.drawEllipse(centre, 44.0, 44.0)
+        seen = camera.axes  # columns: how north, west and up look
+        font = _scaled(self.font(), 0.95)
+        font.setBold(True)
+        painter.setFont(font)
+        for k in np.argsort(-seen[2]):  # those pointing away first
+            name, colour = AXES[k]
+            tip = centre + QPointF(seen[0, k], -seen[1, k]) * 28.0
+            letter = centre + QPointF(seen[0, k], -seen[1, k]) * 36.0
+            pen = QPen(colour, 2.4)
+            pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+            painter.setPen(pen)
+            painter.drawLine(centre, tip)
+            box = QRectF(letter.x() - 10.0, letter.y() - 10.0, 20.0, 20.0)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, name)
+
+    def _paint_scale(self, painter: QPainter, metres_per_pixel: float) -> None:
+        metres = scale_length(metres_per_pixel)
+        pixels = metres / metres_per_pixel
+        right, base = self.width() - MARGIN - 4.0, self.height() - MARGIN - 6.0
+        left = right - pixels
+        painter.setFont(_scaled(self.font(), 0.95))
+        painter.setPen(QPen(INK, 1.6))
+        painter.drawPolyline(
+            [
+                QPointF(left, base - 6.0),
+                QPointF(left, base),
+                QPointF(right, base),
+                QPointF(right, base - 6.0),
+            ]
+        )
+        box = QRectF(left - 60.0, base - 26.0, pixels + 120.0, 20.0)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
+
+    def _paint_help(self, painter: QPainter) -> None:
+        font = _scaled(self.font(), 0.9)
+        painter.setFont(font)
+        # Between the axes and the scale bar, left out where the window is too narrow for it.
+        left, right = MARGIN + 100.0, self.width() - MARGIN - 180.0
+        width = QFontMetricsF(font).horizontalAdvance(HELP) + 24.0
+        if width < right - left:
+            middle = 0.5 * (left + right)
+            box = QRectF(middle - 0.5 * width, self.height() - MARGIN - 22.0, width, 22.0)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(255, 255, 255, 170))
+            painter.drawRoundedRect(box, 11.0, 11.0)
+            painter.setPen(FAINT)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, HELP)
+
+
+class Stage(QWidget):
+    """The picture with the overlay on top of it."""
+
+    resized = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(240, 180)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.overlay = Overlay(self)
+
+    def put(self, canvas: QWidget) -> None:
+        """Set the picture."""
+        layout = self.layout()
+        assert layout is not None
+        layout.addWidget(canvas)
+        self.overlay.raise_()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the overlay as large as the picture."""
+        super().resizeEvent(event)
+        self.overlay.setGeometry(self.rect())
+        self.resized.emit()
+
+
+def _paint_marker(
+    painter: QPainter, metrics: QFontMetricsF, spot: QPointF, marker: Marker
+) -> None:
+    colour = QColor(*marker.colour)
+    label = spot + QPointF(14.0, -18.0)
+    painter.setPen(QPen(QColor(255, 255, 255, 220), 3.5))
+    painter.drawLine(spot, label)
+    painter.setPen(QPen(colour.darker(130), 1.5))
+    painter.drawLine(spot, label)
+    painter.setPen(QPen(QColor(255, 255, 255), 1.8))
+    painter.setBrush(colour)
+    painter.drawEllipse(spot, 5.0, 5.0)
+    if not marker.label:
+        return
+    height = metrics.height() + 4.0
+    box = QRectF(
+        label.x() - 2.0, label.y() - height, metrics.horizontalAdvance(marker.label) + 14.0, height
+    )
+    painter.setPen(QPen(colour.darker(115), 1.3))
+    painter.setBrush(PAPER)
+    painter.drawRoundedRect(box, 4.0, 4.0)
+    painter.setPen(INK)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, marker.label)
+
+
+def _scaled(font: QFont, factor: float) -> QFont:
+    scaled = QFont(font)
+    if font.pointSizeF() > 0.0:
+        scaled.setPointSizeF(font.pointSizeF() * factor)
+    else:
+        scaled.setPixelSize(round(font.pixelSize() * factor))
+    return scaled

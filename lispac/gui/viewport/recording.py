@@ -1,0 +1,126 @@
+"""A viewport without graphics that remembers what it was asked; for tests of the window."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QWidget
+
+from lispac.errors import InputError
+from lispac.gui.viewport.base import (
+    Array,
+    Colour,
+    Highlight,
+    Marker,
+    PickedPoint,
+    ViewportSignals,
+)
+
+
+class RecordingViewport:
+    """Does what `Viewport` says, on a plain widget.
+
+    Attributes
+    ----------
+    calls : list of (method name, arguments)
+        Everything asked, in order.
+    clouds, colours, hidden, highlights, markers, selected, point_size, station
+        What a real viewport would show now.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self.signals = ViewportSignals()
+        self._widget = QWidget(parent)
+        self.calls: list[tuple[str, tuple[object, ...]]] = []
+        self.clouds: dict[str, Array] = {}
+        self.colours: dict[str, Colour] = {}
+        self.hidden: set[str] = set()
+        self.highlights: list[Highlight] = []
+        self.markers: list[Marker] = []
+        self.selected: tuple[str, str] | None = None
+        self.point_size = 2
+        self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
+        self.closed = False
+
+    @property
+    def widget(self) -> QWidget:
+        """A plain widget."""
+        return self._widget
+
+    def click(self, line: str, index: int) -> None:
+        """Do what a Ctrl+click on a point of a shown line does."""
+        if line in self.hidden:
+            raise KeyError(f"line {line} is hidden and cannot be clicked")
+        x, y, z = (float(v) for v in self.clouds[line][index])
+        self.signals.seed_clicked.emit(PickedPoint(line, (x, y, z)))
+
+    def click_empty(self) -> None:
+        """Do what a Ctrl+click into empty space does."""
+        self.signals.missed.emit()
+
+    def show_clouds(self, clouds: Mapping[str, Array], colours: Mapping[str, Colour]) -> None:
+        """Remember the lines."""
+        self._record("show_clouds", clouds, colours)
+        self.clouds, self.colours = dict(clouds), dict(colours)
+
+    def set_line_visible(self, line: str, visible: bool) -> None:
+        """Remember which lines are hidden."""
+        self._record("set_line_visible", line, visible)
+        if visible:
+            self.hidden.discard(line)
+        else:
+            self.hidden.add(line)
+
+    def show_highlights(self, highlights: Sequence[Highlight]) -> None:
+        """Remember the sightings."""
+        self._record("show_highlights", highlights)
+        self.highlights = list(highlights)
+
+    def show_markers(self, markers: Sequence[Marker]) -> None:
+        """Remember the markers."""
+        self._record("show_markers", markers)
+        self.markers = list(markers)
+
+    def select(self, key: tuple[str, str] | None) -> None:
+        """Remember the selection."""
+        self._record("select", key)
+        self.selected = key
+
+    def set_station(self, position: tuple[float, float, float]) -> None:
+        """Remember where the standard views look from."""
+        self._record("set_station", position)
+        self.station = position
+
+    def fit(self, points: Array | None = None) -> None:
+        """Remember the call."""
+        self._record("fit", points)
+
+    def view(self, name: str) -> None:
+        """Remember the call."""
+        self._record("view", name)
+
+    def set_point_size(self, pixels: int) -> None:
+        """Remember the size."""
+        self._record("set_point_size", pixels)
+        self.point_size = pixels
+
+    def screenshot(self, path: Path) -> None:
+        """Write the plain widget as PNG."""
+        self._record("screenshot", path)
+        picture: QPixmap = self._widget.grab()
+        if not picture.save(str(path), "PNG"):
+            raise InputError(f"{path}: the picture cannot be written there; choose another folder.")
+
+    def clear(self) -> None:
+        """Forget what is shown."""
+        self._record("clear")
+        self.clouds, self.colours, self.hidden = {}, {}, set()
+        self.highlights, self.markers, self.selected = [], [], None
+
+    def close(self) -> None:
+        """Remember that the graphics are released."""
+        self._record("close")
+        self.closed = True
+
+    def _record(self, name: str, *arguments: object) -> None:
+        self.calls.append((name, arguments))

@@ -1,0 +1,372 @@
+"""The viewport drawn with OpenGL; the only file that knows VTK.
+
+Every change asks Qt for a repaint (`QWidget.update`), never VTK for a rendering: Qt joins requests,
+and a picture rendered outside of Qt's painting would be rendered a second time by it.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from pyvistaqt import QtInteractor
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import QWidget
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+from lispac.errors import InputError
+from lispac.gui.viewport.base import (
+    Array,
+    Colour,
+    Highlight,
+    Marker,
+    ViewportSignals,
+)
+from lispac.gui.viewport.camera import Camera
+from lispac.gui.viewport.decimation import Budget, sample_order, shares
+from lispac.gui.viewport.navigation import Navigator
+from lispac.gui.viewport.overlay import Stage
+
+SKY = (0.99, 0.995, 1.0)
+GROUND = (0.86, 0.885, 0.905)
+OUTLINE: Colour = (20, 26, 30)
+
+FAR = 1e4
+"""Coordinates beyond it (metres) have a common origin removed: float32 steps by a millimetre."""
+
+LIFT = 0.004
+"""How far a sighting is moved towards the eye, as part of its distance, to lie over its line."""
+
+RIM_SHADE = 0.5
+RIM_DEPTH = 0.006
+"""Brightness of the rims of points and how far they stand behind, as part of their distance."""
+
+REST_MS = 180
+"""Stillness after which the detail is drawn."""
+
+QUICK_S = 0.03
+"""A rendering of everything in less than this is drawn in full while the camera moves, too."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Cloud:
+    """A drawn line.
+
+    Attributes
+    ----------
+    coarse : ndarray of shape (n, 3), metres, local frame
+        The points kept while the camera moves.
+    actors : those points, and the detail
+    rims : the same, larger, darker and a little behind
+        They draw an edge where something nearer stands before something farther, and vanish
+        inside a surface.
+    """
+
+    coarse: Array
+    actors: tuple[vtkActor, vtkActor]
+    rims: tuple[vtkActor, vtkActor]
+
+
+class VtkViewport:
+    """`Viewport` on a `QtInteractor`.
+
+    Attributes
+    ----------
+    canvas : the widget that is drawn on; mouse events go to it
+    """
+
+    def __init__(self, parent: QWidget | None = None, budget: Budget | None = None) -> None:
+        self.signals = ViewportSignals()
+        self._budget = budget or Budget()
+        self._stage = Stage(parent)
+        # No multisampling: it says nothing for single pixels and costs software OpenGL dearly.
+        self.canvas = QtInteractor(self._stage, auto_update=False, multi_samples=0)
+        self.canvas.setAcceptDrops(False)  # the window opens what is dropped, not the 3D library
+        self._stage.put(self.canvas)
+        self._overlay = self._stage.overlay
+        self._renderer = self.canvas.renderer
+        self._renderer.SetBackground(*GROUND)
+        self._renderer.SetBackground2(*SKY)
+        self._renderer.GradientBackgroundOn()
+
+        self._clouds: dict[str, Array] = {}
+        self._colours: dict[str, Colour] = {}
+        self._hidden: set[str] = set()
+        self._drawn: dict[str, _Cloud] = {}
+        self._highlights: list[Highlight] = []
+        self._highlight_actors: list[tuple[Highlight, vtkActor, vtkActor]] = []
+        self._selected: tuple[str, str] | None = None
+        self._point_size = 2
+        self._origin = np.zeros(3)
+        self._closed = False
+
+        self._rest = QTimer(self._stage, singleShot=True, interval=REST_MS)
+        self._rest.timeout.connect(self._show_detail)
+        self._stage.resized.connect(self._on_resized)
+        self._navigator = Navigator(self.canvas)
+        self._navigator.moved.connect(self._on_moved)
+        self._navigator.settled.connect(self._rest.start)
+        self._navigator.picked.connect(self.signals.seed_clicked)
+        self._navigator.missed.connect(self.signals.missed)
+        self._show_detail()
+
+    # What the window asks
+
+    @property
+    def widget(self) -> QWidget:
+        """The widget to put into the window."""
+        return self._stage
+
+    @property
+    def camera(self) -> Camera:
+        """Where the eye is."""
+        return self._navigator.camera
+
+    def to_pixels(self, points: Array) -> Array:
+        """Pixels (x, y) of the canvas where points (n, 3) of the local frame are drawn."""
+        return self.camera.project(points, self._navigator.size)[:, :2]
+
+    def show_clouds(self, clouds: Mapping[str, Array], colours: Mapping[str, Colour]) -> None:
+        """Draw the lines, each in its colour; replaces those shown, keeps the camera."""
+        first = not self._clouds
+        self._clouds = {line: points for line, points in clouds.items() if len(points)}
+        self._colours = dict(colours)
+        if first:
+            self._origin = _common_origin(self._clouds)
+        self._draw_clouds()
+        self.show_highlights(self._highlights)
+        if first:
+            self.view("isometric")
+
+    def set_line_visible(self, line: str, visible: bool) -> None:
+        """Show or hide one line; the lines left share the budget."""
+        if visible == (line not in self._hidden):
+            return
+        (self._hidden.discard if visible else self._hidden.add)(line)
+        self._draw_clouds()
+
+    def show_highlights(self, highlights: Sequence[Highlight]) -> None:
+        """Draw sightings over the clouds; replaces those shown."""
+        for _, *actors in self._highlight_actors:
+            for actor in actors:
+                self._renderer.RemoveActor(actor)
+        self._highlights = list(highlights)
+        self._highlight_actors = []
+        for highlight in self._highlights:
+            data = self._data(highlight.points)
+            actor, outline = _actor(data, highlight.colour), _actor(data, OUTLINE)
+            self._highlight_actors.append((highlight, actor, outline))
+            self._renderer.AddActor(outline)
+            self._renderer.AddActor(actor)
+        self._style_points()
+
+    def show_markers(self, markers: Sequence[Marker]) -> None:
+        """Draw seeds and labels; replaces those shown."""
+        self._overlay.markers = tuple(markers)
+        self._update()
+
+    def select(self, key: tuple[str, str] | None) -> None:
+        """Emphasise one sighting, (target, line); line "" means all lines of the target."""
+        self._selected = key
+        self._style_points()
+
+    def set_station(self, position: tuple[float, float, float]) -> None:
+        """Say from where the standard views look at the lines."""
+        self._navigator.station = np.asarray(position, dtype=np.float64)
+
+    def fit(self, points: Array | None = None) -> None:
+        """Bring everything, or the given points of shape (n, 3), into view."""
+        self._navigator.fit(points)
+        self._camera_moved()
+
+    def view(self, name: str) -> None:
+        """Standard view: "top", "front", "side" or "isometric"."""
+        self._navigator.view(name)
+        self._camera_moved()
+
+    def set_point_size(self, pixels: int) -> None:
+        """Size of the drawn points."""
+        self._point_size = pixels
+        self._style_points()
+
+    def screenshot(self, path: Path) -> None:
+        """Write what is shown as PNG, with all its detail.
+
+        Raises
+        ------
+        InputError
+            Where the file cannot be written.
+        """
+        self._show_detail()
+        image: QImage = self.canvas.grabFramebuffer()
+        painter = QPainter(image)
+        self._overlay.paint(painter)
+        painter.end()
+        if not image.save(str(path), "PNG"):
+            raise InputError(f"{path}: the picture cannot be written there; choose another folder.")
+
+    def clear(self) -> None:
+        """Show nothing."""
+        self._navigator.release()
+        self._hidden.clear()
+        self._selected = None
+        self._overlay.markers = ()
+        self._highlights = []
+        self._clouds, self._colours = {}, {}
+        self.show_highlights([])
+        self._draw_clouds()
+
+    def close(self) -> None:
+        """Release the graphics; called before the window closes, and harmless when repeated."""
+        if self._closed:
+            return
+        self._closed = True
+        self._rest.stop()
+        self.canvas.removeEventFilter(self._navigator.mouse)
+        self._renderer.RemoveAllViewProps()
+        self._drawn, self._highlight_actors = {}, []
+        self._clouds, self._highlights = {}, []
+        self.canvas.close()
+
+    # Drawing
+
+    def _visible(self) -> dict[str, Array]:
+        return {line: p for line, p in self._clouds.items() if line not in self._hidden}
+
+    def _draw_clouds(self) -> None:
+        for cloud in self._drawn.values():
+            for actor in (*cloud.actors, *cloud.rims):
+                self._renderer.RemoveActor(actor)
+        visible = self._visible()
+        counts = {line: len(points) for line, points in visible.items()}
+        resting = shares(counts, self._budget.resting)
+        moving = shares(counts, self._budget.moving)
+        self._drawn = {}
+        for line, points in visible.items():
+            order = sample_order(len(points), resting[line])
+            coarse = points[order[: moving[line]]]
+            detail = points[order[moving[line] :]]
+            near, fine = self._data(coarse), self._data(detail)
+            colour = self._colours[line]
+            dark = tuple(round(RIM_SHADE * c) for c in colour)
+            cloud = _Cloud(
+                coarse,
+                (_actor(near, colour), _actor(fine, colour)),
+                (_actor(near, dark), _actor(fine, dark)),
+            )
+            self._drawn[line] = cloud
+            for actor in (*cloud.actors, *cloud.rims):
+                self._renderer.AddActor(actor)
+        self._navigator.clouds = visible
+        self._navigator.coarse = {line: cloud.coarse for line, cloud in self._drawn.items()}
+        self._style_points()
+
+    def _data(self, points: Array) -> vtkPolyData:
+        """Points (n, 3) of the local frame as one cell."""
+        count = len(points)
+        coordinates = vtkPoints()
+        near_origin = np.asarray(points - self._origin, dtype=np.float32)
+        coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(near_origin)))
+        cells = vtkCellArray()
+        cells.SetData(
+            numpy_to_vtkIdTypeArray(np.array([0, count], dtype=np.int64), deep=True),
+            numpy_to_vtkIdTypeArray(np.arange(count, dtype=np.int64), deep=True),
+        )
+        data = vtkPolyData()
+        data.SetPoints(coordinates)
+        data.SetVerts(cells)
+        return data
+
+    def _style_points(self) -> None:
+        scale = self.canvas.devicePixelRatioF()
+        for cloud in self._drawn.values():
+            for actor, rim in zip(cloud.actors, cloud.rims, strict=True):
+                actor.GetProperty().SetPointSize(self._point_size * scale)
+                rim.GetProperty().SetPointSize((self._point_size + 2) * scale)
+        for highlight, actor, outline in self._highlight_actors:
+            selected = self._selected is not None and (
+                highlight.key == self._selected or (highlight.key[0], "") == self._selected
+            )
+            size = self._point_size + (4 if selected else 2)
+            actor.GetProperty().SetPointSize(size * scale)
+            outline.GetProperty().SetPointSize((size + 4) * scale)
+            outline.SetVisibility(selected)
+        self._camera_moved()
+
+    def _camera_moved(self) -> None:
+        eye = self.camera.position - self._origin
+        camera = self._renderer.GetActiveCamera()
+        camera.SetViewAngle(30.0)
+        camera.SetPosition(*eye)
+        camera.SetFocalPoint(*(self.camera.focal - self._origin))
+        camera.SetViewUp(*self.camera.axes[1])
+        for _, actor, outline in self._highlight_actors:
+            _shift_depth(actor, eye, -LIFT)
+            _shift_depth(outline, eye, -0.7 * LIFT)
+        for cloud in self._drawn.values():
+            for rim in cloud.rims:
+                _shift_depth(rim, eye, RIM_DEPTH)
+        self._renderer.ResetCameraClippingRange()
+        self._update()
+
+    def _update(self) -> None:
+        self._overlay.camera = self.camera if self._clouds else None
+        self.canvas.update()
+        self._overlay.update()
+
+    def _show_detail(self) -> None:
+        self._rest.stop()
+        for cloud in self._drawn.values():
+            for actor in (cloud.actors[1], *cloud.rims):
+                actor.VisibilityOn()
+        self._update()
+
+    def _hide_detail(self) -> None:
+        if self._renderer.GetLastRenderTimeInSeconds() < QUICK_S:
+            return
+        for cloud in self._drawn.values():
+            for actor in (cloud.actors[1], *cloud.rims):
+                actor.VisibilityOff()
+
+    def _on_moved(self) -> None:
+        self._hide_detail()
+        self._camera_moved()
+
+    def _on_resized(self) -> None:
+        if self._closed:
+            return
+        self._navigator.refit()
+        self._hide_detail()
+        self._style_points()
+        self._rest.start()
+
+
+def _common_origin(clouds: Mapping[str, Array]) -> Array:
+    """Zero, or a round point amid the clouds where they are far from the frame's origin."""
+    if not clouds:
+        return np.zeros(3)
+    middle = np.median([np.median(points[:: max(1, len(points) // 1000)], axis=0)
+                        for points in clouds.values()], axis=0)  # fmt: skip
+    return np.round(middle, -2) if np.abs(middle).max() > FAR else np.zeros(3)
+
+
+def _actor(data: vtkPolyData, colour: tuple[int, ...]) -> vtkActor:
+    """Unlit points of one colour."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetColor(*(c / 255.0 for c in colour))
+    return actor
+
+
+def _shift_depth(actor: vtkActor, eye: Array, part: float) -> None:
+    """Draw an actor deeper by a part of its distance: scaled about the eye, nothing else moves."""
+    actor.SetScale(1.0 + part)
+    actor.SetPosition(*(-part * eye))

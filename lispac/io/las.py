@@ -1,0 +1,132 @@
+"""LAS and LAZ: lines in the scanner frame, and georeferenced clouds out."""
+
+import struct
+from pathlib import Path
+
+import laspy
+import numpy as np
+from laspy.errors import LaspyException
+from lazrs import LazrsError
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.files import require_file, written_whole
+from lispac.survey.scan import Scan
+
+ASSUMPTIONS = ("LAS coordinates are metres in the LiDAR frame", "LAS gps_time is the point time")
+
+CHUNK = 1_000_000
+
+
+def read_scan(path: Path) -> Scan:
+    """Read one line in the LiDAR frame from LAS or LAZ.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, damaged, without gps_time, or empty.
+    """
+    path = require_file(Path(path), "LAS")
+    _require_sound_header(path)
+    try:
+        with laspy.open(path) as reader:
+            names = set(reader.header.point_format.dimension_names)
+            if "gps_time" not in names:
+                raise InputError(
+                    f"{path}: point format {reader.header.point_format.id} has no gps_time, so its "
+                    "points cannot be put on the trajectory; export the line with GPS time."
+                )
+            count = reader.header.point_count
+            if count == 0:
+                raise InputError(f"{path}: this line holds no points; leave it out.")
+            points = np.empty((count, 3))
+            time, intensity = np.empty(count), np.empty(count)
+            done = 0
+            for chunk in reader.chunk_iterator(CHUNK):
+                rows = slice(done, done + len(chunk))
+                points[rows, 0], points[rows, 1], points[rows, 2] = chunk.x, chunk.y, chunk.z
+                time[rows], intensity[rows] = chunk.gps_time, chunk.intensity
+                done = rows.stop
+    except (
+        LaspyException, LazrsError, ValueError, struct.error, OSError, EOFError, MemoryError,
+    ) as error:  # fmt: skip
+        raise InputError(
+            f"{path}: cannot be read as LAS or LAZ ({error}); copy or export it again."
+        ) from error
+    if done != count:
+        raise InputError(
+            f"{path}: the header promises {count:,} points, the file holds {done:,}; "
+            "copy or export it again."
+        )
+    require_finite(points, time, path)
+    return Scan(points, time, intensity, ASSUMPTIONS)
+
+
+def _require_sound_header(path: Path) -> None:
+    """Refuse counts that the file is too short for; laspy would loop over them for minutes.
+
+    Offsets from the LAS 1.4 specification, table 3: header size, start of the points, number of
+    variable length records, and from version 1.4 on the start and number of the extended ones.
+    """
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        header = file.read(375)
+    if len(header) < 227:
+        return  # laspy says so at once
+    header_size, points_start, records = struct.unpack_from("<HII", header, 94)
+    sound = header_size + 54 * records <= points_start <= size
+    if header[24:26] == b"\x01\x04" and len(header) == 375:
+        extended_start, extended = struct.unpack_from("<QI", header, 235)
+        sound = sound and (extended == 0 or extended_start + 60 * extended <= size)
+    if not sound:
+        raise InputError(
+            f"{path}: cannot be read as LAS or LAZ (its header does not fit its {size:,} bytes); "
+            "copy or export it again."
+        )
+
+
+def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path: Path) -> None:
+    """Refuse coordinates or times that are not numbers.
+
+    Raises
+    ------
+    InputError
+    """
+    bad = ~(np.isfinite(points).all(axis=1) & np.isfinite(time))
+    if bad.any():
+        raise InputError(
+            f"{path}: point {int(np.argmax(bad)) + 1:,} has a coordinate or time that is not a "
+            f"number ({int(bad.sum()):,} such points); clean or export it again."
+        )
+
+
+def write_points(
+    path: Path,
+    points: NDArray[np.float64],
+    time: NDArray[np.float64],
+    intensity: NDArray[np.float64] | None = None,
+    *,
+    scale: float = 0.0001,
+) -> None:
+    """Write points with time as LAS 1.4 (LAZ by the ending), point format 6.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    time : ndarray of shape (n,), seconds
+    intensity : ndarray of shape (n,), 0 to 65535
+    scale : float, metres
+        Resolution of the stored coordinates.
+    """
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales = np.full(3, scale)
+    header.offsets = np.floor(points.min(axis=0)) if len(points) else np.zeros(3)
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = points.T
+    las.gps_time = time
+    las.return_number[:] = 1
+    las.number_of_returns[:] = 1
+    if intensity is not None:
+        las.intensity = intensity.astype(np.uint16)
+    with written_whole(path) as temporary:
+        las.write(temporary)

@@ -1,0 +1,246 @@
+"""The project on disk: a folder with ``project.json`` and the points of each sighting.
+
+``project.json`` holds paths (relative to the folder where they can be), settings, targets and
+results. The indices of each target's points go to ``sightings/NAME-HASH.npz``, named by their
+content: a new state never overwrites the file that the old ``project.json`` refers to, so a crash
+between the two writes leaves the old project whole.
+"""
+
+import hashlib
+import json
+import os
+import re
+import zipfile
+from dataclasses import asdict
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.observations import Sighting
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    ChiSquare,
+    SightingResidual,
+    TargetResidual,
+)
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.errors import ProjectError
+from lispac.io.files import written_whole
+from lispac.project import LineSource, PickedSighting, Project, Settings, Target, Triple
+from lispac.validation.comparison import PlaneComparison
+
+FILE_NAME = "project.json"
+SCHEMA_VERSION = 1
+
+
+def write_project(project: Project) -> None:
+    """Write the project into its folder; the old state stays until the new one is complete.
+
+    Raises
+    ------
+    InputError
+        Where the folder cannot be written.
+    """
+    files = {target.name: _write_indices(project.folder, target) for target in project.targets}
+    content = _encode(project, files)
+    with written_whole(project.folder / FILE_NAME) as temporary:
+        temporary.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    _remove_unused(project.folder, set(files.values()))
+
+
+def read_project(folder: Path) -> Project:
+    """Read a project from its folder or its ``project.json``.
+
+    Raises
+    ------
+    ProjectError
+        Where there is no project, or its file is damaged or of a newer version.
+    """
+    folder = Path(folder)
+    path = folder if folder.name == FILE_NAME else folder / FILE_NAME
+    if not path.is_file():
+        raise ProjectError(f"{folder}: there is no project here ({FILE_NAME} is missing).")
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+        version = content["schema_version"]
+        if version > SCHEMA_VERSION:
+            raise ProjectError(
+                f"{path}: made by a newer version of the program (schema {version}); update it."
+            )
+        return _decode(path.parent.resolve(), content)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile) as error:
+        raise ProjectError(
+            f"{path}: the project file is damaged ({type(error).__name__}: {error}); "
+            "restore it from a copy."
+        ) from error
+
+
+def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "trajectory": _relative(project.trajectory, project.folder),
+        "accuracy": project.accuracy and _relative(project.accuracy, project.folder),
+        "lines": [
+            {
+                "name": line.name,
+                "path": _relative(line.path, project.folder),
+                "columns": list(line.columns),
+            }
+            for line in project.lines
+        ],
+        "settings": asdict(project.settings),
+        "targets": [
+            {
+                "name": target.name,
+                "role": target.role,
+                "seed": list(target.seed),
+                "threshold": target.threshold,
+                "radius": target.radius,
+                "used": target.used,
+                "missing": dict(target.missing),
+                "indices": index_files[target.name],
+                "sightings": [
+                    {"line": s.line, "points": len(s.indices), "rms": s.rms, "used": s.used}
+                    for s in target.sightings
+                ],
+            }
+            for target in project.targets
+        ],
+        "result": project.result and _encode_result(project.result),
+        "validation": [comparison.to_dict() for comparison in project.validation],
+        "truth_deg": project.truth_deg,
+    }
+
+
+def _decode(folder: Path, content: dict[str, Any]) -> Project:
+    settings = content["settings"]
+    return Project(
+        folder=folder,
+        trajectory=_absolute(content["trajectory"], folder),
+        accuracy=_absolute(content["accuracy"], folder) if content["accuracy"] else None,
+        lines=tuple(
+            LineSource(line["name"], _absolute(line["path"], folder), tuple(line["columns"]))
+            for line in content["lines"]
+        ),
+        settings=Settings(
+            **{
+                key: _triple(value) if isinstance(value, list) else value
+                for key, value in settings.items()
+            }
+        ),
+        targets=tuple(_decode_target(folder, target) for target in content["targets"]),
+        result=_decode_result(content["result"]) if content["result"] else None,
+        validation=tuple(PlaneComparison.from_dict(item) for item in content["validation"]),
+        truth_deg=_triple(content["truth_deg"]) if content["truth_deg"] else None,
+    )
+
+
+def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
+    path = folder / content["indices"]
+    if not path.is_file():
+        raise ProjectError(
+            f"{path}: the points of target {content['name']} are missing; restore the file from a "
+            "copy of the project, or make the project again."
+        )
+    with np.load(path) as indices:
+        sightings = tuple(
+            PickedSighting(item["line"], indices[f"line{k}"], item["rms"], item["used"])
+            for k, item in enumerate(content["sightings"])
+        )
+    return Target(
+        content["name"],
+        content["role"],
+        _triple(content["seed"]),
+        content["threshold"],
+        content["radius"],
+        sightings,
+        content["missing"],
+        content["used"],
+    )
+
+
+def _encode_result(result: AdjustmentResult) -> dict[str, Any]:
+    return {
+        "boresight_rad": result.boresight.tolist(),
+        "prior_boresight_rad": result.prior_boresight.tolist(),
+        "covariance_rad2": result.covariance.tolist(),
+        "model": asdict(result.model),
+        "variance_factor": result.variance_factor,
+        "degrees_of_freedom": result.degrees_of_freedom,
+        "chi_square": asdict(result.chi_square),
+        "iterations": result.iterations,
+        "targets": [asdict(item) | {"plane": item.plane.tolist()} for item in result.targets],
+        "sightings": [asdict(item) for item in result.sightings],
+        "rms_before": result.rms_before,
+        "rms_after": result.rms_after,
+        "elapsed": result.elapsed,
+    }
+
+
+def _decode_result(content: dict[str, Any]) -> AdjustmentResult:
+    return AdjustmentResult(
+        boresight=np.array(content["boresight_rad"]),
+        prior_boresight=np.array(content["prior_boresight_rad"]),
+        covariance=np.array(content["covariance_rad2"]),
+        model=StochasticModel(**content["model"]),
+        variance_factor=content["variance_factor"],
+        degrees_of_freedom=content["degrees_of_freedom"],
+        chi_square=ChiSquare(**content["chi_square"]),
+        iterations=content["iterations"],
+        targets=tuple(
+            TargetResidual(**item | {"plane": np.array(item["plane"])})
+            for item in content["targets"]
+        ),
+        sightings=tuple(
+            SightingResidual(**item | {"sighting": Sighting(**item["sighting"])})
+            for item in content["sightings"]
+        ),
+        rms_before=content["rms_before"],
+        rms_after=content["rms_after"],
+        elapsed=content["elapsed"],
+    )
+
+
+def _write_indices(folder: Path, target: Target) -> str:
+    arrays: dict[str, NDArray[Any]] = {
+        f"line{k}": sighting.indices for k, sighting in enumerate(target.sightings)
+    }
+    digest = hashlib.sha256()
+    for array in arrays.values():
+        digest.update(array.tobytes() + b"|")
+    plain = re.sub(r"[^A-Za-z0-9_-]", "_", target.name)
+    name = f"sightings/{plain}-{digest.hexdigest()[:16]}.npz"
+    if not (folder / name).exists():
+        buffer = BytesIO()
+        np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]
+        with written_whole(folder / name) as temporary:
+            temporary.write_bytes(buffer.getvalue())
+    return name
+
+
+def _remove_unused(folder: Path, used: set[str]) -> None:
+    for path in (folder / "sightings").glob("*.npz"):
+        if f"sightings/{path.name}" not in used:
+            path.unlink(missing_ok=True)
+
+
+def _relative(path: Path, folder: Path) -> str:
+    try:
+        return Path(os.path.relpath(path, folder)).as_posix()
+    except ValueError:  # another drive on Windows
+        return path.as_posix()
+
+
+def _absolute(path: str, folder: Path) -> Path:
+    # Lexical, not resolved: a file reached through a link keeps the name the user knows.
+    return Path(os.path.normpath(folder / path))
+
+
+def _triple(values: list[float]) -> Triple:
+    first, second, third = values
+    return first, second, third
+
+

@@ -1,0 +1,205 @@
+"""The project: an immutable value of paths, settings, picks and results.
+
+Every edit gives a new value and drops the results that no longer follow from it, so that undo is
+the old value and a stale answer cannot be shown.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.stochastic import PosErrors
+from lispac.errors import ProjectError
+from lispac.survey.georeferencing import Mounting
+from lispac.validation.comparison import PlaneComparison
+
+Role = Literal["target", "validation"]
+Triple = tuple[float, float, float]
+
+DEFAULT_THRESHOLD = 0.01
+"""RANSAC distance threshold in metres (thesis 4.5.3)."""
+
+
+@dataclass(frozen=True)
+class LineSource:
+    """A raw scan file.
+
+    Attributes
+    ----------
+    columns : tuple of str
+        Names of the columns of a text file; empty for LAS and LAZ.
+    """
+
+    name: str
+    path: Path
+    columns: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What the user states about system and adjustment.
+
+    Attributes
+    ----------
+    lever_arm : metres, body frame (forward, left, up)
+    boresight_deg : prior roll, pitch, yaw in degrees
+    origin_deg_m : latitude, longitude (degrees) and height (metres) of the local frame, or None
+        for the mean of the trajectory
+    position_sigma : north, east, down in metres, where no accuracy file is given
+    attitude_sigma_deg : roll, pitch, heading in degrees, where no accuracy file is given
+    lidar_sigma : metres on each axis
+    subsample : metres between the points kept; 0 keeps all
+    """
+
+    lever_arm: Triple
+    boresight_deg: Triple = (0.0, 0.0, 0.0)
+    origin_deg_m: Triple | None = None
+    position_sigma: Triple = (0.02, 0.02, 0.03)
+    attitude_sigma_deg: Triple = (0.01, 0.01, 0.015)
+    lidar_sigma: float = 0.005
+    subsample: float = 0.10
+    pos_errors: PosErrors = "correlated"
+
+    @property
+    def threshold(self) -> float:
+        """Default RANSAC threshold: the thesis's, or 3 LiDAR sigma where that is larger."""
+        return max(DEFAULT_THRESHOLD, 3 * self.lidar_sigma)
+
+
+@dataclass(frozen=True, eq=False)
+class PickedSighting:
+    """The points of one target on one line.
+
+    Attributes
+    ----------
+    indices : ndarray of shape (n,), int64
+        Into the points of the line's file.
+    rms : float, metres
+        Of the points about their own plane.
+    used : bool
+        Whether the sighting takes part.
+    """
+
+    line: str
+    indices: NDArray[np.int64]
+    rms: float
+    used: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class Target:
+    """A picked plane.
+
+    Attributes
+    ----------
+    seed : metres, local frame, where the user clicked
+    missing : for each line without it, the reason in words
+    """
+
+    name: str
+    role: Role
+    seed: Triple
+    threshold: float
+    radius: float
+    sightings: tuple[PickedSighting, ...]
+    missing: Mapping[str, str] = field(default_factory=dict)
+    used: bool = True
+
+    def sighting(self, line: str) -> PickedSighting | None:
+        """The sighting on ``line``, if there is one."""
+        return next((s for s in self.sightings if s.line == line), None)
+
+    @property
+    def used_sightings(self) -> tuple[PickedSighting, ...]:
+        """Sightings that take part."""
+        return tuple(s for s in self.sightings if s.used) if self.used else ()
+
+
+@dataclass(frozen=True, eq=False)
+class Project:
+    """Everything a project folder holds; paths are absolute here and relative on disk."""
+
+    folder: Path
+    trajectory: Path
+    lines: tuple[LineSource, ...]
+    settings: Settings
+    accuracy: Path | None = None
+    targets: tuple[Target, ...] = ()
+    result: AdjustmentResult | None = None
+    validation: tuple[PlaneComparison, ...] = ()
+    truth_deg: Triple | None = None
+    """Boresight put into a simulated survey; None for a real one."""
+
+    @property
+    def name(self) -> str:
+        """Name of the project: that of its folder."""
+        return self.folder.name
+
+    def mounting(self, which: Literal["prior", "estimated"]) -> Mounting:
+        """Lever arm with the prior or the estimated boresight.
+
+        Raises
+        ------
+        ProjectError
+            Where nothing has been estimated yet.
+        """
+        lever_arm = np.array(self.settings.lever_arm, dtype=float)
+        if which == "prior":
+            return Mounting(lever_arm, np.radians(self.settings.boresight_deg))
+        if self.result is None:
+            raise ProjectError(f"{self.name}: there is no estimated boresight yet; estimate first.")
+        return Mounting(lever_arm, self.result.boresight)
+
+    def of_role(self, role: Role) -> tuple[Target, ...]:
+        """Targets, or validation planes."""
+        return tuple(target for target in self.targets if target.role == role)
+
+    def target(self, name: str) -> Target:
+        """The target or validation plane of that name.
+
+        Raises
+        ------
+        ProjectError
+        """
+        for target in self.targets:
+            if target.name == name:
+                return target
+        raise ProjectError(f"{self.name}: there is no target or validation plane named {name}.")
+
+    def with_target(self, target: Target) -> "Project":
+        """Add a target, or put it in the place of the one of the same name."""
+        kept = list(self.targets)
+        names = [other.name for other in kept]
+        old = kept[names.index(target.name)] if target.name in names else None
+        if old is not None:
+            kept[names.index(target.name)] = target
+        else:
+            kept.append(target)
+        return self._edited(tuple(kept), {t.role for t in (target, old) if t is not None})
+
+    def without_target(self, name: str) -> "Project":
+        """Remove a target or validation plane."""
+        gone = self.target(name)
+        return self._edited(tuple(t for t in self.targets if t.name != name), {gone.role})
+
+    def with_settings(self, settings: Settings) -> "Project":
+        """Change the settings; what follows from them has to be computed again."""
+        return replace(self, settings=settings, result=None, validation=())
+
+    def with_result(self, result: AdjustmentResult) -> "Project":
+        """Keep an adjustment; a validation of another one no longer holds."""
+        return replace(self, result=result, validation=())
+
+    def with_validation(self, validation: tuple[PlaneComparison, ...]) -> "Project":
+        """Keep the comparison of the validation planes."""
+        return replace(self, validation=validation)
+
+    def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
+        # A validation plane takes no part in the adjustment, so its edit keeps the angles.
+        result = None if "target" in roles else self.result
+        return replace(self, targets=targets, result=result, validation=())

@@ -1,0 +1,88 @@
+"""What a report is set from: sections of paragraphs, lists, tables and pictures, all text."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+Status = Literal["bad", "fair", "good"]
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Running text."""
+
+    text: str
+    kind: str = "paragraph"
+
+
+@dataclass(frozen=True)
+class Bullets:
+    """A list of short texts."""
+
+    items: tuple[str, ...]
+    kind: str = "bullets"
+
+
+@dataclass(frozen=True)
+class Column:
+    """Head and looks of a column; a ``wide`` one holds running text."""
+
+    title: str
+    align: Literal["left", "right"] = "right"
+    wide: bool = False
+    code: bool = False
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of text, one cell a column."""
+
+    title: str
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[str, ...], ...]
+    kind: str = "table"
+
+
+@dataclass(frozen=True)
+class Picture:
+    """An image with its caption; ``width`` is the share of the text's width."""
+
+    caption: str
+    data: bytes
+    suffix: str
+    width: float = 1.0
+    kind: str = "picture"
+
+
+@dataclass(frozen=True)
+class Signature:
+    """Lines to be filled in by hand."""
+
+    fields: tuple[str, ...]
+    kind: str = "signature"
+
+
+Block = Paragraph | Bullets | Table | Picture | Signature
+
+
+@dataclass(frozen=True)
+class Section:
+    """A numbered part of the report."""
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Document:
+    """The whole report; ``summary`` stands on page one below the warnings."""
+
+    title: str
+    project: str
+    program: str
+    generated: str
+    status: Status
+    verdict: str
+    serious: tuple[str, ...]
+    cautions: tuple[str, ...]
+    summary: tuple[Block, ...]
+    sections: tuple[Section, ...]

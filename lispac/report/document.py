@@ -1,0 +1,72 @@
+"""The report in words, the same for every kind of file it is written to."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.report import sections
+from lispac.report.blocks import Block, Document, Picture, Section, Signature, Status
+from lispac.report.values import ReportContent
+from lispac.report.wording import moment
+
+SIGNATURE = Signature(("Surveyor", "Company", "Place and date", "Signature"))
+
+
+def document_of(content: ReportContent, pictures: Mapping[str, Path]) -> Document:
+    """Put a report's content into words.
+
+    Parameters
+    ----------
+    pictures : file of a PNG or SVG picture by its caption
+
+    Raises
+    ------
+    InputError
+        Where a picture cannot be read.
+    """
+    serious = tuple(c.text for c in content.cautions if c.severity == "serious")
+    status, verdict = _verdict(content, bool(serious))
+    parts = [
+        _section("Boresight and its uncertainty", sections.boresight(content)),
+        _section("Targets and residuals", sections.residuals(content)),
+        _section("Validation", sections.validation(content)),
+        _section("Site and lines", sections.site(content)),
+        _section("Settings and input files", sections.settings(content)),
+        _section("Pictures", [_picture(caption, path) for caption, path in pictures.items()]),
+    ]
+    return Document(
+        title="Boresight calibration report",
+        project=content.project,
+        program=content.program,
+        generated=moment(content.generated),
+        status=status,
+        verdict=verdict,
+        serious=serious,
+        cautions=tuple(c.text for c in content.cautions if c.severity != "serious"),
+        summary=(*sections.summary(content), SIGNATURE),
+        sections=tuple(section for section in parts if section.blocks),
+    )
+
+
+def _verdict(content: ReportContent, serious: bool) -> tuple[Status, str]:
+    if not content.calibrated:
+        return "bad", "NOT CALIBRATED"
+    if serious:
+        return "bad", "CALIBRATED WITH SERIOUS WARNINGS"
+    if content.cautions:
+        return "fair", "CALIBRATED, WITH REMARKS"
+    return "good", "CALIBRATED"
+
+
+def _picture(caption: str, path: Path) -> Picture:
+    suffix = path.suffix.lower()
+    if suffix not in (".png", ".svg"):
+        raise InputError(f"{path}: only PNG and SVG pictures go into a report.")
+    try:
+        return Picture(caption, path.read_bytes(), suffix)
+    except OSError as error:
+        raise InputError(f"{path}: this picture cannot be read ({error.strerror}).") from error
+
+
+def _section(title: str, blocks: Sequence[Block]) -> Section:
+    return Section(title, tuple(blocks))

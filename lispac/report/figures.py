@@ -1,0 +1,271 @@
+"""The plots, as matplotlib Figures: the report saves them, the window shows them.
+
+Each function draws into the figure given, or into a new one. Style is set on the artists and
+never in matplotlib's global settings, so that drawing in a worker disturbs nobody.
+"""
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+from io import BytesIO
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ft2font import FT2Font
+from numpy.typing import ArrayLike, NDArray
+
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.report.values import Line, PickedPlane, SightingFit, ValidationPlane
+from lispac.validation.comparison import PlaneComparison
+
+Array = NDArray[np.float64]
+
+BEFORE, AFTER = "#3b75af", "#9c5a1e"
+INK, GRID = "#333333", "#dddddd"
+LINE_COLOURS = (
+    "#4477aa", "#ee6677", "#228833", "#997700", "#0088aa", "#aa3377", "#777777",
+    "#332288", "#882255", "#44aa99",
+)  # fmt: skip
+"""Told apart with any colour vision, after Paul Tol; the light ones darkened for thin lines."""
+
+TEXT, SMALL = 8.0, 7.0
+PER_RESIDUAL_FIGURE = 28
+"""Sightings that fit on a page of bars."""
+
+LONGEST_LABEL = 24
+
+_Summary = tuple[int, float, float, float]  # n, and median, RMS, 95th percentile in metres
+
+
+def histogram_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
+    """Distances between lines on one validation plane, before and after over each other."""
+    summaries = [
+        (values.n, values.median, values.rms, values.p95)
+        for values in (comparison.before, comparison.after)
+    ]
+    counts = (comparison.counts_before, comparison.counts_after)
+    return _histogram(
+        figure, comparison.name, comparison.pooled_from, comparison.bin_edges, counts, summaries
+    )
+
+
+def validation_figure(plane: ValidationPlane) -> Figure:
+    """`histogram_figure` of a report's content."""
+    summaries = [
+        (values.n, values.median_m, values.rms_m, values.p95_m)
+        for values in (plane.before, plane.after)
+    ]
+    counts = (plane.counts_before, plane.counts_after)
+    return _histogram(None, plane.name, plane.pooled_from, plane.bin_edges_m, counts, summaries)
+
+
+def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
+    """Correlations between the three angles."""
+    figure = _blank(figure, (3.2, 2.8))
+    axes = figure.add_subplot()
+    image = axes.imshow(result.correlation, cmap="PuOr", vmin=-1, vmax=1)
+    for (row, column), value in np.ndenumerate(result.correlation):
+        colour = "white" if abs(value) > 0.7 else INK
+        text = f"{value:+.2f}".replace("-", "\u2212")
+        axes.text(column, row, text, ha="center", va="center", color=colour, fontsize=TEXT)
+    axes.set_xticks(range(3), ANGLES)
+    axes.set_yticks(range(3), ANGLES)
+    axes.tick_params(length=0, labelsize=TEXT, colors=INK)
+    axes.spines[:].set_visible(False)
+    figure.colorbar(image, ax=axes, shrink=0.85).ax.tick_params(labelsize=SMALL, colors=INK)
+    axes.set_title("Correlation", fontsize=TEXT + 1, color=INK)
+    return figure
+
+
+def site_figure(
+    tracks: Mapping[str, ArrayLike],
+    targets: Mapping[str, Sequence[float]],
+    validation: Mapping[str, Sequence[float]],
+    figure: Figure | None = None,
+) -> Figure:
+    """Plan view: courses of the lines, targets and validation planes; north is up.
+
+    Parameters
+    ----------
+    tracks : (k, 2) by name of the line, metres; north and west
+    targets, validation : seed by name, metres; north and west, and up, which is not drawn
+    """
+    figure = _blank(figure, (6.3, 4.4))
+    axes = figure.add_subplot()
+    for k, (name, points) in enumerate(tracks.items()):
+        _draw_track(
+            axes, name, np.asarray(points, dtype=float), LINE_COLOURS[k % len(LINE_COLOURS)]
+        )
+    _draw_seeds(axes, targets, "s", "#bb2222", "target")
+    _draw_seeds(axes, validation, "^", "#111111", "validation plane")
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.margins(0.08)
+    axes.invert_xaxis()  # west is positive in the local frame, and lies on the left
+    _dress(axes, "West (m)", "North (m)")
+    if tracks or targets or validation:
+        figure.legend(loc="outside right upper", fontsize=SMALL, frameon=False, labelcolor=INK)
+    return figure
+
+
+def site_figure_of(lines: Sequence[Line], planes: Sequence[PickedPlane]) -> Figure:
+    """`site_figure` of a report's content."""
+    return site_figure(
+        {line.name: line.track_local_m for line in lines if len(line.track_local_m) > 0},
+        {plane.name: plane.seed_local_m for plane in planes if plane.role == "target"},
+        {plane.name: plane.seed_local_m for plane in planes if plane.role == "validation"},
+    )
+
+
+def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
+    """RMS of each sighting about its target's plane, before and after."""
+    return _bars(
+        figure,
+        [f"{_label(s.sighting.target)}  {_label(s.sighting.line)}" for s in result.sightings],
+        [s.rms_before for s in result.sightings],
+        [s.rms_after for s in result.sightings],
+    )
+
+
+def residual_figures_of(sightings: Sequence[SightingFit]) -> list[Figure]:
+    """`residual_figure` of a report's content, in as many figures as fill a page each."""
+    figures = []
+    for start in range(0, len(sightings), PER_RESIDUAL_FIGURE):
+        some = sightings[start : start + PER_RESIDUAL_FIGURE]
+        labels = [f"{_label(s.target)}  {_label(s.line)}" for s in some]
+        before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
+        figures.append(_bars(None, labels, before, after))
+    return figures
+
+
+def svg_of(figure: Figure) -> bytes:
+    """The figure as SVG, the same bytes every time; letters are outlines and need no font."""
+    stream = BytesIO()
+    with rc_context({"svg.hashsalt": "lispac", "svg.fonttype": "path"}):
+        figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
+    return stream.getvalue()
+
+
+def _blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
+    if figure is None:
+        return Figure(figsize=size, layout="constrained")
+    figure.clear()
+    figure.set_layout_engine("constrained")  # legends outside the axes need it
+    return figure
+
+
+def _dress(axes: Axes, x_label: str, y_label: str) -> None:
+    axes.set_xlabel(x_label, fontsize=TEXT, color=INK)
+    axes.set_ylabel(y_label, fontsize=TEXT, color=INK)
+    axes.tick_params(labelsize=SMALL, colors=INK, length=3)
+    axes.grid(True, color=GRID, linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.spines[["left", "bottom"]].set_color("#999999")
+
+
+@cache
+def drawable() -> frozenset[int]:
+    """Code points of the font that comes with matplotlib."""
+    path = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
+    return frozenset(FT2Font(str(path)).get_charmap())
+
+
+def _plain(text: str) -> str:
+    """Text that matplotlib neither takes for mathematics nor lacks letters for."""
+    shown = "".join(letter if ord(letter) in drawable() else "\u25a1" for letter in text)
+    return shown.replace("$", r"\$")
+
+
+def _label(name: str) -> str:
+    """A name of the user's, cut where it would push the plot aside."""
+    return _plain(name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026")
+
+
+def _histogram(
+    figure: Figure | None,
+    name: str,
+    pooled_from: str,
+    edges_m: ArrayLike,
+    counts: Sequence[ArrayLike],
+    summaries: Sequence[_Summary],
+) -> Figure:
+    figure = _blank(figure, (6.3, 2.5))
+    axes = figure.add_subplot()
+    edges = 1000 * np.asarray(edges_m)
+    for label, colour, heights, (n, median, rms, p95) in zip(
+        ("before", "after"), (BEFORE, AFTER), counts, summaries, strict=True
+    ):
+        values = np.asarray(heights)
+        text = (
+            f"{label}: n {n:,}\nmedian {1000 * median:.1f}, RMS {1000 * rms:.1f}, "
+            f"95 % {1000 * p95:.1f} mm"
+        )
+        axes.stairs(values, edges, fill=True, color=colour, alpha=0.5, label=text)
+        axes.stairs(values, edges, color=colour, linewidth=1.0)
+    axes.set_xlim(edges[0], edges[-1])
+    axes.set_ylim(bottom=0)
+    _dress(axes, "Distance between lines (mm); the last bin holds all beyond", "Points")
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:,.0f}")
+    axes.set_title(f"{_label(name)}, {pooled_from}", fontsize=TEXT + 1, color=INK, loc="left")
+    axes.legend(loc="upper right", fontsize=SMALL, frameon=False, labelcolor=INK)
+    return figure
+
+
+def _bars(
+    figure: Figure | None, labels: Sequence[str], before: Sequence[float], after: Sequence[float]
+) -> Figure:
+    figure = _blank(figure, (6.3, 0.7 + 0.26 * len(labels)))
+    axes = figure.add_subplot()
+    at = np.arange(len(labels))
+    for shift, values, colour, label in (
+        (-0.2, before, BEFORE, "before"),
+        (0.2, after, AFTER, "after"),
+    ):
+        millimetres = 1000 * np.asarray(values)
+        bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=label)
+        axes.bar_label(bars, fmt="%.1f", fontsize=SMALL - 1, color=INK, padding=2)
+    axes.set_yticks(at, labels)
+    axes.set_ylim(len(labels) - 0.4, -0.6)
+    axes.margins(x=0.1)
+    _dress(axes, "RMS distance to the target's plane (mm)", "")
+    axes.grid(False, axis="y")
+    axes.tick_params(axis="y", length=0)
+    figure.legend(loc="outside upper right", ncols=2, fontsize=SMALL, frameon=False, labelcolor=INK)
+    return figure
+
+
+def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
+    north, west = points[:, 0], points[:, 1]
+    axes.plot(west, north, color=colour, linewidth=1.4, label=_label(name))
+    if len(points) < 2:
+        return
+    axes.annotate(
+        "", xy=(west[-1], north[-1]), xytext=(west[-2], north[-2]),
+        arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4, "mutation_scale": 12},
+    )  # fmt: skip
+    # Beyond the start, clear of the arrow of a line that ends there; west runs to the left.
+    back = np.array([west[1] - west[0], north[0] - north[1]])
+    back *= 9 / max(float(np.hypot(*back)), 1e-9)
+    axes.annotate(
+        _label(name), (west[0], north[0]), textcoords="offset points", xytext=tuple(back),
+        ha="center", va="center", fontsize=SMALL, color=colour,
+    )  # fmt: skip
+
+
+def _draw_seeds(
+    axes: Axes, seeds: Mapping[str, Sequence[float]], marker: str, colour: str, label: str
+) -> None:
+    if not seeds:
+        return
+    places = np.array([seed[:2] for seed in seeds.values()])
+    axes.plot(places[:, 1], places[:, 0], marker, color=colour, markersize=5, label=label, zorder=3)
+    # Two targets often hang side by side: every second name goes below its mark.
+    ordered = sorted(seeds.items(), key=lambda item: item[1][0])
+    for k, (name, seed) in enumerate(ordered):
+        axes.annotate(
+            _label(name), (seed[1], seed[0]), textcoords="offset points",
+            xytext=(5, -9 if k % 2 == 0 else 4), fontsize=SMALL, color=colour, zorder=3,
+        )  # fmt: skip

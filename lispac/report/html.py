@@ -1,0 +1,39 @@
+"""The report as one HTML file that needs nothing beside it."""
+
+from base64 import b64encode
+from collections.abc import Mapping
+from importlib.resources import files
+from pathlib import Path
+
+from lispac.report.blocks import Picture
+from lispac.report.document import document_of
+from lispac.report.values import ReportContent
+
+_MEDIA = {".png": "image/png", ".svg": "image/svg+xml"}
+
+
+def html_text(content: ReportContent, pictures: Mapping[str, Path]) -> str:
+    """The report as HTML; every text in it is escaped, every picture is inside."""
+    from jinja2 import Environment, StrictUndefined
+
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    environment.filters["data_uri"] = _data_uri
+    template = files("lispac.report") / "templates" / "report.html.j2"
+    page = environment.from_string(template.read_text(encoding="utf-8"))
+    return page.render(document=document_of(content, pictures)) + "\n"
+
+
+def write_html(content: ReportContent, path: Path, pictures: Mapping[str, Path]) -> None:
+    """Write the report as one HTML file.
+
+    Parameters
+    ----------
+    pictures : file of a PNG or SVG picture by its caption
+    """
+    path.write_text(html_text(content, pictures), encoding="utf-8", newline="\n")
+
+
+def _data_uri(picture: Picture) -> str:
+    return f"data:{_MEDIA[picture.suffix]};base64,{b64encode(picture.data).decode('ascii')}"

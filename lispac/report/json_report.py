@@ -1,0 +1,20 @@
+"""The report for machines: every figure in full precision, keys with their units."""
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+from lispac.report.values import ReportContent
+
+SCHEMA_VERSION = 1
+
+
+def json_text(content: ReportContent) -> str:
+    """The content as one JSON object; what is not known is null."""
+    values = {"schema": "lispac-report", "schema_version": SCHEMA_VERSION, **asdict(content)}
+    return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def write_json(content: ReportContent, path: Path) -> None:
+    """Write the content as one JSON file."""
+    path.write_text(json_text(content), encoding="utf-8", newline="\n")

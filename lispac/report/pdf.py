@@ -1,0 +1,110 @@
+"""The report as PDF, set by typst.
+
+Typst comes as one wheel with its fonts inside: no browser, no TeX, no network, and the same bytes
+on every machine.
+"""
+
+import json
+import tempfile
+from collections.abc import Mapping
+from dataclasses import asdict
+from datetime import datetime
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from lispac.errors import LispacError
+from lispac.report.blocks import Document
+from lispac.report.document import document_of
+from lispac.report.values import ReportContent
+
+LONGEST_WORD = 24
+"""Letters after which a word may break: file names have no blanks."""
+
+
+def write_pdf(content: ReportContent, path: Path, pictures: Mapping[str, Path]) -> None:
+    """Write the report as PDF.
+
+    Parameters
+    ----------
+    pictures : file of a PNG or SVG picture by its caption
+
+    Raises
+    ------
+    LispacError
+        Where a picture cannot be read or drawn.
+    """
+    import typst
+
+    document = document_of(content, pictures)
+    with tempfile.TemporaryDirectory(prefix="lispac-report-") as name:
+        folder = Path(name)
+        text = _lay_out(document, folder)
+        template = files("lispac.report") / "templates" / "report.typ"
+        main = folder / "report.typ"
+        main.write_bytes(template.read_bytes())
+        try:
+            typst.compile(
+                main,
+                output=path,
+                format="pdf",
+                root=folder,
+                font_paths=[_matplotlib_fonts()],
+                # A letter that neither typst nor matplotlib brings may come from the system;
+                # without it in the text, the PDF is the same on every machine.
+                ignore_system_fonts=_has_fonts_for(text),
+                timestamp=datetime.fromisoformat(content.generated),
+            )
+        except typst.TypstError as error:
+            raise LispacError(
+                f"{path.name}: the report could not be set ({error.message}); check the pictures "
+                "given to it."
+            ) from error
+
+
+def _lay_out(document: Document, folder: Path) -> str:
+    """Write text and pictures for the template into ``folder``; the text is given back.
+
+    The template reads strings from JSON, which typst shows as they are: nothing in a name of the
+    user's can be taken for a command.
+    """
+    values = _breakable(asdict(document))
+    pictures = 0
+    for section in values["sections"]:
+        for block in section["blocks"]:
+            if block["kind"] == "picture":
+                block["file"] = f"picture-{pictures}{block['suffix']}"
+                (folder / block["file"]).write_bytes(block.pop("data"))
+                pictures += 1
+    text = json.dumps(values, ensure_ascii=False)
+    (folder / "document.json").write_text(text, encoding="utf-8")
+    return text
+
+
+def _breakable(value: Any, key: str = "") -> Any:
+    """The same values, with places to break in over-long words."""
+    if isinstance(value, dict):
+        return {name: _breakable(item, name) for name, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_breakable(item, key) for item in value]
+    if isinstance(value, str) and any(len(word) > LONGEST_WORD for word in value.split()):
+        return " ".join(_broken(word) for word in value.split(" "))
+    return value
+
+
+def _broken(word: str) -> str:
+    if len(word) <= LONGEST_WORD or (len(word) == 64 and word.isalnum()):
+        return word  # digests stay whole: their column is made for them
+    return "\u200b".join(word[k : k + 8] for k in range(0, len(word), 8))
+
+
+def _matplotlib_fonts() -> Path:
+    import matplotlib
+
+    return Path(matplotlib.get_data_path()) / "fonts" / "ttf"
+
+
+def _has_fonts_for(text: str) -> bool:
+    from lispac.report.figures import drawable
+
+    return all(ord(letter) in drawable() or letter.isspace() for letter in text)

@@ -1,0 +1,139 @@
+"""The trajectory: where the POS was and how it was turned, and how well that is known."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
+from lispac.geometry.rotations import angles_of, rotation_matrix
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """POS states in geographic coordinates, attitude in the program's convention.
+
+    Attributes
+    ----------
+    time : ndarray of shape (n,), seconds, strictly increasing
+    latitude, longitude : ndarray of shape (n,), radians
+    height : ndarray of shape (n,), metres above the ellipsoid
+    attitude : ndarray of shape (n, 3), radians
+        Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
+    assumptions : tuple of str
+        What the reader took for granted, in words.
+    """
+
+    time: Array
+    latitude: Array
+    longitude: Array
+    height: Array
+    attitude: Array
+    assumptions: tuple[str, ...] = ()
+
+    def mean_frame(self) -> LocalFrame:
+        """Local frame at the mean of the trajectory (thesis equation 1.5)."""
+        return LocalFrame(
+            float(self.latitude.mean()), float(self.longitude.mean()), float(self.height.mean())
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class TrajectoryAccuracy:
+    """Standard deviations of the POS over time.
+
+    Attributes
+    ----------
+    time : ndarray of shape (n,), seconds, strictly increasing
+    position : ndarray of shape (n, 3), metres; north, east, down
+    attitude : ndarray of shape (n, 3), radians; roll, pitch, heading
+    """
+
+    time: Array
+    position: Array
+    attitude: Array
+
+    @classmethod
+    def constant(cls, position: Array, attitude: Array) -> "TrajectoryAccuracy":
+        """The same sigmas at all times: north, east, down in metres and angles in radians."""
+        return cls(np.zeros(1), np.atleast_2d(position), np.atleast_2d(attitude))
+
+    def at(self, time: Array) -> tuple[Array, Array]:
+        """Position and attitude sigmas, each of shape (n, 3), at ``time``."""
+        return _interpolate(time, self.time, self.position), _interpolate(
+            time, self.time, self.attitude
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """POS states at chosen times, in the local frame.
+
+    Attributes
+    ----------
+    position : ndarray of shape (n, 3), metres, local
+    attitude : ndarray of shape (n, 3), radians; roll, pitch, heading against the local frame
+    """
+
+    position: Array
+    attitude: Array
+
+
+@dataclass(frozen=True, eq=False)
+class LocalTrajectory:
+    """The trajectory in a local frame, ready for interpolation.
+
+    Attributes
+    ----------
+    frame : LocalFrame
+    time : ndarray of shape (n,), seconds, strictly increasing
+    position : ndarray of shape (n, 3), metres, local
+    attitude : ndarray of shape (n, 3), radians
+        Roll, pitch, heading against the axes of the local frame, without jumps by 2 pi.
+    """
+
+    frame: LocalFrame
+    time: Array
+    position: Array
+    attitude: Array
+
+    @classmethod
+    def of(cls, trajectory: Trajectory, frame: LocalFrame) -> "LocalTrajectory":
+        """Bring a trajectory into ``frame``: positions, and attitude turned to its axes."""
+        position = frame.to_local(trajectory.latitude, trajectory.longitude, trajectory.height)
+        rotation_level_body = rotation_matrix(*trajectory.attitude.T)
+        rotation_local_level = frame.rotation_local_level(
+            trajectory.latitude, trajectory.longitude
+        )
+        attitude = angles_of(rotation_local_level @ rotation_level_body)
+        return cls(frame, trajectory.time, position, np.unwrap(attitude, axis=0))
+
+    def covers(self, time: Array) -> NDArray[np.bool_]:
+        """Which of ``time`` lie inside the trajectory."""
+        return np.asarray((time >= self.time[0]) & (time <= self.time[-1]))
+
+    def at(self, time: Array) -> Poses:
+        """Linear interpolation to ``time`` (thesis B.1).
+
+        Raises
+        ------
+        InputError
+            Where a time lies outside the trajectory.
+        """
+        if len(time) and not self.covers(np.array([np.min(time), np.max(time)])).all():
+            raise InputError(
+                f"Points from {np.min(time):.3f} to {np.max(time):.3f} s lie outside the "
+                f"trajectory ({self.time[0]:.3f} to {self.time[-1]:.3f} s): "
+                "check that both use the same time base."
+            )
+        return Poses(
+            _interpolate(time, self.time, self.position),
+            _interpolate(time, self.time, self.attitude),
+        )
+
+
+def _interpolate(time: Array, known_time: Array, values: Array) -> Array:
+    return np.stack([np.interp(time, known_time, column) for column in values.T], axis=-1)

@@ -1,0 +1,134 @@
+"""Where a flat patch ends: connected cells of points on a plane."""
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+# A raster never has more cells a side than this; the cells grow instead.
+MOST_CELLS = 1500
+
+
+def cell_size(placed: Array, votes: Array) -> float:
+    """Side of a raster cell that a patch fills without holes.
+
+    Three times the mean point spacing where the votes are: lines of a profiler may lie several
+    times farther apart than the points along them, and must still touch.
+
+    Parameters
+    ----------
+    placed : ndarray of shape (n, 2), metres in the plane
+    votes : ndarray of shape (n,)
+        Weight of each point in deciding where to look.
+
+    Returns
+    -------
+    float, metres
+    """
+    middle = np.average(placed, axis=0, weights=votes)
+    from_middle = np.sort(np.hypot(*(placed - middle).T))
+    few = min(len(placed), max(30, len(placed) // 4)) - 1
+    area = np.pi * max(float(from_middle[few]), 1e-3) ** 2
+    return float(np.clip(3.0 * np.sqrt(area / (few + 1)), 0.02, 0.5))
+
+
+def connected(placed: Array, votes: Array, cell: float) -> Flags:
+    """Which points belong to the connected patch that holds most of the votes.
+
+    Points are laid on a raster; filled cells that touch, corners included, belong together.
+
+    Parameters
+    ----------
+    placed : ndarray of shape (n, 2), metres in the plane
+    votes : ndarray of shape (n,)
+    cell : float, metres
+
+    Returns
+    -------
+    ndarray of shape (n,), bool
+    """
+    low = placed.min(axis=0)
+    cell = max(cell, float((placed.max(axis=0) - low).max()) / MOST_CELLS)
+    at = ((placed - low) / cell).astype(np.int64) + 1
+    shape = at.max(axis=0) + 2
+    flat = at[:, 0] * shape[1] + at[:, 1]
+    filled = np.zeros(int(shape[0] * shape[1]), dtype=np.bool_)
+    filled[flat] = True
+    label = _label(filled, int(shape[1]))[flat]
+    winner = np.argmax(np.bincount(label, weights=votes))
+    same: Flags = label == winner
+    return same
+
+
+def share_in_cell(placed: Array, chosen: Flags, cell: float) -> Array:
+    """For each point the share of chosen ones among the points of its raster cell.
+
+    Parameters
+    ----------
+    placed : ndarray of shape (n, 2), metres in the plane
+    chosen : ndarray of shape (n,), bool
+    cell : float, metres
+    """
+    low = placed.min(axis=0)
+    cell = max(cell, float((placed.max(axis=0) - low).max()) / MOST_CELLS)
+    at = ((placed - low) / cell).astype(np.int64)
+    flat = at[:, 0] * (int(at[:, 1].max()) + 1) + at[:, 1]
+    share: Array = (np.bincount(flat, weights=chosen) / np.maximum(np.bincount(flat), 1))[flat]
+    return share
+
+
+def covered(placed: Array, other: Array, cell: float) -> Flags:
+    """Which points of ``placed`` have one of ``other`` in their cell or a cell beside it.
+
+    Parameters
+    ----------
+    placed, other : ndarrays of shape (n, 2) and (m, 2), metres in the same plane
+    cell : float, metres
+    """
+    low = np.minimum(placed.min(axis=0), other.min(axis=0))
+    high = np.maximum(placed.max(axis=0), other.max(axis=0))
+    cell = max(cell, float((high - low).max()) / MOST_CELLS)
+    shape = ((high - low) / cell).astype(np.int64) + 3
+    filled = np.zeros((int(shape[0]), int(shape[1])), dtype=np.bool_)
+    at = ((other - low) / cell).astype(np.int64) + 1
+    for i in (-1, 0, 1):
+        for j in (-1, 0, 1):
+            filled[at[:, 0] + i, at[:, 1] + j] = True
+    mine = ((placed - low) / cell).astype(np.int64) + 1
+    found: Flags = filled[mine[:, 0], mine[:, 1]]
+    return found
+
+
+def area(placed: Array, cell: float) -> float:
+    """Area of the raster cells that points (n, 2) fill, square metres."""
+    at = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
+    return len(np.unique(at[:, 0] * (int(at[:, 1].max()) + 1) + at[:, 1])) * cell * cell
+
+
+@njit(nogil=True, cache=True)
+def _label(filled: Flags, width: int) -> Indices:  # pragma: no cover - compiled
+    # Flood fill over a raster whose rim is empty, so neighbours need no bounds checks.
+    label = np.full(filled.size, -1, np.int64)
+    stack = np.empty(filled.size, np.int64)
+    count = 0
+    for start in range(filled.size):
+        if not filled[start] or label[start] >= 0:
+            continue
+        label[start] = count
+        stack[0] = start
+        top = 1
+        while top > 0:
+            top -= 1
+            here = stack[top]
+            for i in (-width, 0, width):
+                for j in (-1, 0, 1):
+                    there = here + i + j
+                    if filled[there] and label[there] < 0:
+                        label[there] = count
+                        stack[top] = there
+                        top += 1
+        count += 1
+    return label

@@ -1,0 +1,151 @@
+"""How far one line lies from another around a seed, while the boresight is still wrong.
+
+The same target stands elsewhere in each line. What surrounds it has moved along with it, so the
+translation that lays one line's surroundings onto the other's tells where to look.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# Coarse to fine: side of a voxel at each level, metres; the kernel reaches two voxels.
+LEVELS = (0.2, 0.1, 0.05)
+# Candidates carried from one level to the next, and how different they must be, in voxels.
+CARRIED = 24
+APART = 1.5
+
+
+@dataclass(frozen=True, eq=False)
+class Shift:
+    """A translation and how well it lays one cloud on the other.
+
+    Attributes
+    ----------
+    vector : ndarray of shape (3,), metres
+        To be added to the first cloud's points.
+    score : float, in [0, 1]
+        Weighted share of the first cloud's points that meet the second.
+    """
+
+    vector: Array
+    score: float
+
+
+def find_shifts(
+    first: Array, weights: Array, second: Array, most: float, *, prefer_small: float = 0.02
+) -> list[Shift]:
+    """Translations that lay the first cloud onto the second, the best first.
+
+    All translations up to ``most`` along each axis are tried on coarse voxels; the best of them
+    are refined on finer ones.
+
+    Parameters
+    ----------
+    first : ndarray of shape (n, 3), metres
+    weights : ndarray of shape (n,)
+    second : ndarray of shape (m, 3), metres
+        Must reach farther than the first by ``most`` on every side.
+    most : float, metres
+    prefer_small : float
+        What a translation of one metre costs of the score. Along a wall nothing else decides.
+
+    Returns
+    -------
+    list of Shift
+        Distinct ones; empty when nothing meets.
+    """
+    origin = first.mean(axis=0)
+    first, second = first - origin, second - origin
+    steps = int(np.ceil(most / LEVELS[0]))
+    axis = np.arange(-steps, steps + 1) * LEVELS[0]
+    tried = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
+    tried = tried[np.linalg.norm(tried, axis=1) <= most + 0.5 * LEVELS[0]]
+    found: list[Shift] = []
+    for level, voxel in enumerate(LEVELS):
+        if level > 0:
+            around = np.stack(np.meshgrid(*[[-voxel, 0.0, voxel]] * 3, indexing="ij"), axis=-1)
+            tried = np.concatenate([s.vector + around.reshape(-1, 3) for s in found])
+            tried = np.unique(np.round(tried / voxel).astype(np.int64), axis=0) * voxel
+        scores = _scores(first, weights, second, tried, voxel)
+        scores -= prefer_small * np.linalg.norm(tried, axis=1)
+        found = _distinct(tried, scores, APART * voxel if level < 2 else 2.0 * LEVELS[0])
+        if not found:
+            return []
+    return found
+
+
+def _scores(first: Array, weights: Array, second: Array, tried: Array, voxel: float) -> Array:
+    low = np.minimum(first.min(axis=0) + tried.min(axis=0), second.min(axis=0)) - 3.0 * voxel
+    high = np.maximum(first.max(axis=0) + tried.max(axis=0), second.max(axis=0)) + 3.0 * voxel
+    shape = np.ceil((high - low) / voxel).astype(np.int64) + 1
+    field = _splat(second, low, voxel, shape)
+    heap, mass = _voxels(first, weights, voxel)
+    return _lookup(field, heap - low, mass / mass.sum(), tried, voxel)
+
+
+def _voxels(points: Array, weights: Array, voxel: float) -> tuple[Array, Array]:
+    """One mean point per voxel, with its largest weight: dense parts do not outvote sparse ones."""
+    cells = np.floor(points / voxel).astype(np.int64)
+    _, group, count = np.unique(cells, axis=0, return_inverse=True, return_counts=True)
+    group = group.reshape(-1)
+    mean = np.stack([np.bincount(group, points[:, k]) / count for k in range(3)], axis=1)
+    mass = np.bincount(group, weights) / count
+    return mean, mass
+
+
+def _distinct(tried: Array, scores: Array, apart: float) -> list[Shift]:
+    kept: list[Shift] = []
+    for i in np.argsort(-scores, kind="stable"):
+        if scores[i] <= 0.0 or len(kept) == CARRIED:
+            break
+        if all(np.linalg.norm(tried[i] - s.vector) > apart for s in kept):
+            kept.append(Shift(tried[i], float(scores[i])))
+    return kept
+
+
+@njit(nogil=True, cache=True)
+def _splat(
+    points: Array, low: Array, voxel: float, shape: Indices
+) -> NDArray[np.float32]:  # pragma: no cover - compiled
+    """Closeness to the nearest filled voxel: 1 inside, falling to 0 two voxels away."""
+    field = np.zeros((shape[0], shape[1], shape[2]), np.float32)
+    kernel = np.empty((5, 5, 5), np.float32)
+    for i in range(5):
+        for j in range(5):
+            for k in range(5):
+                squared = (i - 2) ** 2 + (j - 2) ** 2 + (k - 2) ** 2
+                kernel[i, j, k] = max(0.0, 1.0 - squared / 6.25)
+    for n in range(points.shape[0]):
+        x = int((points[n, 0] - low[0]) / voxel)
+        y = int((points[n, 1] - low[1]) / voxel)
+        z = int((points[n, 2] - low[2]) / voxel)
+        if field[x, y, z] == 1.0:
+            continue
+        for i in range(5):
+            for j in range(5):
+                for k in range(5):
+                    value = kernel[i, j, k]
+                    if value > field[x + i - 2, y + j - 2, z + k - 2]:
+                        field[x + i - 2, y + j - 2, z + k - 2] = value
+    return field
+
+
+@njit(nogil=True, cache=True)
+def _lookup(
+    field: NDArray[np.float32], points: Array, mass: Array, tried: Array, voxel: float
+) -> Array:  # pragma: no cover - compiled
+    scores = np.zeros(tried.shape[0])
+    for t in range(tried.shape[0]):
+        total = 0.0
+        for n in range(points.shape[0]):
+            x = int((points[n, 0] + tried[t, 0]) / voxel)
+            y = int((points[n, 1] + tried[t, 1]) / voxel)
+            z = int((points[n, 2] + tried[t, 2]) / voxel)
+            total += mass[n] * field[x, y, z]
+        scores[t] = total
+    return scores

@@ -1,0 +1,141 @@
+"""Cloud-to-cloud distance with a local plane, after CloudCompare.
+
+The distance to the nearest point of the other cloud says as much about the spacing of that cloud
+as about the surface. CloudCompare's "local modelling" (Girardeau-Montaut, the tool of thesis
+section 4.5.4) puts a least-squares plane through the nearest reference point and its neighbours
+and measures to that plane instead. The smaller of the two distances counts: a badly shaped
+neighbourhood, or a point beyond the edge of the reference, can then never make it worse.
+"""
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import cKDTree
+
+from lispac.errors import InputError
+from lispac.geometry.knn import build_tree, local_planes, spatial_order
+from lispac.progress import Progress, no_progress
+
+FEWEST_FOR_A_PLANE = 3
+_CHUNK = 50_000
+
+
+def cloud_to_cloud(
+    compared: ArrayLike,
+    reference: ArrayLike,
+    *,
+    neighbours: int = 6,
+    local_plane: bool = True,
+    max_distance: float | None = None,
+    progress: Progress = no_progress,
+) -> NDArray[np.float64]:
+    """Distance of each compared point to the reference cloud.
+
+    Parameters
+    ----------
+    compared : array of shape (n, 3), metres
+    reference : array of shape (m, 3), metres
+        In the same frame. With fewer points than ``neighbours`` all of them make the plane; with
+        fewer than three the distance is that to the nearest point.
+    neighbours : int
+        Points of the local plane, the nearest reference point counted; at least 3.
+    local_plane : bool
+        False measures to the nearest point itself.
+    max_distance : float, metres, optional
+        A compared point with no reference point this near gets NaN: it was not measured.
+
+    Returns
+    -------
+    ndarray of shape (n,), metres, unsigned
+
+    Raises
+    ------
+    InputError
+        A cloud that is not (n, 3) or holds NaN or infinity, an empty reference, fewer than three
+        neighbours, or a maximum distance that is not positive.
+
+    Notes
+    -----
+    Where the neighbours lie on one straight line no plane is defined and the distance is that to
+    the nearest point (CloudCompare takes whichever plane its solver happens to return).
+    """
+    compared = _cloud(compared, "compared")
+    reference = _cloud(reference, "reference")
+    if local_plane and neighbours < FEWEST_FOR_A_PLANE:
+        raise InputError(
+            f"A local plane needs at least 3 neighbours, and {neighbours} were asked for."
+        )
+    if max_distance is not None and not max_distance > 0.0:
+        raise InputError(f"The maximum distance must be positive, and it is {max_distance} m.")
+    if len(compared) == 0:
+        return np.empty(0)
+    if len(reference) == 0:
+        raise InputError("The reference cloud of a cloud-to-cloud distance holds no point.")
+
+    k = min(neighbours, len(reference)) if local_plane else 0
+    limit = np.inf if max_distance is None else max_distance
+    progress(0.0, "Indexing the clouds")
+    starts = range(0, len(compared), _CHUNK)
+    pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
+    try:
+        # Neighbours in space become neighbours in memory: the search and the plane fit then run
+        # from the processor's cache.
+        ordering = pool.submit(spatial_order, compared)
+        reference = reference[spatial_order(reference)]
+        tree = build_tree(reference)
+        order = ordering.result()
+        distances = np.empty(len(compared))
+
+        def measure(start: int) -> None:
+            chosen = order[start : start + _CHUNK]
+            distances[chosen] = _distances(compared[chosen], reference, tree, k, limit)
+
+        tasks = [pool.submit(measure, start) for start in starts]
+        for done, task in enumerate(tasks, start=1):
+            task.result()
+            progress(0.2 + 0.8 * done / len(tasks), "Measuring distances")
+    finally:
+        # A cancelled run must not wait for the chunks that have not begun.
+        pool.shutdown(cancel_futures=True)
+    return distances
+
+
+def _distances(
+    compared: NDArray[np.float64],
+    reference: NDArray[np.float64],
+    tree: cKDTree,
+    k: int,
+    limit: float,
+) -> NDArray[np.float64]:
+    """Distances (n,) of one spatially coherent chunk; ``k`` below three means no local plane."""
+    distances, nearest = tree.query(compared, k=1, distance_upper_bound=limit)
+    found = np.isfinite(distances)
+    distances[~found] = np.nan
+    if k < FEWEST_FOR_A_PLANE or not found.any():
+        return np.asarray(distances)
+    # Several compared points share a nearest point, and with it a plane.
+    centres, plane_of = np.unique(nearest[found], return_inverse=True)
+    _, groups = tree.query(reference[centres], k=k)
+    centroids, normals = local_planes(reference, groups)
+    offsets = compared[found] - centroids[plane_of]
+    to_plane = np.abs(np.einsum("ij,ij->i", offsets, normals[plane_of]))
+    distances[found] = np.fmin(distances[found], to_plane)  # fmin: NaN is "no plane"
+    return np.asarray(distances)
+
+
+def _cloud(points: ArrayLike, name: str) -> NDArray[np.float64]:
+    """Points as a contiguous (n, 3) array of finite numbers."""
+    cloud = np.ascontiguousarray(points, dtype=np.float64)
+    if cloud.ndim != 2 or cloud.shape[1] != 3:
+        raise InputError(
+            f"The {name} cloud must be an array of shape (n, 3), and its shape is {cloud.shape}."
+        )
+    bad = int(np.count_nonzero(~np.isfinite(cloud).all(axis=1)))
+    if bad:
+        raise InputError(
+            f"The {name} cloud holds {bad} of {len(cloud)} points whose coordinates are not "
+            "finite numbers; remove them before measuring distances."
+        )
+    return cloud

@@ -1,0 +1,231 @@
+"""How far apart the lines were on a validation plane before the calibration, and how close after.
+
+The relative accuracy assessment of thesis sections 4.4.6 and 4.5.4: cloud-to-cloud distances with
+a local plane between every two lines that saw the same plane, as histograms before and after.
+
+Which points are compared. A point of line A counts against line B when it lies inside B's
+footprint in the plane **both** before and after. After the calibration that means: both lines saw
+this spot. Before, it keeps out points that the wrong boresight has moved past B's edge, whose
+distance would measure the edge and make the calibration look better than it is. The same points
+stand in both statistics, so n is the same and nothing but the boresight differs.
+"""
+
+from collections.abc import Mapping
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, LispacError
+from lispac.progress import Progress, no_progress, part
+from lispac.validation.cloud_distance import cloud_to_cloud
+from lispac.validation.footprint import Footprint, common_frame
+from lispac.validation.results import DistanceStatistics, PairComparison, PlaneComparison
+
+__all__ = [
+    "DistanceStatistics",
+    "PairComparison",
+    "PlaneComparison",
+    "compare_plane",
+    "reciprocal",
+]
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+RECIPROCAL_TOLERANCE = np.radians(20.0)
+MAX_POINTS_PER_LINE = 100_000
+# Fewer points are no sample of a surface, and percentiles of fewer distances say nothing.
+FEWEST_POINTS = 30
+# Histograms end at this percentile of both states; what lies beyond is counted in the last bin.
+_HISTOGRAM_PERCENTILE = 99.5
+_NARROWEST_HISTOGRAM = 1e-6
+
+
+def reciprocal(heading_a: float, heading_b: float) -> bool:
+    """Whether two headings, radians, are opposite within 20 degrees."""
+    turn = np.remainder(heading_a - heading_b, 2.0 * np.pi)
+    return bool(abs(turn - np.pi) <= RECIPROCAL_TOLERANCE)
+
+
+def compare_plane(
+    name: str,
+    before: Mapping[str, Array],
+    after: Mapping[str, Array],
+    headings: Mapping[str, float],
+    *,
+    bins: int = 60,
+    progress: Progress = no_progress,
+) -> PlaneComparison:
+    """Compare the lines on one validation plane, before and after.
+
+    Parameters
+    ----------
+    name : str
+        Of the plane, for messages and the result.
+    before, after : mapping of line name to ndarray of shape (n, 3), metres, local frame
+        The points of the plane as each line saw them, placed with the prior and with the
+        estimated boresight: the same points in the same order. More than 100 000 of a line are
+        thinned to every second, third, ... point, the same ones in both states.
+    headings : mapping of line name to float, radians
+        Tells which lines were run in opposite directions: there the boresight shows most.
+    bins : int
+        Of the histograms. They reach from zero to the 99.5th percentile of all distances of both
+        states; the last bin also holds what lies beyond, so that the counts add up to n.
+
+    Returns
+    -------
+    PlaneComparison
+        With every pair of lines that overlaps, reciprocal pairs first. The pooled statistics and
+        the histograms are of the reciprocal pairs, or of all pairs where there is none.
+
+    Raises
+    ------
+    LispacError
+        The plane is seen on fewer than two lines, or no two of them overlap.
+    InputError
+        The two states do not hold the same points, a heading is missing, or points are not finite.
+    """
+    if bins < 1:
+        raise InputError(f"A histogram needs at least one bin, and {bins} were asked for.")
+    _check_same_points(name, before, after, headings)
+    seen = [line for line in before if len(before[line]) >= FEWEST_POINTS]
+    if len(seen) < 2:
+        found = f"on one line only ({seen[0]})" if seen else "on no line"
+        raise LispacError(
+            f"The validation plane {name} is seen {found}, with at least {FEWEST_POINTS} points; "
+            "a comparison needs two lines. Pick it in another line or choose another plane."
+        )
+    clouds_before = {line: _thinned(before[line]) for line in seen}
+    clouds_after = {line: _thinned(after[line]) for line in seen}
+    overlap = _Overlap(clouds_before, clouds_after)
+
+    couples = sorted(
+        combinations(seen, 2),
+        key=lambda pair: not reciprocal(headings[pair[0]], headings[pair[1]]),
+    )
+    pairs: list[PairComparison] = []
+    not_compared: list[tuple[str, str]] = []
+    distances: list[tuple[Array, Array]] = []
+    for i, (a, b) in enumerate(couples):
+        a_in_b, b_in_a = overlap.of(a, b), overlap.of(b, a)
+        if np.count_nonzero(a_in_b) < FEWEST_POINTS or np.count_nonzero(b_in_a) < FEWEST_POINTS:
+            not_compared.append((a, b))
+            continue
+        here = part(progress, i / len(couples), (i + 1) / len(couples))
+        here(0.0, f"Comparing {a} and {b} on {name}")
+        of_before, of_after = (
+            np.concatenate(
+                (
+                    cloud_to_cloud(clouds[a][a_in_b], clouds[b]),
+                    cloud_to_cloud(clouds[b][b_in_a], clouds[a]),
+                )
+            )
+            for clouds in (clouds_before, clouds_after)
+        )
+        distances.append((of_before, of_after))
+        pairs.append(
+            PairComparison(
+                line_a=a,
+                line_b=b,
+                reciprocal=reciprocal(headings[a], headings[b]),
+                before=DistanceStatistics.of(of_before),
+                after=DistanceStatistics.of(of_after),
+            )
+        )
+    if not pairs:
+        raise LispacError(
+            f"No two lines overlap on the validation plane {name}, before and after, in at least "
+            f"{FEWEST_POINTS} points; choose a larger plane or pick it again."
+        )
+    progress(1.0, f"Compared {len(pairs)} pairs of lines on {name}")
+
+    any_reciprocal = any(pair.reciprocal for pair in pairs)
+    used = [
+        d
+        for pair, d in zip(pairs, distances, strict=True)
+        if pair.reciprocal or not any_reciprocal
+    ]
+    all_before = np.concatenate([d[0] for d in used])
+    all_after = np.concatenate([d[1] for d in used])
+    edges = _shared_edges(all_before, all_after, bins)
+    return PlaneComparison(
+        name=name,
+        pairs=tuple(pairs),
+        not_compared=tuple(not_compared),
+        pooled_from="reciprocal pairs" if any_reciprocal else "all pairs",
+        bin_edges=edges,
+        counts_before=_counts(all_before, edges),
+        counts_after=_counts(all_after, edges),
+        before=DistanceStatistics.of(all_before),
+        after=DistanceStatistics.of(all_after),
+    )
+
+
+class _Overlap:
+    """Which points of one line lie inside another line's footprint in both states."""
+
+    def __init__(self, before: Mapping[str, Array], after: Mapping[str, Array]) -> None:
+        self._states: list[tuple[dict[str, Array], dict[str, Footprint]]] = []
+        for clouds in (before, after):
+            origin, axes = common_frame(list(clouds.values()))
+            flat = {line: (cloud - origin) @ axes.T for line, cloud in clouds.items()}
+            self._states.append((flat, {line: Footprint(uv) for line, uv in flat.items()}))
+
+    def of(self, line: str, other: str) -> Bools:
+        """Mask (n,) over the points of ``line``."""
+        masks = [footprints[other].contains(flat[line]) for flat, footprints in self._states]
+        both: Bools = masks[0] & masks[1]
+        return both
+
+
+def _thinned(points: Array) -> Array:
+    """Every n-th point, so that at most 100 000 are left."""
+    step = -(-len(points) // MAX_POINTS_PER_LINE)
+    return np.ascontiguousarray(points[::step], dtype=np.float64)
+
+
+def _check_same_points(
+    name: str,
+    before: Mapping[str, Array],
+    after: Mapping[str, Array],
+    headings: Mapping[str, float],
+) -> None:
+    """Refuse two states that are not of the same points."""
+    if set(before) != set(after):
+        only = ", ".join(sorted(set(before) ^ set(after)))
+        raise InputError(
+            f"The validation plane {name} is not placed on the same lines before and after: "
+            f"{only} stands in one state only."
+        )
+    for line in before:
+        for state, points in (("before", before[line]), ("after", after[line])):
+            if points.ndim != 2 or points.shape[1] != 3:
+                raise InputError(
+                    f"The points of {name} on line {line} ({state}) must have the shape (n, 3), "
+                    f"and theirs is {points.shape}."
+                )
+            if not np.isfinite(points).all():
+                raise InputError(
+                    f"The points of {name} on line {line} ({state}) hold coordinates that are "
+                    "not finite numbers."
+                )
+        if len(before[line]) != len(after[line]):
+            raise InputError(
+                f"Line {line} has {len(before[line])} points on {name} before and "
+                f"{len(after[line])} after; both states must hold the same points."
+            )
+        if line not in headings:
+            raise InputError(f"The heading of line {line}, seen on {name}, is not given.")
+
+
+def _shared_edges(before: Array, after: Array, bins: int) -> Array:
+    """Bin edges (bins + 1,), metres, for both histograms."""
+    top = max(float(np.percentile(d, _HISTOGRAM_PERCENTILE)) for d in (before, after))
+    return np.linspace(0.0, max(top, _NARROWEST_HISTOGRAM), bins + 1)
+
+
+def _counts(distances: Array, edges: Array) -> NDArray[np.int64]:
+    """Histogram (k,) whose last bin also takes what lies beyond."""
+    counts, _ = np.histogram(np.minimum(distances, edges[-1]), bins=edges)
+    return counts.astype(np.int64)

@@ -1,0 +1,116 @@
+"""From picked targets to the boresight."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import PosErrors, StochasticModel
+from lispac.errors import AdjustmentError
+from lispac.progress import Progress, no_progress, part
+from lispac.project import Project
+from lispac.targets.thinning import thin
+from lispac.workflow.projects import check_settings
+from lispac.workflow.survey import Survey
+
+
+def observations_of(project: Project, survey: Survey) -> Observations:
+    """Thin the points of every used sighting and bring them into the adjustment's form.
+
+    Raises
+    ------
+    AdjustmentError
+        Where no target, or a target on one line only, is left.
+    """
+    sightings: list[Sighting] = []
+    indices = []
+    for target in project.of_role("target"):
+        used = target.used_sightings
+        if not target.used:
+            continue
+        if len(used) < 2:
+            where = f"on line {used[0].line} only" if used else "on no line"
+            raise AdjustmentError(
+                f"Target {target.name} is seen {where}, so nothing compares it; seed it on another "
+                "line or leave the target out."
+            )
+        for sighting in used:
+            points = survey.clouds[sighting.line][sighting.indices]
+            indices.append(sighting.indices[thin(points, project.settings.subsample)])
+            sightings.append(Sighting(target.name, sighting.line))
+    if not sightings:
+        raise AdjustmentError(
+            f"{project.name}: there is no target to adjust; pick planar targets first."
+        )
+    scans = [survey.scans[sighting.line] for sighting in sightings]
+    points = np.concatenate([s.points_lidar[i] for s, i in zip(scans, indices, strict=True)])
+    time = np.concatenate([s.time[i] for s, i in zip(scans, indices, strict=True)])
+    poses = survey.trajectory.at(time)
+    sigma_position, sigma_attitude = survey.accuracy.at(time)
+    return Observations(
+        points_lidar=points,
+        position=poses.position,
+        attitude=poses.attitude,
+        sigma_lidar=np.full(points.shape, project.settings.lidar_sigma),
+        sigma_position=sigma_position,
+        sigma_attitude=sigma_attitude,
+        time=time,
+        sighting=np.repeat(np.arange(len(sightings)), [len(i) for i in indices]),
+        sightings=tuple(sightings),
+    )
+
+
+def estimate(
+    project: Project,
+    survey: Survey,
+    *,
+    subsample: float | None = None,
+    pos_errors: PosErrors | None = None,
+    progress: Progress = no_progress,
+) -> Project:
+    """Adjust the boresight on the project's targets.
+
+    Parameters
+    ----------
+    subsample : float, metres, optional
+        Changes the project's setting; 0 keeps all points.
+    pos_errors : {"correlated", "independent"}, optional
+        Changes the project's setting.
+
+    Raises
+    ------
+    AdjustmentError
+        Where targets and lines cannot give an answer.
+    """
+    settings = project.settings
+    if subsample is not None:
+        settings = replace(settings, subsample=subsample)
+    if pos_errors is not None:
+        settings = replace(settings, pos_errors=pos_errors)
+    check_settings(settings)
+    if settings != project.settings:
+        project = project.with_settings(settings)
+    progress(0.0, "Thinning the points")
+    observations = observations_of(project, survey)
+    result = adjust(
+        observations,
+        project.mounting("prior"),
+        StochasticModel(settings.pos_errors),
+        progress=part(progress, 0.3, 1.0),
+    )
+    return project.with_result(result)
+
+
+def thinned_counts(
+    project: Project, survey: Survey, subsample: float
+) -> Mapping[tuple[str, str], int]:
+    """Points that a subsampling distance would keep, by (target, line)."""
+    return {
+        (target.name, sighting.line): len(
+            thin(survey.clouds[sighting.line][sighting.indices], subsample)
+        )
+        for target in project.of_role("target")
+        for sighting in target.used_sightings
+    }

@@ -1,0 +1,130 @@
+"""The built-in survey, written to files and calibrated like any other."""
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import ProjectError
+from lispac.io.las import write_points
+from lispac.io.project_file import FILE_NAME
+from lispac.io.sbet import write_sbet, write_smrmsg
+from lispac.progress import Progress, no_progress, part
+from lispac.project import LineSource, Project, Role, Settings, Triple
+from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.workflow.calibration import estimate
+from lispac.workflow.picking import pick
+from lispac.workflow.projects import create_project, save_project
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.validation import validate
+
+LIDAR_SIGMA = 0.0025
+"""Metres: the range noise of the simulated scanner; its angles are as good at 15 m or better."""
+
+RAW = "raw"
+
+
+def make_demo(folder: Path, *, progress: Progress = no_progress) -> Project:
+    """Simulate the built-in survey and write it as a new project: raw files, nothing picked.
+
+    An earlier demo in the folder is replaced; anything else there is left alone.
+
+    Raises
+    ------
+    ProjectError
+        Where the folder holds a project that is not a demo.
+    """
+    folder = Path(folder).absolute()
+    project_file = folder / FILE_NAME
+    if project_file.exists():
+        if not (folder / RAW / "demo").is_file():
+            raise ProjectError(
+                f"{folder}: this folder holds another project; choose a new one for the demo."
+            )
+        project_file.unlink()
+        shutil.rmtree(folder / "sightings", ignore_errors=True)
+    survey = port_survey(progress=part(progress, 0.0, 0.7))
+    raw = folder / RAW
+    trajectory, accuracy = raw / "trajectory.sbet", raw / "smrmsg.out"
+    _write_trajectory(survey, trajectory, accuracy)
+    lines = []
+    for k, line in enumerate(survey.lines):
+        progress(0.7 + 0.3 * k / len(survey.lines), f"Writing {line.name}")
+        path = raw / f"{line.name}.laz"
+        write_points(path, line.points_lidar, line.time, line.intensity.astype(float))
+        lines.append(LineSource(line.name, path))
+    (raw / "demo").write_text("Built-in survey; remade by every run of the demo.\n")
+    latitude, longitude, height = survey.origin
+    return create_project(
+        folder,
+        trajectory=trajectory,
+        lines=lines,
+        accuracy=accuracy,
+        settings=Settings(
+            lever_arm=_triple(survey.lever_arm),
+            origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
+            lidar_sigma=LIDAR_SIGMA,
+        ),
+        truth_deg=_triple(np.degrees(survey.boresight)),
+    )
+
+
+def demo_seeds() -> dict[str, tuple[Role, Triple]]:
+    """Where a user would click on the built-in survey: role and local position by name."""
+    from lispac.simulation.port import TARGETS, VALIDATION, port_scene
+    from lispac.simulation.scene import Rectangle
+
+    scene = port_scene()
+    seeds: dict[str, tuple[Role, Triple]] = {}
+    roles: tuple[tuple[Role, tuple[str, ...]], ...] = (
+        ("target", TARGETS),
+        ("validation", VALIDATION),
+    )
+    for role, names in roles:
+        for name in names:
+            surface = scene[name]
+            if isinstance(surface, Rectangle):
+                seeds[name] = (role, _triple(surface.centre))
+    return seeds
+
+
+def run_demo(folder: Path, *, progress: Progress = no_progress) -> tuple[Project, Survey]:
+    """The whole way: simulate, load, pick, estimate, validate, save."""
+    project = make_demo(folder, progress=part(progress, 0.0, 0.4))
+    survey = load_survey(project, progress=part(progress, 0.4, 0.6))
+    seeds = demo_seeds()
+    for k, (name, (role, seed)) in enumerate(seeds.items()):
+        step = part(progress, 0.6 + 0.2 * k / len(seeds), 0.6 + 0.2 * (k + 1) / len(seeds))
+        step(0.0, f"Finding {name} in every line")
+        project = pick(project, survey, seed, name=name, role=role)
+    project = estimate(project, survey, progress=part(progress, 0.8, 0.85))
+    project = validate(project, survey, progress=part(progress, 0.85, 1.0))
+    save_project(project)
+    progress(1.0, "Demo done")
+    return project, survey
+
+
+def _write_trajectory(survey: SimulatedSurvey, sbet: Path, smrmsg: Path) -> None:
+    states = survey.trajectory
+    attitude = np.stack([states.roll, states.pitch, states.heading], axis=1)
+    write_sbet(
+        sbet,
+        Trajectory(states.time, states.latitude, states.longitude, states.height, attitude),
+    )
+    # POSPac writes smrmsg once a second.
+    time = np.append(states.time[::200], states.time[-1])
+    time = time[np.append(True, np.diff(time) > 0)]
+    write_smrmsg(
+        smrmsg,
+        TrajectoryAccuracy(
+            time,
+            np.tile(states.sigma_position, (len(time), 1)),
+            np.tile(states.sigma_attitude, (len(time), 1)),
+        ),
+    )
+
+
+def _triple(values: np.ndarray) -> Triple:
+    first, second, third = (float(value) for value in values)
+    return first, second, third

@@ -1,0 +1,124 @@
+"""From a seed to a target: the plane in every line."""
+
+import itertools
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import PlaneNotFound, ProjectError
+from lispac.progress import Progress, no_progress
+from lispac.project import PickedSighting, Project, Role, Target, Triple
+from lispac.targets.across_lines import find_in_lines
+from lispac.targets.finder import FinderSettings, find_plane
+from lispac.workflow.survey import Survey
+
+
+def find(
+    project: Project,
+    survey: Survey,
+    seed: Triple | NDArray[np.float64],
+    *,
+    name: str,
+    role: Role = "target",
+    line: str | None = None,
+    first_line: str | None = None,
+    threshold: float | None = None,
+    radius: float | None = None,
+    progress: Progress = no_progress,
+) -> Target:
+    """Find the plane at a seed: what `pick` would add.
+
+    Parameters
+    ----------
+    seed : metres, local frame
+    line : str, optional
+        Seek in this line only; the other sightings of a target of that name are kept.
+    first_line : str, optional
+        The line the seed was clicked on, where that is known.
+    threshold : float, metres, optional
+        RANSAC distance threshold.
+    radius : float, metres, optional
+        Search radius about the seed.
+
+    Raises
+    ------
+    PlaneNotFound
+    """
+    settings = FinderSettings(threshold=threshold or project.settings.threshold)
+    if radius is not None:
+        settings = replace(settings, radius=radius)
+    centre = np.asarray(seed, dtype=float)
+    place: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
+    if line is not None:
+        if line not in survey.clouds:
+            raise ProjectError(
+                f"{project.name}: there is no line {line}; the lines are {', '.join(survey.lines)}."
+            )
+        patch = find_plane(survey.clouds[line], centre, settings)
+        sighting = PickedSighting(line, patch.indices, patch.rms)
+        return _with_sighting(project, name, role, place, settings, sighting)
+    found, missing = find_in_lines(
+        survey.clouds, centre, settings, first_line=first_line, progress=progress
+    )
+    if not found:
+        raise PlaneNotFound(
+            f"{name}: no plane was found at {centre[0]:.2f}, {centre[1]:.2f}, {centre[2]:.2f} m in "
+            f"any line ({next(iter(missing.values()), 'no lines')}); set the seed on the target."
+        )
+    sightings = tuple(
+        PickedSighting(n, found[n].indices, found[n].rms) for n in survey.lines if n in found
+    )
+    return Target(name, role, place, settings.threshold, settings.radius, sightings, missing)
+
+
+def pick(
+    project: Project,
+    survey: Survey,
+    seed: Triple | NDArray[np.float64],
+    *,
+    name: str,
+    role: Role = "target",
+    line: str | None = None,
+    threshold: float | None = None,
+    radius: float | None = None,
+    progress: Progress = no_progress,
+) -> Project:
+    """Find the plane at a seed in every line (or one) and add it to the project.
+
+    Raises
+    ------
+    PlaneNotFound
+    """
+    target = find(
+        project, survey, seed, name=name, role=role, line=line,
+        threshold=threshold, radius=radius, progress=progress,
+    )  # fmt: skip
+    return project.with_target(target)
+
+
+def next_name(project: Project, role: Role) -> str:
+    """First free name: T1, T2 ... for targets, V1, V2 ... for validation planes."""
+    taken = {target.name for target in project.targets}
+    letter = "T" if role == "target" else "V"
+    return next(f"{letter}{k}" for k in itertools.count(1) if f"{letter}{k}" not in taken)
+
+
+def _with_sighting(
+    project: Project,
+    name: str,
+    role: Role,
+    seed: Triple,
+    settings: FinderSettings,
+    sighting: PickedSighting,
+) -> Target:
+    known = next((target for target in project.targets if target.name == name), None)
+    if known is None:
+        return Target(
+            name, role, seed, settings.threshold, settings.radius, (sighting,), {}
+        )
+    order = [line.name for line in project.lines]
+    kept = [s for s in known.sightings if s.line != sighting.line]
+    sightings = sorted([*kept, sighting], key=lambda s: order.index(s.line))
+    missing = {line: reason for line, reason in known.missing.items() if line != sighting.line}
+    return replace(known, sightings=tuple(sightings), missing=missing)

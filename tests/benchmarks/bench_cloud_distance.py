@@ -1,0 +1,126 @@
+"""Cloud-to-cloud distance with a local plane, one million points against one million.
+
+``python -m tests.benchmarks.bench_cloud_distance [POINTS...]`` prints the time beside those of
+CloudCompare and of Open3D (nearest point only) on the same clouds, each where it is installed.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.validation.cloud_distance import cloud_to_cloud
+from lispac.validation.comparison import compare_plane
+
+Array = NDArray[np.float64]
+AIM_SECONDS_PER_MILLION = 2.5
+
+
+def wall(n: int, seed: int, offset: float) -> Array:
+    """A noisy wall of 10 x 10 m."""
+    rng = np.random.default_rng(seed)
+    points = rng.uniform(0, 10, (n, 3))
+    points[:, 1] = rng.normal(offset, 0.003, n)
+    return points
+
+
+def tower(n: int, seed: int, offset: float) -> Array:
+    """Four noisy walls of 6 x 40 m, moved outwards."""
+    rng = np.random.default_rng(seed)
+    side, along, height = rng.integers(0, 4, n), rng.uniform(0, 6, n), rng.uniform(0, 40, n)
+    depth = rng.normal(offset, 0.005, n)
+    x = np.choose(side, [along, along, -depth, 6 + depth])
+    y = np.choose(side, [-depth, 6 + depth, along, along])
+    return np.column_stack((x, y, height))
+
+
+def median_seconds(run: Callable[[], object], rounds: int = 3) -> float:
+    """Median wall-clock time of a few runs."""
+    times = []
+    for _ in range(rounds):
+        start = time.perf_counter()
+        run()
+        times.append(time.perf_counter() - start)
+    return float(np.median(times))
+
+
+def cloudcompare_seconds(compared: Array, reference: Array, level: int) -> tuple[float, float]:
+    """CloudCompare's own printed seconds for the distances, and its printed mean, metres.
+
+    The octree level is given because, left to choose, version 2.11 does not come back on the
+    tower.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        for name, points in (("compared", compared), ("reference", reference)):
+            np.savetxt(Path(folder) / f"{name}.asc", points, fmt="%.6f")
+        program = shutil.which("CloudCompare")
+        assert program is not None
+        done = subprocess.run(
+            [program, "-SILENT", "-C_EXPORT_FMT", "BIN", "-O", "compared.asc",
+             "-O", "reference.asc", "-C2C_DIST", "-MODEL", "LS", "KNN", "6",
+             "-OCTREE_LEVEL", str(level)],
+            cwd=folder,
+            env=os.environ | {"QT_QPA_PLATFORM": "offscreen", "XDG_RUNTIME_DIR": folder},
+            capture_output=True,
+            text=True,
+            check=True,
+            timeout=300,
+        )  # fmt: skip
+    printed = done.stdout + done.stderr
+    seconds = sum(float(s) for s in re.findall(r"Distances\] Time: ([\d.]+) s", printed))
+    mean = re.search(r"Mean distance = ([\d.]+)", printed)
+    assert mean is not None
+    return seconds, float(mean.group(1))
+
+
+def open3d_seconds(compared: Array, reference: Array) -> float:
+    """Open3D's distance to the nearest point, without any plane."""
+    import open3d
+
+    clouds = [
+        open3d.geometry.PointCloud(open3d.utility.Vector3dVector(points))
+        for points in (compared, reference)
+    ]
+    return median_seconds(lambda: clouds[0].compute_point_cloud_distance(clouds[1]))
+
+
+def main(counts: list[int]) -> None:
+    cloud_to_cloud(wall(100, 1, 0), wall(100, 2, 0))  # compiles
+    for make in (wall, tower):
+        for n in counts:
+            compared, reference = make(n, 1, 0.01), make(n, 2, 0.0)
+            ours = median_seconds(lambda: cloud_to_cloud(compared, reference))  # noqa: B023
+            mean = cloud_to_cloud(compared, reference).mean()
+            print(
+                f"{make.__name__:6} {n:>10,} on {n:,}: {ours:.2f} s, mean {1e3 * mean:.3f} mm "
+                f"(aim {AIM_SECONDS_PER_MILLION * n / 1e6:.2f} s)"
+            )
+            if shutil.which("CloudCompare"):
+                theirs, mean = cloudcompare_seconds(compared, reference, level=9)
+                print(
+                    f"    CloudCompare {theirs:.2f} s without its octrees, mean "
+                    f"{1e3 * mean:.3f} mm: ours takes {ours / theirs:.2f} of it"
+                )
+            try:
+                nearest = open3d_seconds(compared, reference)
+            except ImportError as error:
+                print(f"    Open3D cannot be loaded: {error}")
+            else:
+                print(f"    Open3D, nearest point only, {nearest:.2f} s: {ours / nearest:.2f}")
+
+    lines = {f"L{i}": wall(100_000, i, 0.002 * i) for i in range(6)}
+    headings = dict(zip(lines, np.radians([0, 180, 45, 225, 315, 135]).tolist(), strict=True))
+    whole = median_seconds(lambda: compare_plane("V1", lines, lines, headings), rounds=1)
+    print(f"one validation plane, six lines of 100,000 points, all 15 pairs: {whole:.1f} s")
+
+
+if __name__ == "__main__":
+    main([int(argument) for argument in sys.argv[1:]] or [1_000_000])

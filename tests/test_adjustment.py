@@ -1,0 +1,214 @@
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.stats
+
+from lispac.adjustment.conditions import BORESIGHT, PLANE, POSE, linearise, sum_by_sighting
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel, effect_factor
+from lispac.errors import AdjustmentError, Cancelled, RankDeficient
+from lispac.io.plane_file import read_plane_files
+from lispac.survey.georeferencing import Mounting
+from tests.surveys import disturbed, planar_survey
+
+LEVER_ARM = np.array([-0.2, 0.04, 2.4])
+INDEPENDENT, CORRELATED = StochasticModel("independent"), StochasticModel("correlated")
+PLANES = np.array([[0.02, -0.99, 0.1, 15.0], [0.0, -0.7, 0.7, 7.0]])
+PLANES /= np.linalg.norm(PLANES[:, :3], axis=1)[:, None]
+
+
+def mounting(*angles_deg: float) -> Mounting:
+    return Mounting(LEVER_ARM, np.radians(angles_deg or (0.0, 0.0, 0.0)))
+
+
+def changed(observations: Observations, name: str, k: int, step: float) -> Observations:
+    values = getattr(observations, name).copy()
+    values[:, k] += step
+    return replace(observations, **{name: values})
+
+
+@pytest.mark.parametrize("block", ["boresight", "plane", "position", "attitude", "points_lidar"])
+def test_jacobians_against_central_differences(block: str) -> None:
+    here = mounting(0.5, -1.5, 2.0)
+    observations = planar_survey(mounting(1.0, 2.0, -1.0), points=5)
+    conditions = linearise(observations, here, PLANES)
+    step = 1e-6
+
+    def shifted(k: int, sign: float) -> np.ndarray:
+        if block == "boresight":
+            there = here.with_boresight(here.boresight + sign * step * np.eye(3)[k])
+            return linearise(observations, there, PLANES).misclosure
+        if block == "plane":
+            return linearise(observations, here, PLANES + sign * step * np.eye(4)[k]).misclosure
+        return linearise(changed(observations, block, k, sign * step), here, PLANES).misclosure
+
+    analytic = {
+        "boresight": conditions.rows[:, BORESIGHT],
+        "plane": conditions.rows[:, PLANE],
+        "position": conditions.rows[:, POSE][:, :3],
+        "attitude": conditions.rows[:, POSE][:, 3:],
+        "points_lidar": conditions.by_lidar,
+    }[block]
+    for k in range(analytic.shape[1]):
+        difference = (shifted(k, 1) - shifted(k, -1)) / (2 * step)
+        np.testing.assert_allclose(analytic[:, k], difference, atol=2e-7)
+
+
+@pytest.mark.parametrize("pose_in_variance", [True, False])
+def test_sums_equal_dense_matrix_products(pose_in_variance: bool) -> None:
+    observations = planar_survey(mounting(), points=4)
+    conditions = linearise(observations, mounting(0.1, 0.2, 0.3), PLANES)
+    jacobian = np.hstack([conditions.by_lidar, conditions.rows[:, POSE]])
+    sigma = np.hstack(
+        [observations.sigma_lidar, observations.sigma_position, observations.sigma_attitude]
+    )
+    if not pose_in_variance:
+        sigma[:, 3:] = 0
+    variance = np.diag(jacobian @ np.diag(sigma[0] ** 2) @ jacobian.T)
+    sums = sum_by_sighting(
+        observations, mounting(0.1, 0.2, 0.3), PLANES, pose_in_variance=pose_in_variance
+    )
+    for s in range(len(observations.sightings)):
+        own = observations.sighting == s
+        rows = conditions.rows[own]
+        expected = rows.T @ np.diag(1 / variance[own]) @ rows
+        np.testing.assert_allclose(sums[s], expected, rtol=1e-9, atol=1e-6)
+
+
+@pytest.mark.parametrize("case", ["a", "c"])
+def test_thesis_mode_equals_the_prototype(shared_data: Path, case: str) -> None:
+    folder = shared_data / "prototype"
+    expected = json.loads((folder / "expected.json").read_text())[case]
+    files = [folder / case / "plane1.txt", folder / case / "plane2.txt"]
+    observations, planes = read_plane_files(files, 0.0031)
+    start = Mounting(
+        np.array(expected["lever_arm_m"], dtype=float),
+        np.radians(expected["initial_boresight_deg"]),
+    )
+    result = adjust(observations, start, INDEPENDENT, planes=planes)
+    np.testing.assert_allclose(
+        np.degrees(result.boresight), expected["boresight_deg"], rtol=0, atol=1e-6
+    )
+    np.testing.assert_allclose(np.degrees(result.sigma), expected["sigma_deg"], rtol=0, atol=1e-6)
+    assert result.variance_factor == pytest.approx(expected["variance_factor"], abs=1e-6)
+    assert result.points == expected["points"]
+
+
+@pytest.mark.parametrize("model", [INDEPENDENT, CORRELATED])
+@pytest.mark.parametrize("truth_deg", [(2.0, 2.0, 2.0), (-2.0, 1.0, -0.5)])
+def test_closed_loop_without_noise(
+    model: StochasticModel, truth_deg: tuple[float, float, float]
+) -> None:
+    observations = planar_survey(mounting(*truth_deg))
+    result = adjust(observations, mounting(), model)
+    np.testing.assert_allclose(np.degrees(result.boresight), truth_deg, rtol=0, atol=1e-6)
+    assert result.rms_before > 0.05
+    assert result.rms_after < 1e-9
+
+
+@pytest.mark.parametrize("model", [INDEPENDENT, CORRELATED])
+def test_sigmas_hold_when_the_errors_are_what_the_model_says(model: StochasticModel) -> None:
+    """Error over sigma is a unit normal variable: its squares over many surveys are chi-square."""
+    exact = planar_survey(mounting(0.2, -1.2, 0.15), points=40)
+    correlated = model.pos_errors == "correlated"
+    short = replace(model, position_time=1e-3, attitude_time=1e-3)  # sightings independent
+    ratios = []
+    for seed in range(60):
+        noisy = disturbed(exact, correlated=correlated, seed=seed)
+        result = adjust(noisy, mounting(), short)
+        ratios.append((result.boresight - np.radians([0.2, -1.2, 0.15])) / result.sigma)
+    squares = np.sum(np.square(ratios), axis=0)
+    lower, upper = scipy.stats.chi2.ppf([0.0005, 0.9995], 60)
+    assert ((squares > lower) & (squares < upper)).all(), squares / 60
+
+
+def test_thesis_mode_is_over_confident_on_shared_pos_errors() -> None:
+    exact = planar_survey(mounting(), points=100)
+    noisy = disturbed(exact, correlated=True, seed=3)
+    thesis = adjust(noisy, mounting(), INDEPENDENT)
+    honest = adjust(noisy, mounting(), CORRELATED)
+    assert (honest.sigma > 2 * thesis.sigma)[[0, 2]].all()
+
+
+def test_effects_have_the_gauss_markov_covariance() -> None:
+    observations = planar_survey(mounting(), points=5)
+    model = StochasticModel("correlated", position_time=200.0, attitude_time=500.0)
+    factor = effect_factor(observations, model)
+    covariance = np.einsum("iku,jlu->ikjl", factor, factor)
+    time = observations.mean_by_sighting(observations.time)
+    apart = abs(time[0] - time[3])
+    sigma = observations.sigma_attitude[0]
+    assert covariance[0, 0, 3, 0] == pytest.approx(0.012**2 * np.exp(-apart / 200))
+    assert covariance[0, 5, 3, 5] == pytest.approx(sigma[2] ** 2 * np.exp(-apart / 500))
+    assert covariance[0, 0, 0, 1] == 0
+    assert covariance[2, 3, 2, 3] == pytest.approx(sigma[0] ** 2)
+
+
+def test_sightings_at_the_same_instant_are_allowed() -> None:
+    observations = planar_survey(mounting(1, 1, 1))
+    still = replace(observations, time=np.zeros(len(observations)))
+    result = adjust(still, mounting(), CORRELATED)
+    np.testing.assert_allclose(np.degrees(result.boresight), 1.0, atol=1e-6)
+
+
+@pytest.mark.parametrize("model", [INDEPENDENT, CORRELATED])
+def test_order_of_the_points_does_not_matter(model: StochasticModel) -> None:
+    noisy = disturbed(planar_survey(mounting()), correlated=True, seed=1)
+    order = np.random.default_rng(2).permutation(len(noisy))
+    columns = (
+        "points_lidar", "position", "attitude", "sigma_lidar", "sigma_position",
+        "sigma_attitude", "time", "sighting",
+    )  # fmt: skip
+    shuffled = replace(noisy, **{name: getattr(noisy, name)[order] for name in columns})
+    first, second = (adjust(o, mounting(), model) for o in (noisy, shuffled))
+    np.testing.assert_allclose(
+        np.degrees(first.boresight), np.degrees(second.boresight), rtol=0, atol=1e-9
+    )
+
+
+@pytest.mark.parametrize("model", [INDEPENDENT, CORRELATED])
+def test_parallel_lines_on_one_vertical_board_are_refused(model: StochasticModel) -> None:
+    """Only roll is seen (thesis 4.4.1.1)."""
+    level = planar_survey(mounting(), headings_deg=(0, 180), targets=("T1",), scatter=False)
+    with pytest.raises(RankDeficient, match="do not determine the boresight"):
+        adjust(level, mounting(), model)
+
+
+def test_points_on_one_straight_line_are_refused() -> None:
+    observations = planar_survey(mounting(), points=3)
+    same = replace(
+        observations,
+        points_lidar=np.tile([0.0, 10.0, 1.0], (len(observations), 1)),
+        attitude=np.zeros((len(observations), 3)),
+        position=np.zeros((len(observations), 3)),
+    )
+    with pytest.raises(RankDeficient):
+        adjust(same, mounting(), INDEPENDENT)
+
+
+def test_fewer_than_three_points_are_refused() -> None:
+    observations = planar_survey(mounting(), points=2)
+    with pytest.raises(AdjustmentError, match="only 2 points on line L1"):
+        adjust(observations, mounting(), INDEPENDENT)
+
+
+def test_sigmas_that_make_no_sense_are_refused() -> None:
+    observations = planar_survey(mounting(), points=5)
+    zero = replace(observations, sigma_lidar=np.zeros((len(observations), 3)))
+    with pytest.raises(AdjustmentError, match="LiDAR sigma"):
+        adjust(zero, mounting(), INDEPENDENT)
+    negative = replace(observations, sigma_attitude=-observations.sigma_attitude)
+    with pytest.raises(AdjustmentError, match="attitude sigma"):
+        adjust(negative, mounting(), INDEPENDENT)
+
+
+def test_can_be_cancelled() -> None:
+    def stop(fraction: float, message: str = "") -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        adjust(planar_survey(mounting(), points=5), mounting(), INDEPENDENT, progress=stop)

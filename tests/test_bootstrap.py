@@ -1,0 +1,326 @@
+"""The setup script: what it decides, without installing anything."""
+
+import ast
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import bootstrap
+import environment
+import pytest
+import system_packages
+from system_packages import Missing, PackagesMissingError
+
+WANTED = {
+    "checkout": "/checkout",
+    "python": "3.12",
+    "locks": {"run": "a", "test": "b"},
+    "project": "p",
+}
+EVERYTHING = ["environment", "dependencies", "project"]
+
+
+@pytest.mark.parametrize("version", [(3, 11), (3, 14)])
+def test_supported_python_is_not_complained_about(version: tuple[int, int]) -> None:
+    assert bootstrap.python_complaint(version) is None
+
+
+@pytest.mark.parametrize("version", [(3, 10), (3, 15)])
+def test_other_python_is_refused_in_one_line(version: tuple[int, int]) -> None:
+    complaint = bootstrap.python_complaint(version)
+    assert complaint is not None
+    assert f"3.{version[1]}" in complaint
+    assert "\n" not in complaint
+
+
+@pytest.mark.parametrize("module", [bootstrap, environment, system_packages])
+def test_an_old_python_can_read_the_script_that_refuses_it(module: object) -> None:
+    source = Path(module.__file__).read_text(encoding="utf-8")
+    ast.parse(source, feature_version=(3, 7))
+
+
+# What is installed and what has to be
+
+
+def test_nothing_is_done_twice() -> None:
+    assert environment.steps_needed(WANTED, WANTED, "run") == []
+    assert environment.steps_needed(WANTED, WANTED, "test") == []
+
+
+def test_first_start_makes_everything() -> None:
+    assert environment.steps_needed(None, WANTED, "run") == EVERYTHING
+
+
+@pytest.mark.parametrize("key", ["checkout", "python"])
+def test_moved_checkout_or_other_python_needs_a_new_environment(key: str) -> None:
+    assert environment.steps_needed({**WANTED, key: "other"}, WANTED, "run") == EVERYTHING
+
+
+def test_environment_for_running_lacks_what_tests_need() -> None:
+    installed = {**WANTED, "locks": {"run": "a"}}
+    assert environment.steps_needed(installed, WANTED, "run") == []
+    assert environment.steps_needed(installed, WANTED, "test") == ["dependencies"]
+
+
+def test_changed_lock_and_changed_project_are_told_apart() -> None:
+    changed_lock = {**WANTED, "locks": {"run": "old", "test": "old"}}
+    assert environment.steps_needed(changed_lock, WANTED, "run") == ["dependencies"]
+    assert environment.steps_needed({**WANTED, "project": "old"}, WANTED, "run") == ["project"]
+
+
+def test_stamp_survives_a_round_trip(tmp_path: Path) -> None:
+    stamp = tmp_path / "stamp.json"
+    environment.write_stamp(WANTED, stamp)
+    assert environment.read_stamp(stamp) == WANTED
+    assert [path.name for path in tmp_path.iterdir()] == ["stamp.json"]
+
+
+@pytest.mark.parametrize("text", [None, "", "{", "[]", '{"state": "unfinished"}'])
+def test_interrupted_install_counts_as_none(tmp_path: Path, text: str | None) -> None:
+    stamp = tmp_path / "stamp.json"
+    if text is not None:
+        stamp.write_text(text)
+    assert environment.read_stamp(stamp) is None
+
+
+def test_wanted_state_follows_the_lock_files_and_the_version(tmp_path: Path) -> None:
+    for name in (*environment.PROJECT_FILES, "installer/lock-run.txt", "installer/lock-test.txt"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("first")
+    before = environment.wanted_state(tmp_path)
+    (tmp_path / "installer" / "lock-test.txt").write_text("second")
+    after_lock = environment.wanted_state(tmp_path)
+    assert after_lock["locks"]["run"] == before["locks"]["run"]
+    assert after_lock["locks"]["test"] != before["locks"]["test"]
+    (tmp_path / "lispac" / "__init__.py").write_text("second")
+    assert environment.wanted_state(tmp_path)["project"] != before["project"]
+
+
+@pytest.fixture
+def scratch_environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder that takes the place of .venv."""
+    folder = tmp_path / ".venv"
+    monkeypatch.setattr(environment, "ENVIRONMENT", folder)
+    monkeypatch.setattr(environment, "STAMP", folder / "stamp.json")
+    monkeypatch.setattr(environment, "INSTALL_LOG", folder / "install.log")
+    return folder
+
+
+def test_foreign_environment_is_left_alone(scratch_environment: Path) -> None:
+    scratch_environment.mkdir()
+    (scratch_environment / "pyvenv.cfg").write_text("mine")
+    with pytest.raises(environment.SetupError, match="did not make"):
+        environment.make_environment()
+    assert (scratch_environment / "pyvenv.cfg").read_text() == "mine"
+
+
+def test_failing_pip_leaves_the_install_unfinished_and_says_why(
+    scratch_environment: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def make() -> None:
+        scratch_environment.mkdir()
+
+    failing = "import sys; print('ERROR: no such package'); sys.exit(1)"
+    monkeypatch.setattr(environment, "make_environment", make)
+    monkeypatch.setattr(environment, "pip_command", lambda: [sys.executable, "-c", failing])
+    with pytest.raises(environment.SetupError, match="no such package"):
+        environment.ensure_installed("run", scratch_environment / "cache")
+    assert environment.read_stamp(scratch_environment / "stamp.json") is None
+    assert "no such package" in (scratch_environment / "install.log").read_text()
+    assert "locked packages" in capsys.readouterr().out
+
+
+def test_finished_install_is_not_repeated(
+    scratch_environment: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(environment, "make_environment", scratch_environment.mkdir)
+    monkeypatch.setattr(environment, "pip_command", lambda: [sys.executable, "-c", "pass"])
+    environment.ensure_installed("test", scratch_environment / "cache")
+    monkeypatch.setattr(environment, "run_pip", lambda *_: pytest.fail("installed again"))
+    environment.ensure_installed("test", scratch_environment / "cache")
+    environment.ensure_installed("run", scratch_environment / "cache")
+
+
+def test_pip_output_becomes_a_few_lines() -> None:
+    lines = [f"Collecting package-{i}==1.0" for i in range(30)]
+    lines.append("  Downloading small-1.0-py3-none-any.whl (9.9 MB)")
+    lines.append("  Downloading vtk-9.7.2-cp311-cp311-manylinux_2_28_x86_64.whl (139.4 MB)")
+    lines.append("Installing collected packages: a, b")
+    said: list[str] = []
+    environment.pip_progress(lines, 40, said.append)
+    assert said == ["  25 of 40 packages", "  downloading vtk-9.7.2 (139 MB)", "  unpacking"]
+
+
+# Places
+
+
+def test_user_cache_is_the_one_of_the_platform() -> None:
+    home = Path("/home/me")
+    assert environment.user_cache("linux", {}, home) == home / ".cache" / "lispac"
+    assert environment.user_cache("linux", {"XDG_CACHE_HOME": "/c"}, home) == Path("/c/lispac")
+    assert environment.user_cache("darwin", {}, home) == home / "Library" / "Caches" / "lispac"
+    local = {"LOCALAPPDATA": "/local"}
+    assert environment.user_cache("win32", local, home) == Path("/local/lispac/Cache")
+
+
+def test_children_write_caches_only_where_they_may(scratch_environment: Path) -> None:
+    cache = Path("/cache/lispac")
+    variables = environment.child_variables({"PYTHONPATH": "/other", "PATH": "/bin"}, cache)
+    assert "PYTHONPATH" not in variables
+    assert variables["PATH"] == "/bin"
+    places = [path for name, path in variables.items() if name != "PATH"]
+    allowed = (str(scratch_environment), str(cache))
+    assert all(path.startswith(allowed) for path in places)
+    assert {"PYTHONPYCACHEPREFIX", "NUMBA_CACHE_DIR", "MPLCONFIGDIR"} <= variables.keys()
+
+
+def test_tests_render_in_software(scratch_environment: Path) -> None:
+    variables = environment.child_variables({}, Path("/cache"), testing=True)
+    assert variables["LIBGL_ALWAYS_SOFTWARE"] == "1"
+    assert variables["XDG_CONFIG_HOME"].startswith(str(scratch_environment))
+    assert "LIBGL_ALWAYS_SOFTWARE" not in environment.child_variables({}, Path("/cache"))
+
+
+def test_programs_are_found_on_each_platform() -> None:
+    assert environment.script("lispac", "linux").endswith("/bin/lispac")
+    assert environment.script("lispac", "win32").endswith("lispac.exe")
+
+
+def test_no_display_is_recognised() -> None:
+    assert not bootstrap.has_display("linux", {})
+    assert bootstrap.has_display("linux", {"WAYLAND_DISPLAY": "wayland-0"})
+    assert bootstrap.has_display("win32", {})
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="X11 is asked on Linux only")
+def test_display_that_does_not_answer_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DISPLAY", ":987")
+    assert not bootstrap.has_display("linux", {"DISPLAY": ":987"})
+
+
+# System packages
+
+
+def missing(**answers: object) -> list[Missing]:
+    """`missing_packages` of a system that has everything except what the answers take away."""
+    system = {
+        "loads": lambda _soname: True,
+        "has_fonts": lambda: True,
+        "which": lambda _name: "/usr/bin/Xvfb",
+        "has_venv": lambda: True,
+    }
+    return system_packages.missing_packages(with_virtual_screen=True, **{**system, **answers})
+
+
+def test_complete_system_lacks_nothing() -> None:
+    assert missing() == []
+
+
+def test_missing_library_names_its_package() -> None:
+    found = missing(loads=lambda soname: soname != "libxcb-cursor.so.0")
+    assert found == [Missing("libxcb-cursor.so.0", ("libxcb-cursor0",))]
+
+
+def test_missing_fonts_screen_and_venv_are_noticed() -> None:
+    found = missing(has_fonts=lambda: False, which=lambda _name: None, has_venv=lambda: False)
+    packages = [need.package[-1] for need in found]
+    assert packages == ["fonts-dejavu-core", "xvfb", "python3-venv"]
+
+
+def test_virtual_screen_is_only_asked_for_tests() -> None:
+    found = system_packages.missing_packages(
+        with_virtual_screen=False,
+        loads=lambda _soname: True,
+        has_fonts=lambda: True,
+        which=lambda _name: None,
+        has_venv=lambda: True,
+    )
+    assert found == []
+
+
+def test_renamed_package_is_called_as_this_system_calls_it() -> None:
+    needs = [Missing("glib", ("libglib2.0-0t64", "libglib2.0-0")), Missing("GL", ("libgl1",))]
+    new = system_packages.choose_names(needs, knows=lambda name: name.endswith("t64"))
+    old = system_packages.choose_names(needs, knows=lambda name: not name.endswith("t64"))
+    assert new == ["libglib2.0-0t64", "libgl1"]
+    assert old == ["libglib2.0-0", "libgl1"]
+    assert system_packages.choose_names(needs * 2, knows=lambda _name: False) == old
+
+
+def test_without_root_the_exact_command_is_printed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(system_packages, "run_apt", lambda _command: pytest.fail("not root"))
+    needs = [Missing("libGL.so.1", ("libgl1",)), Missing("the virtual screen Xvfb", ("xvfb",))]
+    with pytest.raises(PackagesMissingError) as refused:
+        system_packages.ensure(needs, root=False, apt_get="/usr/bin/apt-get", say=print)
+    command = "sudo apt-get install -y --no-install-recommends libgl1 xvfb"
+    assert f"sudo apt-get update && {command}" in str(refused.value)
+
+
+def test_without_apt_the_packages_are_named() -> None:
+    needs = [Missing("libGL.so.1", ("libgl1",))]
+    with pytest.raises(PackagesMissingError, match="libgl1"):
+        system_packages.ensure(needs, root=True, apt_get=None, say=print)
+
+
+def test_root_installs_only_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    ran: list[list[str]] = []
+    monkeypatch.setattr(system_packages, "run_apt", lambda command: ran.append(list(command)))
+    said: list[str] = []
+    needs = [Missing("libGL.so.1", ("libgl1",))]
+    system_packages.ensure(needs, root=True, apt_get="apt-get", say=said.append)
+    assert ran == [
+        ["apt-get", "update"],
+        ["apt-get", "install", "-y", "--no-install-recommends", "libgl1"],
+    ]
+    assert len(said) == 1
+    ran.clear()
+    system_packages.ensure([], root=True, apt_get="apt-get", say=said.append)
+    assert ran == []
+
+
+def test_failing_apt_says_what_it_said() -> None:
+    failing = "import sys; print('E: no space'); sys.exit(100)"
+    with pytest.raises(PackagesMissingError, match="E: no space"):
+        system_packages.run_apt([sys.executable, "-c", failing])
+
+
+# Commands
+
+
+def test_test_command_runs_every_check_before_the_tests() -> None:
+    names = [name for name, _ in bootstrap.check_commands("test", [])]
+    assert names == ["ruff check", "ruff format", "mypy", "import rules", "pytest"]
+    assert [name for name, _ in bootstrap.check_commands("lint", [])] == names[:-1]
+
+
+@pytest.mark.parametrize("command", ["test", "benchmark"])
+def test_further_arguments_reach_pytest_in_order(command: str) -> None:
+    arguments = ["tests/test_a.py", "-k", "one and two", "-x"]
+    _, rest = bootstrap.parser().parse_known_args([command, *arguments])
+    _, line = bootstrap.check_commands(command, rest)[-1]
+    assert line[-4:] == arguments
+
+
+def test_first_failing_check_ends_the_run(capsys: pytest.CaptureFixture[str]) -> None:
+    fails = [sys.executable, "-c", "import sys; sys.exit(3)"]
+    never = [sys.executable, "-c", "print('went on')"]
+    assert bootstrap.run_checks([("first", fails), ("second", never)], {}) == 3
+    assert "second" not in capsys.readouterr().out
+
+
+def test_demo_opens_no_window_without_a_display() -> None:
+    assert bootstrap.demo_command(Path("out"), display=True)[1:] == ["demo", "--output", "out"]
+    assert bootstrap.demo_command(Path("out"), display=False)[-1] == "--no-window"
+
+
+def test_wrong_usage_ends_with_two() -> None:
+    command = [sys.executable, bootstrap.__file__, "demo", "--nonsense"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "--nonsense" in done.stderr
+
+
+def test_stamp_is_plain_json(tmp_path: Path) -> None:
+    environment.write_stamp({"state": "unfinished"}, tmp_path / "stamp.json")
+    assert json.loads((tmp_path / "stamp.json").read_text()) == {"state": "unfinished"}

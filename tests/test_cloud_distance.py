@@ -1,0 +1,195 @@
+"""Cloud-to-cloud distance: against a brute-force reference and against CloudCompare itself."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from lispac.errors import Cancelled, InputError
+from lispac.validation.cloud_distance import cloud_to_cloud
+
+Array = NDArray[np.float64]
+
+
+def brute_force(compared: Array, reference: Array, k: int = 6) -> Array:
+    """The definition, point by point and without any search structure."""
+    distances = np.empty(len(compared))
+    for i, point in enumerate(compared):
+        to_point = np.linalg.norm(reference - point, axis=1)
+        nearest = reference[np.argmin(to_point)]
+        order = np.argsort(np.linalg.norm(reference - nearest, axis=1), kind="stable")
+        group = reference[order[:k]]
+        distances[i] = to_point.min()
+        values, vectors = np.linalg.eigh(np.cov(group.T)) if len(group) >= 3 else (np.zeros(3), 0)
+        if values[1] > 1e-12 * values[2]:
+            to_plane = abs((point - group.mean(axis=0)) @ vectors[:, 0])
+            distances[i] = min(distances[i], to_plane)
+    return distances
+
+
+def tower(n: int, seed: int, offset: float = 0.0) -> Array:
+    """Noisy points on the four walls of a tower, 6 x 6 x 40 m, each wall moved outwards."""
+    rng = np.random.default_rng(seed)
+    wall, along, height = rng.integers(0, 4, n), rng.uniform(0, 6, n), rng.uniform(0, 40, n)
+    depth = rng.normal(offset, 0.005, n)
+    x = np.choose(wall, [along, along, -depth, 6 + depth])
+    y = np.choose(wall, [-depth, 6 + depth, along, along])
+    return np.column_stack((x, y, height))
+
+
+def test_agrees_with_brute_force_on_a_surface_and_in_a_volume() -> None:
+    rng = np.random.default_rng(5)
+    for compared, reference in (
+        (tower(1500, 1, 0.02), tower(3000, 2)),
+        (rng.uniform(0, 1, (1500, 3)), rng.uniform(0, 1, (2000, 3))),
+    ):
+        expected = brute_force(compared, reference)
+        np.testing.assert_allclose(cloud_to_cloud(compared, reference), expected, atol=1e-9)
+
+
+def test_agrees_with_brute_force_with_duplicates() -> None:
+    reference = tower(1000, 2)
+    reference = np.vstack((reference, reference[:400], reference[:100], reference[:3].repeat(8, 0)))
+    compared = np.vstack((tower(500, 1), reference[:50]))
+    np.testing.assert_allclose(
+        cloud_to_cloud(compared, reference), brute_force(compared, reference), atol=1e-9
+    )
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 5])
+def test_agrees_with_brute_force_with_few_reference_points(count: int) -> None:
+    reference, compared = tower(count, 2), tower(100, 1)
+    np.testing.assert_allclose(
+        cloud_to_cloud(compared, reference), brute_force(compared, reference), atol=1e-9
+    )
+
+
+def test_more_points_than_one_chunk_keep_their_order() -> None:
+    compared, reference = tower(120_000, 1, 0.01), tower(60_000, 2)
+    some = np.arange(0, 120_000, 997)
+    np.testing.assert_allclose(
+        cloud_to_cloud(compared, reference)[some],
+        brute_force(compared[some], reference),
+        atol=1e-9,
+    )
+
+
+def test_nearest_point_alone() -> None:
+    compared, reference = tower(300, 1, 0.05), tower(500, 2)
+    nearest = np.linalg.norm(compared[:, None] - reference[None], axis=2).min(axis=1)
+    alone = cloud_to_cloud(compared, reference, local_plane=False)
+    np.testing.assert_allclose(alone, nearest, atol=1e-12)
+    assert np.all(cloud_to_cloud(compared, reference) <= alone)
+    assert np.mean(cloud_to_cloud(compared, reference)) < 0.9 * np.mean(alone)
+
+
+def test_points_in_one_row_define_no_plane() -> None:
+    row = np.column_stack((np.linspace(0, 1, 50), np.zeros(50), np.zeros(50)))
+    distances = cloud_to_cloud(row + [0.0, 0.3, 0.4], row)
+    np.testing.assert_allclose(distances, 0.5, atol=1e-12)
+
+
+def test_big_coordinates_lose_nothing() -> None:
+    compared, reference = tower(500, 1, 0.01), tower(2000, 2)
+    shift = np.array([500_000.0, 5_040_000.0, 100.0])
+    # What the shifted numbers can hold at all is a nanometre; the distances must be as good.
+    held, held_reference = (compared + shift) - shift, (reference + shift) - shift
+    np.testing.assert_allclose(
+        cloud_to_cloud(compared + shift, reference + shift),
+        cloud_to_cloud(held, held_reference),
+        atol=1e-8,
+    )
+
+
+def test_beyond_the_maximum_distance_is_not_measured() -> None:
+    reference = tower(2000, 2)
+    near, far = tower(50, 1), tower(50, 3) + [100.0, 0.0, 0.0]
+    distances = cloud_to_cloud(np.vstack((near, far)), reference, max_distance=2.0)
+    np.testing.assert_array_equal(distances[:50], cloud_to_cloud(near, reference))
+    assert np.isnan(distances[50:]).all()
+
+
+def test_no_compared_points_no_distances() -> None:
+    assert cloud_to_cloud(np.empty((0, 3)), tower(10, 1)).shape == (0,)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+@pytest.mark.parametrize("which", ["compared", "reference"])
+def test_refuses_what_is_not_finite(bad: float, which: str) -> None:
+    clouds = {"compared": tower(20, 1), "reference": tower(20, 2)}
+    clouds[which][7, 1] = bad
+    with pytest.raises(InputError, match=f"{which} cloud holds 1 of 20 points"):
+        cloud_to_cloud(clouds["compared"], clouds["reference"])
+
+
+def test_refuses_what_cannot_be_measured() -> None:
+    cloud = tower(20, 1)
+    with pytest.raises(InputError, match="holds no point"):
+        cloud_to_cloud(cloud, np.empty((0, 3)))
+    with pytest.raises(InputError, match=r"shape \(n, 3\)"):
+        cloud_to_cloud(cloud[:, :2], cloud)
+    with pytest.raises(InputError, match="at least 3 neighbours"):
+        cloud_to_cloud(cloud, cloud, neighbours=2)
+    with pytest.raises(InputError, match="must be positive"):
+        cloud_to_cloud(cloud, cloud, max_distance=0.0)
+
+
+def test_reports_progress_and_can_be_cancelled() -> None:
+    seen: list[float] = []
+
+    def listen(fraction: float, message: str = "") -> None:
+        seen.append(fraction)
+
+    cloud = tower(110_000, 1)
+    cloud_to_cloud(cloud, cloud, progress=listen)
+    assert seen == sorted(seen)
+    assert seen[-1] == pytest.approx(1.0)
+    assert len(seen) > 2
+
+    def cancel(fraction: float, message: str = "") -> None:
+        if fraction > 0.3:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        cloud_to_cloud(cloud, cloud, progress=cancel)
+
+
+@pytest.fixture
+def cloudcompare() -> str:
+    """The program's path; the test is skipped where it is not installed."""
+    program = shutil.which("CloudCompare") or shutil.which("cloudcompare.CloudCompare")
+    if program is None:
+        pytest.skip("CloudCompare is not installed")
+    return program
+
+
+def test_agrees_with_cloudcompare(cloudcompare: str, tmp_path: Path) -> None:
+    """CloudCompare holds coordinates in single precision: 4 micrometres at 40 m."""
+    clouds = {
+        "compared": tower(20_000, 1, 0.01).astype(np.float32),
+        "reference": tower(20_000, 2).astype(np.float32),
+    }
+    for name, points in clouds.items():
+        np.savetxt(tmp_path / f"{name}.asc", points, fmt="%.9g")
+    subprocess.run(
+        [cloudcompare, "-SILENT", "-C_EXPORT_FMT", "ASC", "-PREC", "9", "-NO_TIMESTAMP",
+         "-O", "compared.asc", "-O", "reference.asc", "-C2C_DIST", "-MODEL", "LS", "KNN", "6"],
+        cwd=tmp_path,
+        env=os.environ | {"QT_QPA_PLATFORM": "offscreen", "XDG_RUNTIME_DIR": str(tmp_path)},
+        check=True,
+        capture_output=True,
+        timeout=60,
+    )  # fmt: skip
+    theirs = np.loadtxt(tmp_path / "compared_C2C_DIST.asc")
+    ours = cloud_to_cloud(clouds["compared"], clouds["reference"])
+    np.testing.assert_allclose(theirs[:, :3], clouds["compared"], atol=1e-6)
+    np.testing.assert_allclose(ours.mean(), theirs[:, 3].mean(), atol=1e-6)
+    np.testing.assert_allclose(ours.std(), theirs[:, 3].std(), atol=1e-6)
+    difference = np.abs(ours - theirs[:, 3])
+    # Two neighbours equally far to single precision may swap, and a few planes with them.
+    assert np.quantile(difference, 0.999) < 1e-5
+    assert difference.max() < 0.02

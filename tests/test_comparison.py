@@ -1,0 +1,254 @@
+"""Comparison of lines on a validation plane: known offsets must come back."""
+
+import json
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, LispacError
+from lispac.validation.comparison import (
+    MAX_POINTS_PER_LINE,
+    DistanceStatistics,
+    PlaneComparison,
+    compare_plane,
+    reciprocal,
+)
+
+Array = NDArray[np.float64]
+OPPOSITE = {"L1": 0.0, "L2": np.pi}
+
+
+def wall(
+    seed: int,
+    *,
+    offset: float = 0.0,
+    noise: float = 0.0,
+    n: int = 4000,
+    low: tuple[float, float] = (0.0, 0.0),
+    high: tuple[float, float] = (2.0, 3.0),
+) -> Array:
+    """Points on a vertical wall whose normal is (0, -1, 0), moved along it."""
+    rng = np.random.default_rng(seed)
+    along, height = rng.uniform(low, high, (n, 2)).T
+    return np.column_stack((along, 30.0 - offset + rng.normal(0.0, noise, n), height + 10.0))
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.002, 0.005, 0.020])
+def test_known_offset_comes_back(offset: float) -> None:
+    before = {"L1": wall(1), "L2": wall(2, offset=0.1)}
+    after = {"L1": wall(1), "L2": wall(2, offset=offset)}
+    result = compare_plane("V1", before, after, OPPOSITE)
+    assert result.after.median == pytest.approx(offset, abs=1e-9)
+    # Where a point meets another nearly head-on, the nearest point may be as near as the plane.
+    assert result.after.rms == pytest.approx(offset, abs=1e-9)
+    assert result.before.median == pytest.approx(0.1, abs=1e-9)
+
+
+@pytest.mark.parametrize("offset", [0.005, 0.020])
+def test_known_offset_comes_back_through_noise(offset: float) -> None:
+    clouds = {"L1": wall(1, noise=0.001), "L2": wall(2, offset=offset, noise=0.001)}
+    result = compare_plane("V1", clouds, clouds, OPPOSITE)
+    assert result.after.median == pytest.approx(offset, abs=0.0002)
+    assert result.after.rms == pytest.approx(offset, abs=0.0006)
+
+
+def test_noise_alone_stays_at_the_level_of_the_noise() -> None:
+    clouds = {"L1": wall(1, noise=0.003), "L2": wall(2, noise=0.003)}
+    result = compare_plane("V1", clouds, clouds, OPPOSITE)
+    # A point (3 mm) against a plane through six points: 3 mm x sqrt(1 + 1/6 and more).
+    assert 0.003 < result.after.rms < 0.0055
+
+
+def test_tilt_comes_back_as_distances_that_grow() -> None:
+    tilt = np.radians(0.5)
+    tilted = wall(2)
+    tilted[:, 1] += np.tan(tilt) * (tilted[:, 2] - 10.0)
+    clouds = {"L1": wall(1), "L2": tilted}
+    result = compare_plane("V1", clouds, clouds, OPPOSITE)
+    # Evenly spread heights up to 3 m: the mean is half, the RMS 1/sqrt(3) of the largest.
+    largest = 3.0 * np.sin(tilt)
+    assert result.after.mean == pytest.approx(largest / 2, rel=0.03)
+    assert result.after.rms == pytest.approx(largest / np.sqrt(3), rel=0.03)
+    assert result.after.p95 == pytest.approx(0.95 * largest, rel=0.03)
+
+
+def test_edges_that_one_line_did_not_see_are_not_distances() -> None:
+    left = wall(1, high=(1.2, 3.0))
+    right = wall(2, offset=0.01, low=(0.8, 0.0))
+    clouds = {"L1": left, "L2": right}
+    result = compare_plane("V1", clouds, clouds, OPPOSITE)
+    expected = np.count_nonzero(left[:, 0] > 0.8) + np.count_nonzero(right[:, 0] < 1.2)
+    assert result.after.n == pytest.approx(expected, rel=0.25)
+    assert result.after.maximum < 0.0101
+
+
+def test_a_hole_in_one_line_is_not_compared() -> None:
+    whole, pierced = wall(1, n=8000), wall(2, n=8000, offset=0.01)
+    u, v = pierced[:, 0], pierced[:, 2] - 10.0
+    pierced = pierced[~((abs(u - 1.0) < 0.5) & (abs(v - 1.5) < 0.5))]
+    clouds = {"L1": whole, "L2": pierced}
+    result = compare_plane("V1", clouds, clouds, OPPOSITE)
+    in_hole = (abs(whole[:, 0] - 1.0) < 0.4) & (abs(whole[:, 2] - 11.5) < 0.4)
+    assert result.after.n < len(whole) + len(pierced) - np.count_nonzero(in_hole)
+
+
+def test_a_shift_within_the_plane_before_does_not_count_as_distance() -> None:
+    a, b = wall(1), wall(2, offset=0.002)
+    before = {"L1": a + [0.4, -0.03, 0.3], "L2": b + [-0.4, 0.0, -0.3]}
+    result = compare_plane("V1", before, {"L1": a, "L2": b}, OPPOSITE)
+    assert result.before.n == result.after.n
+    assert result.before.maximum == pytest.approx(0.028, abs=1e-6)
+    assert result.after.maximum == pytest.approx(0.002, abs=1e-6)
+
+
+def test_profiles_sparse_across_and_dense_along_overlap_whole() -> None:
+    along, height = np.meshgrid(np.arange(0, 2, 0.12), np.arange(0, 3, 0.008), indexing="ij")
+    rng = np.random.default_rng(3)
+    flat = np.column_stack((along.ravel(), height.ravel())) + rng.normal(0, 0.001, (along.size, 2))
+    points = np.column_stack((flat[:, 0], np.full(len(flat), 30.0), flat[:, 1]))
+    clouds = {"L1": points, "L2": points + [0.05, 0.004, 0.0]}
+    result = compare_plane("V1", clouds, clouds, OPPOSITE)
+    assert result.after.n > 0.9 * 2 * len(points)
+    assert result.after.median == pytest.approx(0.004, abs=1e-6)
+
+
+def test_both_directions_are_pooled_symmetrically() -> None:
+    a, b = wall(1, noise=0.002), wall(2, offset=0.01, noise=0.002, n=2500)
+    one = compare_plane("V1", {"L1": a, "L2": b}, {"L1": a, "L2": b}, OPPOSITE)
+    other = compare_plane("V1", {"L2": b, "L1": a}, {"L2": b, "L1": a}, OPPOSITE)
+    assert one.after.n == other.after.n
+    assert one.after.rms == pytest.approx(other.after.rms, abs=1e-12)
+
+
+def test_reciprocal_pairs_come_first_and_make_the_pool() -> None:
+    headings = np.radians([0, 45, 180, 225]).tolist()
+    lines = ["L1", "L2", "L3", "L4"]
+    clouds = {line: wall(i, offset=0.01 * i) for i, line in enumerate(lines)}
+    result = compare_plane("V1", clouds, clouds, dict(zip(lines, headings, strict=True)))
+    names = [(pair.line_a, pair.line_b) for pair in result.pairs]
+    assert names[:2] == [("L1", "L3"), ("L2", "L4")]
+    assert [pair.reciprocal for pair in result.pairs] == [True, True, False, False, False, False]
+    assert result.pooled_from == "reciprocal pairs"
+    assert result.after.n == result.pairs[0].after.n + result.pairs[1].after.n
+    assert result.after.median == pytest.approx(0.02, abs=1e-9)
+
+
+def test_without_reciprocal_pairs_all_pairs_make_the_pool() -> None:
+    clouds = {line: wall(i, offset=0.01 * i) for i, line in enumerate(["L1", "L2", "L3"])}
+    result = compare_plane("V1", clouds, clouds, {"L1": 0.0, "L2": 1.0, "L3": 2.0})
+    assert result.pooled_from == "all pairs"
+    assert result.after.n == sum(pair.after.n for pair in result.pairs)
+
+
+@pytest.mark.parametrize(
+    ("a_deg", "b_deg", "expected"),
+    [
+        (0, 180, True),
+        (359, 178, True),
+        (5, 170, True),
+        (-175, 365, True),
+        (340, 180, True),
+        (338, 180, False),
+        (0, 0, False),
+        (1, 359, False),
+        (90, 180, False),
+        (720, -180, True),
+    ],
+)
+def test_reciprocal_through_north(a_deg: float, b_deg: float, expected: bool) -> None:
+    nudge = 1e-9 if expected else 0.0  # keeps a pair of exactly 20 degrees on its side
+    assert reciprocal(np.radians(a_deg) + nudge, np.radians(b_deg)) is expected
+    assert reciprocal(np.radians(b_deg), np.radians(a_deg) + nudge) is expected
+
+
+def test_histograms_share_edges_and_count_every_distance() -> None:
+    before = {"L1": wall(1, noise=0.004), "L2": wall(2, noise=0.004, offset=0.08)}
+    after = {"L1": wall(1, noise=0.004), "L2": wall(2, noise=0.004)}
+    result = compare_plane("V1", before, after, OPPOSITE, bins=25)
+    assert result.bin_edges.shape == (26,)
+    assert result.bin_edges[0] == 0.0
+    assert result.bin_edges[-1] >= result.before.p99
+    assert result.counts_before.sum() == result.before.n == result.after.n
+    assert result.counts_after.sum() == result.after.n
+    assert result.counts_before[-1] > 0  # what lies beyond the last edge is in the last bin
+
+
+def test_many_points_are_thinned_alike_in_both_states() -> None:
+    a, b = wall(1, n=MAX_POINTS_PER_LINE + 5000), wall(2, n=2000)
+    clouds = {"L1": a, "L2": b}
+    moved = {"L1": a, "L2": b + [0.0, 0.006, 0.0]}
+    result = compare_plane("V1", moved, clouds, OPPOSITE)
+    assert result.after.n <= (len(a) + 1) // 2 + len(b)
+    assert result.before.median == pytest.approx(0.006, abs=1e-9)
+    again = compare_plane("V1", moved, clouds, OPPOSITE)
+    assert again.to_dict() == result.to_dict()
+
+
+def test_lines_that_saw_different_parts_are_named() -> None:
+    clouds = {"L1": wall(1), "L2": wall(2), "L3": wall(3, low=(5.0, 0.0), high=(6.0, 3.0))}
+    result = compare_plane("V1", clouds, clouds, {"L1": 0.0, "L2": np.pi, "L3": 1.0})
+    assert len(result.pairs) == 1
+    assert result.not_compared == (("L1", "L3"), ("L2", "L3"))
+
+
+def test_plane_on_one_line_is_refused() -> None:
+    nothing = np.empty((0, 3))
+    with pytest.raises(LispacError, match=r"V4 is seen on one line only \(L1\)"):
+        compare_plane("V4", {"L1": wall(1)}, {"L1": wall(1)}, OPPOSITE)
+    clouds = {"L1": wall(1), "L2": nothing}
+    with pytest.raises(LispacError, match="one line only"):
+        compare_plane("V4", clouds, clouds, OPPOSITE)
+    with pytest.raises(LispacError, match="on no line"):
+        compare_plane("V4", {"L1": nothing}, {"L1": nothing}, OPPOSITE)
+
+
+def test_lines_without_overlap_are_refused() -> None:
+    clouds = {"L1": wall(1), "L2": wall(2, low=(5.0, 0.0), high=(7.0, 3.0))}
+    with pytest.raises(LispacError, match="No two lines overlap on the validation plane V2"):
+        compare_plane("V2", clouds, clouds, OPPOSITE)
+
+
+def test_points_in_one_row_overlap_nothing() -> None:
+    row = np.column_stack((np.linspace(0, 1, 100), np.zeros(100), np.zeros(100)))
+    clouds = {"L1": row, "L2": row}
+    with pytest.raises(LispacError, match="No two lines overlap"):
+        compare_plane("V2", clouds, clouds, OPPOSITE)
+
+
+def test_states_of_different_points_are_refused() -> None:
+    a, b = wall(1), wall(2)
+    with pytest.raises(InputError, match="L2 has 4000 points on V1 before and 3999 after"):
+        compare_plane("V1", {"L1": a, "L2": b}, {"L1": a, "L2": b[1:]}, OPPOSITE)
+    with pytest.raises(InputError, match="L3 stands in one state only"):
+        compare_plane("V1", {"L1": a, "L2": b, "L3": b}, {"L1": a, "L2": b}, OPPOSITE)
+    with pytest.raises(InputError, match="heading of line L2"):
+        compare_plane("V1", {"L1": a, "L2": b}, {"L1": a, "L2": b}, {"L1": 0.0})
+    broken = b.copy()
+    broken[3, 2] = np.nan
+    with pytest.raises(InputError, match=r"V1 on line L2 \(after\)"):
+        compare_plane("V1", {"L1": a, "L2": b}, {"L1": a, "L2": broken}, OPPOSITE)
+
+
+def test_statistics_of_known_numbers() -> None:
+    statistics = DistanceStatistics.of(np.arange(101.0))
+    assert (statistics.n, statistics.median, statistics.maximum) == (101, 50.0, 100.0)
+    assert (statistics.p68, statistics.p95, statistics.p99) == (68.0, 95.0, 99.0)
+    assert statistics.mean == 50.0
+    assert statistics.rms == pytest.approx(np.sqrt(100 * 201 / 6))
+    with pytest.raises(InputError, match="at least one distance"):
+        DistanceStatistics.of([])
+    with pytest.raises(InputError, match="finite"):
+        DistanceStatistics.of([1.0, np.nan])
+
+
+def test_round_trip_through_json() -> None:
+    clouds = {"L1": wall(1, noise=0.002), "L2": wall(2), "L3": wall(3, low=(9, 9), high=(10, 10))}
+    headings = OPPOSITE | {"L3": 0.0}
+    result = compare_plane("V1", clouds, clouds, headings, bins=10)
+    back = PlaneComparison.from_dict(json.loads(json.dumps(result.to_dict())))
+    assert back.to_dict() == result.to_dict()
+    assert back.pairs[0].after == result.pairs[0].after
+    assert back.not_compared == result.not_compared
+    assert back.counts_after.dtype == result.counts_after.dtype
+    np.testing.assert_array_equal(back.bin_edges, result.bin_edges)

@@ -1,0 +1,153 @@
+"""The house itself: locked dependencies, one version, a command line that starts at once."""
+
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import lispac
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+LOCKS = ["installer/lock-run.txt", "installer/lock-test.txt"]
+HEAVY = {
+    "PySide6",
+    "laspy",
+    "matplotlib",
+    "numba",
+    "numpy",
+    "open3d",
+    "pyproj",
+    "pyvista",
+    "scipy",
+    "vtk",
+    "vtkmodules",
+}
+
+
+def requirements(lock: str) -> dict[str, list[str]]:
+    """Hashes of each requirement of a lock file; the key is name, version and marker."""
+    text = (CHECKOUT / lock).read_text(encoding="utf-8").replace("\\\n", " ")
+    found: dict[str, list[str]] = {}
+    for line in text.splitlines():
+        if line.strip() and not line.startswith("#"):
+            requirement, *hashes = re.split(r"\s+--hash=", line.strip())
+            found[requirement] = hashes
+    return found
+
+
+def pyproject() -> dict:
+    """The project's own description."""
+    return tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))
+
+
+def normalised(requirement: str) -> str:
+    """Name of a requirement as lock files write it."""
+    return re.sub(r"[-_.]+", "-", re.match(r"[\w.-]+", requirement).group()).lower()
+
+
+@pytest.mark.parametrize("lock", LOCKS)
+def test_every_locked_package_has_a_version_and_hashes(lock: str) -> None:
+    locked = requirements(lock)
+    assert len(locked) > 50
+    for requirement, hashes in locked.items():
+        assert re.match(r"[a-z0-9-]+==\d", requirement), requirement
+        assert hashes, requirement
+        assert all(re.fullmatch(r"sha256:[0-9a-f]{64}", value) for value in hashes), requirement
+
+
+@pytest.mark.parametrize("lock", LOCKS)
+def test_lock_names_no_address(lock: str) -> None:
+    text = (CHECKOUT / lock).read_text(encoding="utf-8")
+    assert not re.search(r"://|--index|--extra-index|--find-links|file:", text)
+
+
+def test_lock_for_tests_holds_all_that_runs() -> None:
+    run, test = (requirements(lock) for lock in LOCKS)
+    assert run.items() <= test.items()
+
+
+def test_every_dependency_is_locked() -> None:
+    project = pyproject()["project"]
+    extras = project["optional-dependencies"]
+    run, test = ({normalised(name) for name in requirements(lock)} for lock in LOCKS)
+    assert {normalised(name) for name in project["dependencies"] + extras["build"]} <= run
+    assert {normalised(name) for name in extras["tests"]} <= test
+
+
+def test_every_dependency_has_its_reason() -> None:
+    reasons = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8").lower()
+    project = pyproject()["project"]
+    for requirement in project["dependencies"] + project["optional-dependencies"]["tests"]:
+        name = normalised(requirement)
+        assert f"`{name}`" in reasons, f"CONTRIBUTING.md gives no reason for {name}"
+
+
+def test_version_is_written_in_one_place() -> None:
+    settings = pyproject()
+    assert "version" not in settings["project"]
+    assert settings["tool"]["hatch"]["version"]["path"] == "lispac/__init__.py"
+    assert re.fullmatch(r"\d+\.\d+\.\d+", lispac.__version__)
+
+
+def test_changelog_tells_of_this_version() -> None:
+    assert f"## {lispac.__version__}" in (CHECKOUT / "CHANGELOG.md").read_text(encoding="utf-8")
+
+
+def run_python(code: str) -> subprocess.CompletedProcess[str]:
+    """Runs code in a fresh interpreter at the checkout."""
+    variables = {**os.environ, "PYTHONPATH": str(CHECKOUT)}
+    command = [sys.executable, "-c", code]
+    return subprocess.run(
+        command, capture_output=True, text=True, check=False, env=variables, timeout=60
+    )
+
+
+@pytest.mark.parametrize("argument", ["--version", "--help"])
+def test_command_line_starts_without_heavy_modules(argument: str) -> None:
+    code = f"""
+import sys
+from lispac.cli.main import main
+try:
+    code = main(["{argument}"])
+except SystemExit as stop:
+    code = stop.code
+print(*sorted(name for name in sys.modules if "." not in name), file=sys.stderr)
+sys.exit(code)
+"""
+    done = run_python(code)
+    assert done.returncode == 0, done.stderr
+    if argument == "--version":
+        assert lispac.__version__ in done.stdout
+    assert not HEAVY & set(done.stderr.split())
+
+
+def test_core_loads_no_qt() -> None:
+    code = """
+import sys
+import lispac.workflow, lispac.io, lispac.report, lispac.simulation, lispac.validation
+import lispac.adjustment, lispac.targets, lispac.survey, lispac.geometry
+print(*sorted({name.partition(".")[0] for name in sys.modules}))
+"""
+    done = run_python(code)
+    assert done.returncode == 0, done.stderr
+    assert not {"PySide6", "qtpy", "pyvistaqt", "vtkmodules"} & set(done.stdout.split())
+
+
+def test_no_module_outgrows_its_room() -> None:
+    folders = ("lispac", "installer", "tests")
+    modules = [path for folder in folders for path in (CHECKOUT / folder).rglob("*.py")]
+    lengths = {
+        str(path.relative_to(CHECKOUT)): path.read_text(encoding="utf-8").count("\n")
+        for path in modules
+    }
+    assert {name: count for name, count in lengths.items() if count > 400} == {}
+
+
+def test_continuous_integration_runs_the_command_of_the_readme() -> None:
+    command = "python3 installer/bootstrap.py test"
+    assert command in (CHECKOUT / "README.md").read_text(encoding="utf-8")
+    assert command in (CHECKOUT / ".ci" / "run").read_text(encoding="utf-8")

@@ -1,0 +1,306 @@
+"""The report: its numbers, its warnings, and that each kind of file says the same."""
+
+import base64
+import hashlib
+import json
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from datetime import timedelta
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.errors import InputError, LispacError
+from lispac.project import Project
+from lispac.report import figures
+from lispac.report.content import ReportContent
+from lispac.report.html import html_text, write_html
+from lispac.report.json_report import write_json
+from lispac.report.pdf import write_pdf
+from tests.report_sample import MADE, sample_content, sample_project
+
+ODD = "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("report") / "harbour 2025")
+
+
+@pytest.fixture(scope="module")
+def content(project: Project) -> ReportContent:
+    return sample_content(project)
+
+
+def _codes(content: ReportContent) -> set[str]:
+    return {caution.code for caution in content.cautions}
+
+
+def _pdf_text(path: Path, *options: str) -> str:
+    tool = shutil.which("pdftotext")
+    if tool is None:
+        pytest.skip("pdftotext is not installed")
+    run = subprocess.run(
+        [tool, "-layout", *options, str(path), "-"], check=True, capture_output=True, timeout=60
+    )
+    return run.stdout.decode("utf-8").replace("\u2212", "-")
+
+
+def _has(text: str, number: str) -> bool:
+    return re.search(rf"(?<![\d.,]){re.escape(number)}(?![\d])", text) is not None
+
+
+class _Words(HTMLParser):
+    """Collects what a reader sees, and where the page would fetch from."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.words: list[str] = []
+        self.sources: list[str] = []
+        self.tags: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.add(tag)
+        self.sources += [value or "" for name, value in attrs if name in ("src", "href")]
+
+    def handle_data(self, data: str) -> None:
+        self.words.append(data)
+
+
+def _page(text: str) -> _Words:
+    page = _Words()
+    page.feed(text)
+    return page
+
+
+def _shown_numbers(data: dict) -> list[str]:
+    """Every number of a JSON report that a reader needs, as a document writes it."""
+    numbers = []
+    for angle in data["angles"]:
+        numbers += [f"{angle['prior_deg']:+.4f}", f"{angle['estimated_deg']:+.4f}"]
+        numbers += [f"{angle['sigma_deg']:.4f}", f"{angle['interval95_deg']:.4f}"]
+    adjustment = data["adjustment"]
+    numbers += [f"{value:+.3f}" for row in adjustment["correlation"] for value in row]
+    numbers += [f"{adjustment['variance_factor']:.4f}", f"{adjustment['points']:,}"]
+    test = adjustment["chi_square"]
+    numbers += [f"{test[key]:,.1f}" for key in ("statistic", "lower", "upper")]
+    numbers += [f"{100 * v:.2f}" for e in adjustment["effects"] for v in e["displacement_m"]]
+    fits = [*adjustment["targets"], *adjustment["sightings"]]
+    numbers += [f"{1000 * fit[f'rms_{w}_m']:.1f}" for fit in fits for w in ("before", "after")]
+    numbers += [f"{1000 * s['mean_after_m']:+.1f}" for s in adjustment["sightings"]]
+    for plane in data["validation"]:
+        for compared in (plane, *plane["pairs"]):
+            for state in (compared["before"], compared["after"]):
+                numbers += [f"{1000 * state[f'{key}_m']:,.1f}" for key in ("median", "rms", "p95")]
+                numbers.append(f"{state['n']:,}")
+    return numbers + [f"{file['size_bytes']:,}" for file in data["files"]]
+
+
+def test_angles_uncertainty_and_effect(content: ReportContent) -> None:
+    roll, pitch, yaw = content.angles
+    assert roll.estimated_deg == pytest.approx(0.43951)
+    assert pitch.sigma_deg == pytest.approx(0.0291)
+    assert yaw.interval95_deg == pytest.approx(1.96 * 0.0376)
+    assert content.adjustment is not None
+    effects = {effect.angle: effect.displacement_m for effect in content.adjustment.effects}
+    assert effects["roll"] == pytest.approx([d * np.radians(0.0163) for d in (10, 50, 100)])
+    # Sampled: how far points 10 m away in every direction move, at the worst of them.
+    rng = np.random.default_rng(3)
+    covariance = np.radians(0.0163), np.radians(0.0291), np.radians(0.0376)
+    correlation = np.array(content.adjustment.correlation)
+    turns = rng.multivariate_normal(
+        np.zeros(3), correlation * np.outer(covariance, covariance), 4000
+    ) * [1, 1, -1]  # yaw is clockwise
+    directions = rng.normal(size=(300, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    moves = np.linalg.norm(np.cross(turns[:, None], 10 * directions[None]), axis=2)
+    worst = np.sqrt((moves**2).mean(axis=0)).max()
+    assert effects["worst direction"][0] == pytest.approx(worst, rel=0.04)
+
+
+def test_files_are_told_by_digest(content: ReportContent, project: Project) -> None:
+    line = next(file for file in content.files if file.role == "Line L3")
+    data = project.lines[2].path.read_bytes()
+    assert (line.name, line.size_bytes) == ("L3.laz", len(data))
+    assert line.sha256 == hashlib.sha256(data).hexdigest()
+
+
+def test_missing_file_is_a_warning_and_no_failure(project: Project, tmp_path: Path) -> None:
+    moved = replace(project, trajectory=tmp_path / "gone.sbet")
+    content = sample_content(moved)
+    assert content.files[0].sha256 is None
+    assert "file_missing" in _codes(content)
+    assert "not readable" in html_text(content, {})
+
+
+def test_finished_project_warns_of_nothing(content: ReportContent) -> None:
+    assert content.cautions == ()
+
+
+def test_rules_speak_up(project: Project) -> None:
+    result = project.result
+    assert result is not None
+    test = result.chi_square
+    high = replace(result, chi_square=replace(test, statistic=test.upper * 1.1))
+    low = replace(result, chi_square=replace(test, statistic=test.lower * 0.9))
+    none = replace(result, degrees_of_freedom=0, variance_factor=float("nan"))
+    assert "chi_square_high" in _codes(sample_content(replace(project, result=high)))
+    assert "chi_square_low" in _codes(sample_content(replace(project, result=low)))
+    assert "no_redundancy" in _codes(sample_content(replace(project, result=none)))
+    thesis = replace(result, model=StochasticModel("independent"))
+    assert "independent_pos_errors" in _codes(sample_content(replace(project, result=thesis)))
+    assert "not_validated" in _codes(sample_content(replace(project, validation=())))
+    plane = project.validation[0]
+    worse = replace(plane, before=plane.after, after=plane.before)
+    found = sample_content(replace(project, validation=(worse,)))
+    assert "validation_worse" in _codes(found)
+    assert found.cautions[0].severity == "serious"
+
+
+def test_targets_seen_on_few_lines(project: Project) -> None:
+    first, second, *rest = project.targets
+    few = replace(first, sightings=first.sightings[:1], missing={"L2": "no plane at the seed"})
+    some = replace(second, sightings=second.sightings[:2])
+    content = sample_content(replace(project, targets=(few, some, *rest)))
+    texts = [caution.text for caution in content.cautions]
+    assert any("T1" in text and "one line only (L1)" in text for text in texts)
+    assert any("T2" in text and "2 of 6 lines" in text for text in texts)
+    assert "T1 on L2: no plane at the seed" in html_text(content, {})
+
+
+def test_truth_of_a_simulated_survey(project: Project) -> None:
+    content = sample_content(replace(project, truth_deg=(0.44, -1.87, 0.6)))
+    assert content.angles[0].error_deg == pytest.approx(0.43951 - 0.44)
+    assert {"simulated", "truth_outside"} <= _codes(content)
+    outside = next(c.text for c in content.cautions if c.code == "truth_outside")
+    assert "yaw" in outside
+    assert "roll" not in outside
+
+
+def test_json_holds_full_precision(content: ReportContent, tmp_path: Path) -> None:
+    path = tmp_path / "report.json"
+    write_json(content, path)
+    data = json.loads(path.read_text(encoding="utf-8"))
+    assert data["schema_version"] == 1
+    assert data["angles"][1]["estimated_deg"] == content.angles[1].estimated_deg
+    assert content.adjustment is not None
+    assert data["adjustment"]["rms_after_m"] == content.adjustment.rms_after_m
+    assert data["validation"][2]["after"]["p95_m"] == content.validation[2].after.p95_m
+
+
+def test_pdf_and_html_show_the_numbers_of_the_json(content: ReportContent, tmp_path: Path) -> None:
+    write_json(content, tmp_path / "r.json")
+    numbers = _shown_numbers(json.loads((tmp_path / "r.json").read_text(encoding="utf-8")))
+    assert len(numbers) > 150
+    page = " ".join(_page(html_text(content, {})).words).replace("\u2212", "-")
+    assert [n for n in numbers if not _has(page, n)] == []
+    write_pdf(content, tmp_path / "r.pdf", {})
+    text = _pdf_text(tmp_path / "r.pdf")
+    assert [n for n in numbers if not _has(text, n)] == []
+    for file in content.files:
+        assert file.sha256 is not None
+        assert file.sha256 in text
+    assert "Page 1 of" in text
+
+
+@pytest.mark.parametrize("picked", [True, False])
+def test_uncalibrated_project_says_so_on_page_one(
+    project: Project, tmp_path: Path, picked: bool
+) -> None:
+    bare = replace(project, result=None, validation=())
+    content = sample_content(bare if picked else replace(bare, targets=()))
+    assert content.cautions[0].code == "not_calibrated"
+    assert _page(html_text(content, {})).words[:30].count("NOT CALIBRATED") == 1
+    write_json(content, tmp_path / "r.json")
+    assert json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["calibrated"] is False
+    write_pdf(content, tmp_path / "r.pdf", {})
+    first = _pdf_text(tmp_path / "r.pdf", "-f", "1", "-l", "1")
+    assert "NOT CALIBRATED" in first
+    assert "Estimated" not in first
+
+
+def test_html_needs_nothing_beside_it(content: ReportContent, tmp_path: Path) -> None:
+    picture = tmp_path / "view.png"
+    figures.site_figure({}, {"T1": (1.0, 2.0)}, {}).savefig(picture, dpi=40)
+    path = tmp_path / "report.html"
+    write_html(content, path, {"The view after": picture})
+    text = path.read_text(encoding="utf-8")
+    page = _page(text)
+    assert not re.search(r"https?://|url\(|@import", text)
+    assert page.tags.isdisjoint({"script", "link", "iframe", "object"})
+    assert page.sources
+    assert all(source.startswith(("data:image/", "#")) for source in page.sources)
+    assert base64.b64encode(picture.read_bytes()).decode() in text
+    assert "The view after" in page.words
+
+
+def test_odd_names_come_through(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p", target=ODD)
+    content = sample_content(project)
+    content = replace(content, project=ODD)
+    page = _page(html_text(content, {}))
+    assert page.words.count(ODD) >= 3
+    assert "script" not in page.tags
+    path = tmp_path / "odd.pdf"
+    write_pdf(content, path, {})
+    # Long words may be broken, and a long cell into lines.
+    text = re.sub(r"[\s\u200b]", "", _pdf_text(path, "-raw"))
+    assert text.count(re.sub(r"\s", "", ODD)) >= 3
+
+
+def test_letters_no_font_of_ours_has_are_no_failure(content: ReportContent, tmp_path: Path) -> None:
+    far = replace(content, project="\u6e2f\u53e3", validation=content.validation[:1])
+    far = replace(far, validation=(replace(far.validation[0], name="\u5854"),))
+    write_pdf(far, tmp_path / "far.pdf", {})
+    assert (tmp_path / "far.pdf").stat().st_size > 10_000
+
+
+def test_same_content_same_bytes(project: Project, tmp_path: Path) -> None:
+    pages = {}
+    for name, made in (("a", MADE), ("b", MADE), ("later", MADE + timedelta(days=1))):
+        content = sample_content(project, made)
+        write_json(content, tmp_path / f"{name}.json")
+        write_html(content, tmp_path / f"{name}.html", {})
+        if made == MADE:
+            write_pdf(content, tmp_path / f"{name}.pdf", {})
+        pages[name] = [(tmp_path / f"{name}.{kind}").read_bytes() for kind in ("json", "html")]
+    assert pages["a"] == pages["b"]
+    assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
+    for early, late in zip(pages["a"], pages["later"], strict=True):
+        lines = list(zip(early.splitlines(), late.splitlines(), strict=True))
+        assert sum(a != b for a, b in lines) == 1
+
+
+def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_path: Path) -> None:
+    broken = tmp_path / "broken.png"
+    broken.write_bytes(b"no picture")
+    with pytest.raises(LispacError, match="could not be set"):
+        write_pdf(content, tmp_path / "r.pdf", {"View": broken})
+    with pytest.raises(InputError, match="cannot be read"):
+        write_html(content, tmp_path / "r.html", {"View": tmp_path / "gone.png"})
+    with pytest.raises(InputError, match="only PNG and SVG"):
+        write_html(content, tmp_path / "r.html", {"View": tmp_path / "view.bmp"})
+
+
+def test_figures_draw_into_the_figure_given(project: Project) -> None:
+    assert project.result is not None
+    figure = figures.histogram_figure(project.validation[0])
+    title = figure.axes[0].get_title(loc="left")
+    legend = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert title.startswith("V1")
+    median = 1000 * project.validation[0].before.median
+    assert f"median {median:.1f}" in legend[0]
+    again = figures.histogram_figure(project.validation[1], figure)
+    assert again is figure
+    assert len(figure.axes) == 1
+    assert figures.residual_figure(project.result, figure) is figure
+    assert len(figure.axes[0].patches) == 2 * len(project.result.sightings)
+    assert figures.correlation_figure(project.result, figure) is figure
+    site = figures.site_figure({"L1": [(0, 0), (10, 0)]}, {"T1": (5.0, 2.0, 1.0)}, {}, figure)
+    left, right = site.axes[0].get_xlim()
+    assert left > right  # west is positive and lies on the left

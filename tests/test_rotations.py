@@ -1,0 +1,55 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from lispac.geometry.rotations import angles_of, rotation_derivatives, rotation_matrix
+
+angle = st.floats(-3.1, 3.1)
+tilt = st.floats(-1.5, 1.5)
+
+
+@given(angle, tilt, angle)
+def test_is_the_product_of_three_right_handed_turns(roll: float, pitch: float, yaw: float) -> None:
+    expected = Rotation.from_euler("ZYX", [-yaw, pitch, roll]).as_matrix()
+    np.testing.assert_allclose(rotation_matrix(roll, pitch, yaw), expected, atol=1e-15)
+
+
+@given(angle, tilt, angle)
+def test_angles_come_back(roll: float, pitch: float, yaw: float) -> None:
+    back = angles_of(rotation_matrix(roll, pitch, yaw))
+    np.testing.assert_allclose(back, [roll, pitch, yaw], atol=1e-12)
+
+
+def test_signs_in_words() -> None:
+    forward, left, up = np.eye(3)
+    turn = np.radians(1.0)
+    assert (rotation_matrix(turn, 0, 0) @ left)[2] > 0, "roll lifts the left side"
+    assert (rotation_matrix(0, turn, 0) @ forward)[2] < 0, "pitch lowers the bow"
+    assert (rotation_matrix(0, 0, turn) @ forward)[1] < 0, "yaw turns the bow to the east"
+    assert (rotation_matrix(turn, turn, 0) @ up)[2] > 0
+
+
+@given(angle, tilt, angle)
+def test_derivatives_against_central_differences(roll: float, pitch: float, yaw: float) -> None:
+    angles, step = np.array([roll, pitch, yaw]), 1e-6
+    derivatives = rotation_derivatives(*angles)
+    for k in range(3):
+        change = np.eye(3)[k] * step
+        difference = rotation_matrix(*(angles + change)) - rotation_matrix(*(angles - change))
+        np.testing.assert_allclose(derivatives[k], difference / (2 * step), atol=1e-9)
+
+
+def test_many_at_once_equal_one_by_one() -> None:
+    angles = np.random.default_rng(1).uniform(-1, 1, (7, 3))
+    stacked, derivatives = rotation_matrix(*angles.T), rotation_derivatives(*angles.T)
+    for k, row in enumerate(angles):
+        np.testing.assert_array_equal(stacked[k], rotation_matrix(*row))
+        np.testing.assert_allclose(derivatives[:, k], rotation_derivatives(*row), atol=1e-16)
+
+
+@pytest.mark.parametrize("pitch", [np.pi / 2, -np.pi / 2])
+def test_angles_at_the_pole_still_give_the_rotation(pitch: float) -> None:
+    rotation = rotation_matrix(0.3, pitch, 0.2)
+    np.testing.assert_allclose(rotation_matrix(*angles_of(rotation)), rotation, atol=1e-7)
