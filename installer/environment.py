@@ -143,6 +143,19 @@ def write_stamp(state: dict[str, Any], path: Path) -> None:
     draft.replace(path)
 
 
+def pip_variables(variables: Mapping[str, str]) -> dict[str, str]:
+    """The environment variables under which pip runs: it asks nothing and stays in .venv."""
+    return {
+        **variables,
+        "PIP_DISABLE_PIP_VERSION_CHECK": "1",
+        "PIP_NO_INPUT": "1",
+        "PIP_USER": "0",
+        "PYTHONUNBUFFERED": "1",
+        # pip asks rustc for its version, and rustup's stand-in makes a folder at home when asked.
+        "RUSTUP_HOME": str(ENVIRONMENT / "cache" / "rustup"),
+    }
+
+
 def make_environment() -> None:
     """Makes .venv from nothing.
 
@@ -162,7 +175,8 @@ def make_environment() -> None:
     write_stamp({"state": "unfinished"}, STAMP)
     say("Making the environment .venv")
     command = [sys.executable, "-m", "venv", str(ENVIRONMENT)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    variables = pip_variables(os.environ)
+    done = subprocess.run(command, env=variables, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise SetupError(f"Python cannot make an environment: {done.stdout}{done.stderr}".strip())
 
@@ -196,15 +210,6 @@ def run_pip(arguments: Sequence[str], variables: Mapping[str, str], total: int) 
     SetupError
         pip failed; the message holds its last lines.
     """
-    quiet = {
-        **variables,
-        "PIP_DISABLE_PIP_VERSION_CHECK": "1",
-        "PIP_NO_INPUT": "1",
-        "PIP_USER": "0",
-        "PYTHONUNBUFFERED": "1",
-        # pip asks rustc for its version, and rustup's stand-in makes a folder at home when asked.
-        "RUSTUP_HOME": str(ENVIRONMENT / "cache" / "rustup"),
-    }
     output: list[str] = []
 
     def kept(stream: Iterable[str]) -> Iterator[str]:
@@ -216,7 +221,7 @@ def run_pip(arguments: Sequence[str], variables: Mapping[str, str], total: int) 
 
     with subprocess.Popen(
         [*pip_command(), *arguments],
-        env=quiet,
+        env=pip_variables(variables),
         cwd=CHECKOUT,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,

@@ -21,6 +21,10 @@ class PlaneNotFound(LispacError):
     """No plane was found where the seed was set."""
 
 
+class NotComparable(LispacError):
+    """A validation plane that no two lines see in common."""
+
+
 class AdjustmentError(LispacError):
     """The least-squares adjustment cannot give an answer."""
 

@@ -132,6 +132,8 @@ class Project:
     targets: tuple[Target, ...] = ()
     result: AdjustmentResult | None = None
     validation: tuple[PlaneComparison, ...] = ()
+    not_compared: Mapping[str, str] = field(default_factory=dict)
+    """For each validation plane that could not be compared, the reason in words."""
     truth_deg: Triple | None = None
     """Boresight put into a simulated survey; None for a real one."""
 
@@ -189,17 +191,19 @@ class Project:
 
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; what follows from them has to be computed again."""
-        return replace(self, settings=settings, result=None, validation=())
+        return replace(self, settings=settings, result=None, validation=(), not_compared={})
 
     def with_result(self, result: AdjustmentResult) -> "Project":
         """Keep an adjustment; a validation of another one no longer holds."""
-        return replace(self, result=result, validation=())
+        return replace(self, result=result, validation=(), not_compared={})
 
-    def with_validation(self, validation: tuple[PlaneComparison, ...]) -> "Project":
-        """Keep the comparison of the validation planes."""
-        return replace(self, validation=validation)
+    def with_validation(
+        self, validation: tuple[PlaneComparison, ...], not_compared: Mapping[str, str]
+    ) -> "Project":
+        """Keep the comparison of the validation planes, and why some could not be compared."""
+        return replace(self, validation=validation, not_compared=not_compared)
 
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
         # A validation plane takes no part in the adjustment, so its edit keeps the angles.
         result = None if "target" in roles else self.result
-        return replace(self, targets=targets, result=result, validation=())
+        return replace(self, targets=targets, result=result, validation=(), not_compared={})

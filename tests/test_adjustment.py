@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment.conditions import BORESIGHT, PLANE, POSE, linearise, sum_by_sighting
+from lispac.adjustment.conditions import (
+    BORESIGHT,
+    MISCLOSURE,
+    PLANE,
+    POSE,
+    linearise,
+    sum_by_sighting,
+)
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel, effect_factor
@@ -69,12 +76,15 @@ def test_sums_equal_dense_matrix_products(pose_in_variance: bool) -> None:
     if not pose_in_variance:
         sigma[:, 3:] = 0
     variance = np.diag(jacobian @ np.diag(sigma[0] ** 2) @ jacobian.T)
+    effects = np.random.default_rng(0).normal(0, 0.01, (len(observations.sightings), 6))
+    here = mounting(0.1, 0.2, 0.3)
     sums = sum_by_sighting(
-        observations, mounting(0.1, 0.2, 0.3), PLANES, pose_in_variance=pose_in_variance
+        observations, here, PLANES, effects, pose_in_variance=pose_in_variance
     )
     for s in range(len(observations.sightings)):
         own = observations.sighting == s
-        rows = conditions.rows[own]
+        rows = conditions.rows[own].copy()
+        rows[:, MISCLOSURE] += rows[:, POSE] @ effects[s]
         expected = rows.T @ np.diag(1 / variance[own]) @ rows
         np.testing.assert_allclose(sums[s], expected, rtol=1e-9, atol=1e-6)
 

@@ -89,7 +89,7 @@ def test_nearest_point_alone() -> None:
 
 def test_points_in_one_row_define_no_plane() -> None:
     row = np.column_stack((np.linspace(0, 1, 50), np.zeros(50), np.zeros(50)))
-    distances = cloud_to_cloud(row + [0.0, 0.3, 0.4], row)
+    distances = cloud_to_cloud(row + np.array([0.0, 0.3, 0.4]), row)
     np.testing.assert_allclose(distances, 0.5, atol=1e-12)
 
 
@@ -107,7 +107,7 @@ def test_big_coordinates_lose_nothing() -> None:
 
 def test_beyond_the_maximum_distance_is_not_measured() -> None:
     reference = tower(2000, 2)
-    near, far = tower(50, 1), tower(50, 3) + [100.0, 0.0, 0.0]
+    near, far = tower(50, 1), tower(50, 3) + np.array([100.0, 0.0, 0.0])
     distances = cloud_to_cloud(np.vstack((near, far)), reference, max_distance=2.0)
     np.testing.assert_array_equal(distances[:50], cloud_to_cloud(near, reference))
     assert np.isnan(distances[50:]).all()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from lispac.errors import InputError, LispacError
+from lispac.errors import InputError, NotComparable
 from lispac.validation.comparison import (
     MAX_POINTS_PER_LINE,
     DistanceStatistics,
@@ -95,7 +95,8 @@ def test_a_hole_in_one_line_is_not_compared() -> None:
 
 def test_a_shift_within_the_plane_before_does_not_count_as_distance() -> None:
     a, b = wall(1), wall(2, offset=0.002)
-    before = {"L1": a + [0.4, -0.03, 0.3], "L2": b + [-0.4, 0.0, -0.3]}
+    shift = np.array([0.4, -0.03, 0.3])
+    before = {"L1": a + shift, "L2": b - [0.4, 0.0, 0.3]}
     result = compare_plane("V1", before, {"L1": a, "L2": b}, OPPOSITE)
     assert result.before.n == result.after.n
     assert result.before.maximum == pytest.approx(0.028, abs=1e-6)
@@ -107,7 +108,7 @@ def test_profiles_sparse_across_and_dense_along_overlap_whole() -> None:
     rng = np.random.default_rng(3)
     flat = np.column_stack((along.ravel(), height.ravel())) + rng.normal(0, 0.001, (along.size, 2))
     points = np.column_stack((flat[:, 0], np.full(len(flat), 30.0), flat[:, 1]))
-    clouds = {"L1": points, "L2": points + [0.05, 0.004, 0.0]}
+    clouds = {"L1": points, "L2": points + np.array([0.05, 0.004, 0.0])}
     result = compare_plane("V1", clouds, clouds, OPPOSITE)
     assert result.after.n > 0.9 * 2 * len(points)
     assert result.after.median == pytest.approx(0.004, abs=1e-6)
@@ -177,7 +178,7 @@ def test_histograms_share_edges_and_count_every_distance() -> None:
 def test_many_points_are_thinned_alike_in_both_states() -> None:
     a, b = wall(1, n=MAX_POINTS_PER_LINE + 5000), wall(2, n=2000)
     clouds = {"L1": a, "L2": b}
-    moved = {"L1": a, "L2": b + [0.0, 0.006, 0.0]}
+    moved = {"L1": a, "L2": b + np.array([0.0, 0.006, 0.0])}
     result = compare_plane("V1", moved, clouds, OPPOSITE)
     assert result.after.n <= (len(a) + 1) // 2 + len(b)
     assert result.before.median == pytest.approx(0.006, abs=1e-9)
@@ -194,25 +195,25 @@ def test_lines_that_saw_different_parts_are_named() -> None:
 
 def test_plane_on_one_line_is_refused() -> None:
     nothing = np.empty((0, 3))
-    with pytest.raises(LispacError, match=r"V4 is seen on one line only \(L1\)"):
+    with pytest.raises(NotComparable, match=r"V4 is seen on one line only \(L1\)"):
         compare_plane("V4", {"L1": wall(1)}, {"L1": wall(1)}, OPPOSITE)
     clouds = {"L1": wall(1), "L2": nothing}
-    with pytest.raises(LispacError, match="one line only"):
+    with pytest.raises(NotComparable, match="one line only"):
         compare_plane("V4", clouds, clouds, OPPOSITE)
-    with pytest.raises(LispacError, match="on no line"):
+    with pytest.raises(NotComparable, match="on no line"):
         compare_plane("V4", {"L1": nothing}, {"L1": nothing}, OPPOSITE)
 
 
 def test_lines_without_overlap_are_refused() -> None:
     clouds = {"L1": wall(1), "L2": wall(2, low=(5.0, 0.0), high=(7.0, 3.0))}
-    with pytest.raises(LispacError, match="No two lines overlap on the validation plane V2"):
+    with pytest.raises(NotComparable, match="No two lines overlap on the validation plane V2"):
         compare_plane("V2", clouds, clouds, OPPOSITE)
 
 
 def test_points_in_one_row_overlap_nothing() -> None:
     row = np.column_stack((np.linspace(0, 1, 100), np.zeros(100), np.zeros(100)))
     clouds = {"L1": row, "L2": row}
-    with pytest.raises(LispacError, match="No two lines overlap"):
+    with pytest.raises(NotComparable, match="No two lines overlap"):
         compare_plane("V2", clouds, clouds, OPPOSITE)
 
 

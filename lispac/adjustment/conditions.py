@@ -62,13 +62,21 @@ def linearise(observations: Observations, mounting: Mounting, planes: Array) -> 
 
 
 def sum_by_sighting(
-    observations: Observations, mounting: Mounting, planes: Array, *, pose_in_variance: bool
+    observations: Observations,
+    mounting: Mounting,
+    planes: Array,
+    effects: Array,
+    *,
+    pose_in_variance: bool,
 ) -> Array:
     """Weighted sums of ``row row'`` over each sighting.
 
     Parameters
     ----------
     planes : ndarray of shape (targets, 4)
+    effects : ndarray of shape (sightings, 6), metres and radians
+        POS error of each sighting found so far; its effect is added to the misclosures, so that
+        these, and with them the rounding of their sums, are small at the solution.
     pose_in_variance : bool
         Whether the variance of a condition holds the POS error (thesis mode: independent from
         point to point) or the LiDAR noise alone.
@@ -82,6 +90,7 @@ def sum_by_sighting(
         *_columns(observations),
         *_rotation_and_derivatives(mounting),
         planes,
+        effects,
         observations.sigma_lidar,
         observations.sigma_position,
         observations.sigma_attitude,
@@ -109,7 +118,7 @@ def _rotation_and_derivatives(mounting: Mounting) -> tuple[Array, Array, Array]:
     )
 
 
-@njit(nogil=True, cache=True, inline="always")  # type: ignore[untyped-decorator]
+@njit(nogil=True, cache=True, inline="always")
 def _row(i, points, position, attitude, rotation, derivatives, lever_arm, plane, row, lidar):  # type: ignore[no-untyped-def]
     cr, sr = np.cos(attitude[i, 0]), np.sin(attitude[i, 0])
     cp, sp = np.cos(attitude[i, 1]), np.sin(attitude[i, 1])
@@ -145,7 +154,7 @@ def _row(i, points, position, attitude, rotation, derivatives, lever_arm, plane,
     row[13] = n0 * row[3] + n1 * row[4] + n2 * row[5] + plane[3]
 
 
-@njit(nogil=True, cache=True)  # type: ignore[untyped-decorator]
+@njit(nogil=True, cache=True)
 def _linearise(  # type: ignore[no-untyped-def]
     points, position, attitude, sighting, target_of_sighting,
     rotation, derivatives, lever_arm, planes, rows, by_lidar,
@@ -158,10 +167,10 @@ def _linearise(  # type: ignore[no-untyped-def]
         )  # fmt: skip
 
 
-@njit(nogil=True, cache=True)  # type: ignore[untyped-decorator]
+@njit(nogil=True, cache=True)
 def _accumulate(  # type: ignore[no-untyped-def]
     points, position, attitude, sighting, target_of_sighting,
-    rotation, derivatives, lever_arm, planes,
+    rotation, derivatives, lever_arm, planes, effects,
     sigma_lidar, sigma_position, sigma_attitude, pose_in_variance, sums,
 ):  # fmt: skip
     row, lidar = np.empty(14), np.empty(3)
@@ -169,6 +178,8 @@ def _accumulate(  # type: ignore[no-untyped-def]
         s = sighting[i]
         plane = planes[target_of_sighting[s]]
         _row(i, points, position, attitude, rotation, derivatives, lever_arm, plane, row, lidar)
+        for k in range(6):
+            row[13] += row[7 + k] * effects[s, k]
         variance = 0.0
         for k in range(3):
             variance += (lidar[k] * sigma_lidar[i, k]) ** 2

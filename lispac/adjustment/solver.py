@@ -32,7 +32,7 @@ Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 30
 CONVERGED = 1e-11
-"""Largest change of an angle (rad) or a plane parameter (m) in the last iteration."""
+"""Largest change of an angle (rad) or a plane parameter (rad, m) in the last iteration."""
 
 WORST_SIGMA = np.radians(5.0)
 """An angle that the geometry cannot tell to better than this is not determined by it: the mounting
@@ -42,6 +42,7 @@ is known to a few degrees from looking at it."""
 @dataclass(frozen=True, eq=False)
 class _Step:
     correction: Array  # boresight (3), then 3 per plane
+    unit_effects: Array  # correction of the unit normal variables behind the POS effects
     covariance: Array
     quadratic: float  # v' P v at the linearisation point
 
@@ -78,14 +79,21 @@ def adjust(
     started = time.perf_counter()
     observations.require_usable()
     fitted = fit_planes(observations, mounting)
+    centres = _centres(observations, mounting)
     current = fitted if planes is None else planes / np.linalg.norm(planes[:, :3], axis=1)[:, None]
     factor = effect_factor(observations, model) if model.pos_errors == "correlated" else None
     boresight = np.array(mounting.boresight, dtype=float)
+    unit_effects = np.zeros(0 if factor is None else factor.shape[2])
     for iteration in range(1, MAX_ITERATIONS + 1):
         progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
-        step = _solve(observations, mounting.with_boresight(boresight), current, factor)
+        tangents = _tangents(current, centres)
+        step = _solve(
+            observations, mounting.with_boresight(boresight), current, tangents,
+            factor, unit_effects,
+        )  # fmt: skip
         boresight = boresight + step.correction[:3]
-        current = _moved(current, step.correction[3:].reshape(-1, 3))
+        unit_effects = unit_effects + step.unit_effects
+        current = _moved(current, tangents, step.correction[3:].reshape(-1, 3))
         if np.abs(step.correction).max() < CONVERGED:
             break
     else:
@@ -127,9 +135,7 @@ def fit_planes(observations: Observations, mounting: Mounting) -> Array:
     -------
     ndarray of shape (targets, 4), unit normal and offset, local frame
     """
-    any_plane = np.tile([0.0, 0.0, 1.0, 0.0], (len(observations.targets), 1))
-    # The Jacobian by (a, b, c) is the point itself.
-    points_local = linearise(observations, mounting, any_plane).rows[:, 3:6]
+    points_local = _points_local(observations, mounting)
     target = observations.target_of_sighting[observations.sighting]
     planes = np.empty((len(observations.targets), 4))
     for k in range(len(observations.targets)):
@@ -140,52 +146,80 @@ def fit_planes(observations: Observations, mounting: Mounting) -> Array:
     return planes
 
 
-def _tangents(planes: Array) -> Array:
-    """Basis of the allowed changes of each plane, shape (targets, 4, 3)."""
+def _points_local(observations: Observations, mounting: Mounting) -> Array:
+    any_plane = np.tile([0.0, 0.0, 1.0, 0.0], (len(observations.targets), 1))
+    # The Jacobian by (a, b, c) is the point itself.
+    return linearise(observations, mounting, any_plane).rows[:, 3:6]
+
+
+def _centres(observations: Observations, mounting: Mounting) -> Array:
+    """Mean point of each target, shape (targets, 3), metres."""
+    points_local = _points_local(observations, mounting)
+    target = observations.target_of_sighting[observations.sighting]
+    counts = np.bincount(target)
+    return np.stack([np.bincount(target, column) / counts for column in points_local.T], axis=1)
+
+
+def _tangents(planes: Array, centres: Array) -> Array:
+    """Basis of the allowed changes of each plane, shape (targets, 4, 3).
+
+    Two turns of the normal about the target's centre and a shift along it: about the centre
+    instead of the origin, so that turns and shift are nearly independent.
+    """
     tangents = np.zeros((len(planes), 4, 3))
-    for tangent, plane in zip(tangents, planes, strict=True):
+    for tangent, plane, centre in zip(tangents, planes, centres, strict=True):
         tangent[:3, :2] = scipy.linalg.null_space(plane[None, :3])
+        tangent[3, :2] = -centre @ tangent[:3, :2]
         tangent[3, 2] = 1
     return tangents
 
 
-def _moved(planes: Array, corrections: Array) -> Array:
-    moved = planes + np.einsum("kij,kj->ki", _tangents(planes), corrections)
+def _moved(planes: Array, tangents: Array, corrections: Array) -> Array:
+    moved = planes + np.einsum("kij,kj->ki", tangents, corrections)
     return np.asarray(moved / np.linalg.norm(moved[:, :3], axis=1)[:, None])
 
 
 def _solve(
-    observations: Observations, mounting: Mounting, planes: Array, factor: Array | None
+    observations: Observations,
+    mounting: Mounting,
+    planes: Array,
+    tangents: Array,
+    factor: Array | None,
+    unit_effects: Array,
 ) -> _Step:
-    sums = sum_by_sighting(observations, mounting, planes, pose_in_variance=factor is None)
-    tangents = _tangents(planes)
+    effects = (
+        np.zeros((len(observations.sightings), 6)) if factor is None else factor @ unit_effects
+    )
+    sums = sum_by_sighting(
+        observations, mounting, planes, effects, pose_in_variance=factor is None
+    )
     parameters = 3 + 3 * len(planes)
-    effects = 0 if factor is None else factor.shape[2]
-    normal = np.zeros((parameters + effects, parameters + effects))
-    right = np.zeros(parameters + effects)
-    misclosures = 0.0
+    unknowns = parameters + len(unit_effects)
+    normal = np.zeros((unknowns, unknowns))
+    right = np.zeros(unknowns)
+    quadratic = float(unit_effects @ unit_effects)
     for s, (total, target) in enumerate(
         zip(sums, observations.target_of_sighting, strict=True)
     ):
         # This sighting's columns as functions of all unknowns
-        own = np.zeros((13, parameters + effects))
+        own = np.zeros((13, unknowns))
         own[BORESIGHT, :3] = np.eye(3)
         own[PLANE, 3 + 3 * target : 6 + 3 * target] = tangents[target]
         if factor is not None:
             own[POSE, parameters:] = factor[s]
         normal += own.T @ total[:13, :13] @ own
         right -= own.T @ total[:13, MISCLOSURE]
-        misclosures += total[MISCLOSURE, MISCLOSURE]
+        quadratic += total[MISCLOSURE, MISCLOSURE]
     # The effects are unit normal variables: their prior adds one to the diagonal.
-    normal[range(parameters, parameters + effects), range(parameters, parameters + effects)] += 1
-    covariance = _covariance(normal, parameters)
+    normal[range(parameters, unknowns), range(parameters, unknowns)] += 1
+    right[parameters:] -= unit_effects
+    covariance = _covariance(normal)
     solution = scipy.linalg.solve(normal, right, assume_a="pos")
-    return _Step(
-        solution[:parameters], covariance, float(misclosures - solution @ right)
-    )
+    quadratic -= solution @ right
+    return _Step(solution[:parameters], solution[parameters:], covariance, float(quadratic))
 
 
-def _covariance(normal: Array, parameters: int) -> Array:
+def _covariance(normal: Array) -> Array:
     """Covariance of the boresight: everything else eliminated.
 
     Raises

@@ -166,7 +166,12 @@ def validate(arguments: Namespace) -> None:
         project = compare(project, survey, progress=progress)
     projects.save_project(project)
     if arguments.json:
-        _print_json({"planes": [comparison.to_dict() for comparison in project.validation]})
+        _print_json(
+            {
+                "planes": [comparison.to_dict() for comparison in project.validation],
+                "not_compared": dict(project.not_compared),
+            }
+        )
     else:
         _print_validation(project)
 
@@ -299,3 +304,5 @@ def _print_validation(project: Project) -> None:
             f"{comparison.name:12s}{comparison.after.n:10,}"
             f"{comparison.before.rms * 1000:14.1f}{comparison.after.rms * 1000:14.1f}"
         )
+    for reason in project.not_compared.values():
+        print(f"not compared: {reason}")

@@ -88,7 +88,7 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
         return StepStatus(
             "warning",
             sentence,
-            f"{thin[0]} is seen on fewer than two lines: seed it on another line, or do not use it.",
+            f"{thin[0]} is seen on fewer than two lines: seed it on another, or leave it out.",
             ready=True,
         )
     if len(used) < 2:

@@ -111,6 +111,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
         ],
         "result": project.result and _encode_result(project.result),
         "validation": [comparison.to_dict() for comparison in project.validation],
+        "not_compared": dict(project.not_compared),
         "truth_deg": project.truth_deg,
     }
 
@@ -134,6 +135,7 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         targets=tuple(_decode_target(folder, target) for target in content["targets"]),
         result=_decode_result(content["result"]) if content["result"] else None,
         validation=tuple(PlaneComparison.from_dict(item) for item in content["validation"]),
+        not_compared=dict(content["not_compared"]),
         truth_deg=_triple(content["truth_deg"]) if content["truth_deg"] else None,
     )
 

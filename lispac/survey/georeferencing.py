@@ -124,7 +124,7 @@ def georeference(
     return points_local
 
 
-@njit(nogil=True, cache=True)  # type: ignore[untyped-decorator]
+@njit(nogil=True, cache=True)
 def _georeference(points_lidar, time, knots, states, rotation, lever_arm, points_local):  # type: ignore[no-untyped-def]
     last = len(knots) - 2
     k = 0

@@ -6,7 +6,9 @@ the translation that lays the reference's surroundings onto that line's predicts
 is, and the plane is sought there, with the reference's normal, and compared with it.
 """
 
+import os
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import degrees
 
@@ -146,16 +148,26 @@ def _from_reference(
     reference = _reference(clouds[first_line], grids.get(first_line), first, seed, settings)
     found: dict[str, PlanePatch] = {}
     missing: dict[str, str] = {}
-    for done, (name, cloud) in enumerate(clouds.items()):
-        progress(done / len(clouds), f"Looking for the target in {name}")
+
+    def look(name: str) -> PlanePatch | str:
         if name == first_line:
-            found[name] = first
-            continue
+            return first
         try:
-            found[name] = _find_in(cloud, grids.get(name), reference, settings)
+            return _find_in(clouds[name], grids.get(name), reference, settings)
         except PlaneNotFound as reason:
-            missing[name] = str(reason)
-    progress(1.0)
+            return str(reason)
+
+    pool = ThreadPoolExecutor(min(os.cpu_count() or 1, len(clouds)))
+    try:
+        answers = pool.map(look, clouds)
+        for done, (name, answer) in enumerate(zip(clouds, answers, strict=True), start=1):
+            if isinstance(answer, PlanePatch):
+                found[name] = answer
+            else:
+                missing[name] = answer
+            progress(done / len(clouds), f"Looked for the target in {name}")
+    finally:  # cancelled from inside progress: what has not begun need not begin
+        pool.shutdown(cancel_futures=True)
     return found, missing
 
 
@@ -210,6 +222,8 @@ def _find_in(
     matches: list[_Match] = []
     refused: list[str] = []
     for shift in shifts[:CANDIDATES]:
+        if matches and shift.score < DOUBT * max(match.score for match in matches):
+            break  # a match never scores above its translation: no better one can follow
         try:
             matches.append(_match(cloud, grid, reference, shift, settings))
         except PlaneNotFound as reason:

@@ -100,11 +100,13 @@ def _voxels(points: Array, weights: Array, voxel: float) -> tuple[Array, Array]:
 
 def _distinct(tried: Array, scores: Array, apart: float) -> list[Shift]:
     kept: list[Shift] = []
+    free = scores > 0.0
     for i in np.argsort(-scores, kind="stable"):
         if scores[i] <= 0.0 or len(kept) == CARRIED:
             break
-        if all(np.linalg.norm(tried[i] - s.vector) > apart for s in kept):
+        if free[i]:
             kept.append(Shift(tried[i], float(scores[i])))
+            free &= ((tried - tried[i]) ** 2).sum(axis=1) > apart * apart
     return kept
 
 

@@ -16,7 +16,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import InputError, LispacError
+from lispac.errors import InputError, NotComparable
 from lispac.progress import Progress, no_progress, part
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.footprint import Footprint, common_frame
@@ -81,7 +81,7 @@ def compare_plane(
 
     Raises
     ------
-    LispacError
+    NotComparable
         The plane is seen on fewer than two lines, or no two of them overlap.
     InputError
         The two states do not hold the same points, a heading is missing, or points are not finite.
@@ -92,7 +92,7 @@ def compare_plane(
     seen = [line for line in before if len(before[line]) >= FEWEST_POINTS]
     if len(seen) < 2:
         found = f"on one line only ({seen[0]})" if seen else "on no line"
-        raise LispacError(
+        raise NotComparable(
             f"The validation plane {name} is seen {found}, with at least {FEWEST_POINTS} points; "
             "a comparison needs two lines. Pick it in another line or choose another plane."
         )
@@ -134,7 +134,7 @@ def compare_plane(
             )
         )
     if not pairs:
-        raise LispacError(
+        raise NotComparable(
             f"No two lines overlap on the validation plane {name}, before and after, in at least "
             f"{FEWEST_POINTS} points; choose a larger plane or pick it again."
         )
@@ -142,9 +142,7 @@ def compare_plane(
 
     any_reciprocal = any(pair.reciprocal for pair in pairs)
     used = [
-        d
-        for pair, d in zip(pairs, distances, strict=True)
-        if pair.reciprocal or not any_reciprocal
+        d for pair, d in zip(pairs, distances, strict=True) if pair.reciprocal or not any_reciprocal
     ]
     all_before = np.concatenate([d[0] for d in used])
     all_after = np.concatenate([d[1] for d in used])

@@ -14,6 +14,11 @@ from lispac.targets.finder import FinderSettings, find_plane
 from lispac.workflow.survey import Survey
 
 
+DEFAULT_RADIUS: dict[Role, float] = {"target": 2.0, "validation": 4.0}
+"""Metres about the seed: a board fits into the first; a validation plane is a piece of a wall or of
+a tower, where more points tell more and something in front may hide the seed from a line."""
+
+
 def find(
     project: Project,
     survey: Survey,
@@ -45,9 +50,10 @@ def find(
     ------
     PlaneNotFound
     """
-    settings = FinderSettings(threshold=threshold or project.settings.threshold)
-    if radius is not None:
-        settings = replace(settings, radius=radius)
+    settings = FinderSettings(
+        threshold=project.settings.threshold if threshold is None else threshold,
+        radius=DEFAULT_RADIUS[role] if radius is None else radius,
+    )
     centre = np.asarray(seed, dtype=float)
     place: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
     if line is not None:

@@ -1,6 +1,6 @@
 """How far apart the lines are on planes that took no part, before and after."""
 
-from lispac.errors import ProjectError
+from lispac.errors import NotComparable, ProjectError
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.survey.georeferencing import georeference
@@ -14,7 +14,10 @@ def validate(project: Project, survey: Survey, *, progress: Progress = no_progre
     Raises
     ------
     ProjectError
-        Where nothing was estimated, or there is no validation plane on two lines.
+        Where nothing was estimated, or there is no validation plane.
+    NotComparable
+        Where no plane is seen in common by two lines; one of several such planes is named in
+        ``not_compared`` instead.
     """
     estimated = project.mounting("estimated")
     planes = [plane for plane in project.of_role("validation") if plane.used]
@@ -24,6 +27,7 @@ def validate(project: Project, survey: Survey, *, progress: Progress = no_progre
             "adjustment."
         )
     comparisons: list[PlaneComparison] = []
+    not_compared: dict[str, str] = {}
     for k, plane in enumerate(planes):
         step = part(progress, k / len(planes), (k + 1) / len(planes))
         step(0.0, f"Comparing the lines on {plane.name}")
@@ -37,7 +41,12 @@ def validate(project: Project, survey: Survey, *, progress: Progress = no_progre
                 survey.trajectory,
                 estimated,
             )
-        comparisons.append(
-            compare_plane(plane.name, before, after, survey.heading, progress=step)
-        )
-    return project.with_validation(tuple(comparisons))
+        try:
+            comparisons.append(
+                compare_plane(plane.name, before, after, survey.heading, progress=step)
+            )
+        except NotComparable as error:
+            not_compared[plane.name] = str(error)
+    if not comparisons:
+        raise NotComparable(" ".join(not_compared.values()))
+    return project.with_validation(tuple(comparisons), not_compared)

@@ -1,27 +1,27 @@
 """Cloud-to-cloud distance with a local plane, one million points against one million.
 
-``python -m tests.benchmarks.bench_cloud_distance [POINTS...]`` prints the time beside those of
-CloudCompare and of Open3D (nearest point only) on the same clouds, each where it is installed.
+Printed beside CloudCompare and Open3D (nearest point only) on the same clouds, each where it is
+installed; run with ``pytest tests/benchmarks``.
 """
 
 import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.comparison import compare_plane
 
 Array = NDArray[np.float64]
-AIM_SECONDS_PER_MILLION = 2.5
+AIM_SECONDS = 2.5
 
 
 def wall(n: int, seed: int, offset: float) -> Array:
@@ -92,35 +92,36 @@ def open3d_seconds(compared: Array, reference: Array) -> float:
     return median_seconds(lambda: clouds[0].compute_point_cloud_distance(clouds[1]))
 
 
-def main(counts: list[int]) -> None:
-    cloud_to_cloud(wall(100, 1, 0), wall(100, 2, 0))  # compiles
-    for make in (wall, tower):
-        for n in counts:
-            compared, reference = make(n, 1, 0.01), make(n, 2, 0.0)
-            ours = median_seconds(lambda: cloud_to_cloud(compared, reference))  # noqa: B023
-            mean = cloud_to_cloud(compared, reference).mean()
-            print(
-                f"{make.__name__:6} {n:>10,} on {n:,}: {ours:.2f} s, mean {1e3 * mean:.3f} mm "
-                f"(aim {AIM_SECONDS_PER_MILLION * n / 1e6:.2f} s)"
-            )
-            if shutil.which("CloudCompare"):
-                theirs, mean = cloudcompare_seconds(compared, reference, level=9)
-                print(
-                    f"    CloudCompare {theirs:.2f} s without its octrees, mean "
-                    f"{1e3 * mean:.3f} mm: ours takes {ours / theirs:.2f} of it"
-                )
-            try:
-                nearest = open3d_seconds(compared, reference)
-            except ImportError as error:
-                print(f"    Open3D cannot be loaded: {error}")
-            else:
-                print(f"    Open3D, nearest point only, {nearest:.2f} s: {ours / nearest:.2f}")
-
-    lines = {f"L{i}": wall(100_000, i, 0.002 * i) for i in range(6)}
-    headings = dict(zip(lines, np.radians([0, 180, 45, 225, 315, 135]).tolist(), strict=True))
-    whole = median_seconds(lambda: compare_plane("V1", lines, lines, headings), rounds=1)
-    print(f"one validation plane, six lines of 100,000 points, all 15 pairs: {whole:.1f} s")
+@pytest.mark.parametrize("make", [wall, tower])
+def test_one_million_on_one_million(make: Callable[[int, int, float], Array]) -> None:
+    cloud_to_cloud(make(100, 1, 0.0), make(100, 2, 0.0))  # compile
+    n = 1_000_000
+    compared, reference = make(n, 1, 0.01), make(n, 2, 0.0)
+    ours = median_seconds(lambda: cloud_to_cloud(compared, reference))
+    mean = cloud_to_cloud(compared, reference).mean()
+    print(
+        f"\n{make.__name__}, {n:,} on {n:,}: {ours:.2f} s (aim {AIM_SECONDS} s), "
+        f"mean {1e3 * mean:.3f} mm"
+    )
+    if shutil.which("CloudCompare"):
+        theirs, mean = cloudcompare_seconds(compared, reference, level=9)
+        print(
+            f"    CloudCompare {theirs:.2f} s without its octrees, mean {1e3 * mean:.3f} mm: "
+            f"ours takes {ours / theirs:.2f} of it"
+        )
+    try:
+        nearest = open3d_seconds(compared, reference)
+    except ImportError as error:
+        print(f"    Open3D cannot be loaded: {error}")
+    else:
+        print(f"    Open3D, nearest point only, {nearest:.2f} s: ours takes {ours / nearest:.2f}")
 
 
-if __name__ == "__main__":
-    main([int(argument) for argument in sys.argv[1:]] or [1_000_000])
+def test_one_plane_on_six_lines() -> None:
+    for points in (10_000, 100_000):
+        lines = {f"L{i}": wall(points, i, 0.002 * i) for i in range(6)}
+        headings = dict(zip(lines, np.radians([0, 180, 45, 225, 315, 135]).tolist(), strict=True))
+        start = time.perf_counter()
+        compare_plane("V1", lines, lines, headings)
+        elapsed = time.perf_counter() - start
+        print(f"\none plane, six lines of {points:,} points, 15 pairs: {elapsed:.2f} s")

@@ -174,5 +174,3 @@ class AdjustPanel(QWidget):
     def _distance_changed(self, value: float) -> None:
         self._metres = value / UNITS[self.unit.currentIndex()][1]
         self._rest.start()
-
-

@@ -122,9 +122,7 @@ class DataPanel(QWidget):
             for place, text in ((1, heading), (2, points)):
                 cell = QTableWidgetItem(text)
                 cell.setFlags(Qt.ItemFlag.ItemIsEnabled)
-                cell.setTextAlignment(
-                    Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-                )
+                cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 cell.setFont(theme.tabular(table.font()))
                 table.setItem(row, place, cell)
         table.blockSignals(False)

@@ -52,7 +52,7 @@ class HistogramsPanel(QWidget):
         self._row.setContentsMargins(6, 6, 6, 6)
         self.table = _table()
         self.table.itemSelectionChanged.connect(self._selected)
-        self._row.addWidget(self.table, 3)
+        self._row.addWidget(self.table)
         self._stack.addWidget(filled)
         self.canvas: QWidget | None = None
 
@@ -82,13 +82,16 @@ class HistogramsPanel(QWidget):
         self.table.clearSelection()
         self.table.blockSignals(False)
         if comparisons:
-            self.table.selectRow(0)
+            self.select(comparisons[0].name)
 
     def select(self, name: str) -> None:
-        """Draw one plane's histograms."""
+        """Draw one plane's histograms, without telling anyone."""
         names = [each.name for each in self._comparisons]
         if name in names and self.current != name:
+            self.table.blockSignals(True)
             self.table.selectRow(names.index(name))
+            self.table.blockSignals(False)
+            self._draw(self._comparisons[names.index(name)])
 
     def _selected(self) -> None:
         name = self.current
@@ -107,7 +110,7 @@ class HistogramsPanel(QWidget):
             self.canvas = FigureCanvasQTAgg(figure)
             self.canvas.setObjectName("histogram_canvas")
             self.canvas.setMinimumSize(260, 140)
-            self._row.addWidget(self.canvas, 4)
+            self._row.addWidget(self.canvas, 1)
         else:
             histogram_figure(comparison, figure=self.canvas.figure)
             self.canvas.draw_idle()
@@ -148,5 +151,5 @@ def _table() -> QTableWidget:
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.horizontalHeader().setHighlightSections(False)
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-    table.horizontalHeader().setStretchLastSection(True)
+    table.setSizeAdjustPolicy(QAbstractItemView.SizeAdjustPolicy.AdjustToContents)
     return table

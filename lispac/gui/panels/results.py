@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QStackedLayout,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -30,6 +29,7 @@ CONVENTION = (
     "above."
 )
 _TWO_SIDED_95 = 1.96
+_ROW = 25
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -44,7 +44,7 @@ class ResultsPanel(QWidget):
         layout = widgets.column(empty)
         layout.addWidget(
             widgets.label(
-                "Nothing estimated yet.\n\nPick at least two targets that face different ways, "
+                "Nothing estimated yet. Pick at least two targets that face different ways, "
                 "then press Estimate in step 3. Roll, pitch and yaw appear here with their "
                 "uncertainties.", "muted", wrap=True, name="results_empty",
             )
@@ -67,7 +67,7 @@ class ResultsPanel(QWidget):
         body = QWidget()
         layout = widgets.column(body)
         layout.addWidget(widgets.label("Boresight, degrees", "heading"))
-        self.angles = _table("angles_table", len(ANGLES), 5)
+        self.angles = _table("angles_table", 4)
         layout.addWidget(self.angles)
         self._truth_note = widgets.label(
             "Simulated survey: the truth is known. Green lies within the 95 % interval.",
@@ -75,7 +75,7 @@ class ResultsPanel(QWidget):
         )  # fmt: skip
         layout.addWidget(self._truth_note)
         layout.addWidget(widgets.label("Correlation", "heading"))
-        self.correlation = _table("correlation_table", 3, 3)
+        self.correlation = _table("correlation_table", 3)
         layout.addWidget(self.correlation)
         layout.addWidget(widgets.label("Fit", "heading"))
         layout.addLayout(self._fit_form())
@@ -149,82 +149,82 @@ def verdict(result: AdjustmentResult) -> str:
     )
 
 
-def _table(name: str, rows: int, columns: int) -> QTableWidget:
-    table = QTableWidget(rows, columns)
+def _table(name: str, rows: int) -> QTableWidget:
+    table = QTableWidget(rows, len(ANGLES))
     table.setObjectName(name)
     table.setAccessibleName(name.replace("_", " "))
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
     table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    table.setVerticalHeaderLabels([angle.capitalize() for angle in ANGLES])
-    table.verticalHeader().setDefaultSectionSize(28)
-    table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+    table.setHorizontalHeaderLabels([angle.capitalize() for angle in ANGLES])
+    for column in range(len(ANGLES)):
+        table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
+    side = table.verticalHeader()
+    side.setDefaultSectionSize(_ROW)
+    side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+    side.setMinimumWidth(96)
+    side.setHighlightSections(False)
     header = table.horizontalHeader()
     header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
     header.setHighlightSections(False)
-    table.verticalHeader().setHighlightSections(False)
-    table.setFixedHeight(header.sizeHint().height() + 28 * rows + 4)
     return table
 
 
+def _set_rows(table: QTableWidget, words: Sequence[str]) -> None:
+    table.setRowCount(len(words))
+    table.setVerticalHeaderLabels(list(words))
+    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW * len(words) + 3)
+
+
 def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:
-    heads = ["Prior", "Estimated", "± 1 σ", "± 95 %", *(["Truth"] if truth else [])]
-    table.setColumnCount(len(heads))
-    table.setHorizontalHeaderLabels(heads)
-    tips = [
-        "Where the adjustment started",
-        "The adjusted boresight",
-        "One standard deviation",
-        "Half width of the 95 % interval: 1.96 σ",
-        "What the simulator put in",
-    ]
-    for column in range(len(heads)):
-        table.horizontalHeaderItem(column).setToolTip(tips[column])
-        table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
     prior, value = np.degrees(result.prior_boresight), np.degrees(result.boresight)
     sigma = np.degrees(result.sigma)
-    for row in range(len(ANGLES)):
-        interval = _TWO_SIDED_95 * sigma[row]
-        texts = [
-            f"{prior[row]:+.4f}",
-            f"{value[row]:+.4f}",
-            f"{sigma[row]:.4f}",
-            f"{interval:.4f}",
-        ]
-        if truth:
-            texts.append(f"{truth[row]:+.4f}")
-        _write_row(table, row, texts, bold=1)
-        if truth:
-            inside = abs(value[row] - truth[row]) <= interval
-            item = table.item(row, 4)
-            item.setForeground(QBrush(QColor(theme.DONE if inside else theme.WARNING)))
-            item.setToolTip(
-                f"Estimated minus truth: {value[row] - truth[row]:+.4f}°, "
-                f"{'inside' if inside else 'outside'} the 95 % interval"
-            )
+    interval = _TWO_SIDED_95 * sigma
+    rows = [
+        ("Prior", prior, "+.4f", "Where the adjustment started"),
+        ("Estimated", value, "+.4f", "The adjusted boresight"),
+        ("± 1 σ", sigma, ".4f", "One standard deviation"),
+        ("± 95 %", interval, ".4f", "Half width of the 95 % interval: 1.96 σ"),
+    ]
+    if truth is not None:
+        rows.append(("Truth", np.array(truth), "+.4f", "What the simulator put in"))
+    _set_rows(table, [row[0] for row in rows])
+    for k, (word, numbers, form, tip) in enumerate(rows):
+        _write_row(table, k, [f"{n:{form}}" for n in numbers], bold=word == "Estimated")
+        table.verticalHeaderItem(k).setToolTip(tip)
+    for column in range(len(ANGLES) if truth is not None else 0):
+        off = value[column] - truth[column]
+        inside = abs(off) <= interval[column]
+        item = table.item(4, column)
+        item.setForeground(QBrush(QColor(theme.DONE if inside else theme.WARNING)))
+        item.setToolTip(
+            f"Estimated minus truth: {off:+.4f}°, "
+            f"{'inside' if inside else 'outside'} the 95 % interval"
+        )
 
 
 def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
-    table.setHorizontalHeaderLabels([angle.capitalize() for angle in ANGLES])
+    _set_rows(table, [angle.capitalize() for angle in ANGLES])
     for row in range(3):
         _write_row(table, row, [f"{value:+.2f}" for value in result.correlation[row]])
         for column in range(3):
             item = table.item(row, column)
             value = float(result.correlation[row, column])
             item.setBackground(QBrush(_heat(value)))
-            item.setTextAlignment(Qt.AlignmentFlag.AlignCenter)
             if row != column and abs(value) > 0.9:
                 item.setToolTip(
                     "These two angles are hardly told apart: add a target that faces elsewhere"
                 )
 
 
-def _write_row(table: QTableWidget, row: int, texts: Sequence[str], bold: int = -1) -> None:
+def _write_row(
+    table: QTableWidget, row: int, texts: Sequence[str], *, bold: bool = False
+) -> None:
     for column, text in enumerate(texts):
         item = QTableWidgetItem(text.replace("-", "−"))
         item.setTextAlignment(_RIGHT)
-        item.setFont(theme.tabular(table.font(), bold=column == bold))
+        item.setFont(theme.tabular(table.font(), bold=bold))
         table.setItem(row, column, item)
 
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import (
     Signal,
 )
 from PySide6.QtGui import QBrush, QColor
-from PySide6.QtWidgets import QAbstractItemView, QTableView
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme
 from lispac.project import PickedSighting, Project, Target
@@ -65,6 +65,8 @@ class SightingsModel(QAbstractTableModel):
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
         if orientation == Qt.Orientation.Vertical:
             return None
+        if role == Role.TextAlignmentRole:
+            return Qt.AlignmentFlag.AlignLeft if section == 0 else _RIGHT
         if section == 0:
             return "Target" if role == Role.DisplayRole else None
         line = self._lines[section - 1]
@@ -160,8 +162,8 @@ class SightingsTable(QTableView):
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(26)
         self.horizontalHeader().setHighlightSections(False)
-        self.horizontalHeader().setDefaultSectionSize(140)
-        self.horizontalHeader().setMinimumSectionSize(90)
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.horizontalHeader().setMinimumSectionSize(110)
         self.selectionModel().currentChanged.connect(self._moved)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:

@@ -18,6 +18,7 @@ from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.status import STEPS, State, StepStatus
 
+_HEIGHT = 50
 _GLYPHS: dict[State, tuple[str, str, str]] = {
     "empty": ("circle-outline", "#9aa6b2", "not yet"),
     "todo": ("circle-slice-4", theme.ACCENT, "to do"),
@@ -75,7 +76,7 @@ class _Header(QPushButton):
         self.setObjectName(f"step_{title.lower()}")
         self.setProperty("step", True)
         self.setCheckable(True)
-        self.setMinimumHeight(46)
+        self.setMinimumHeight(_HEIGHT)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._title = f"{number}  {title}"
         row = QHBoxLayout(self)
@@ -84,15 +85,17 @@ class _Header(QPushButton):
         self._glyph = QLabel()
         name = widgets.label(self._title, "heading")
         self.sentence = widgets.label("", "muted")
-        self.sentence.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        words = QVBoxLayout()
+        words.setSpacing(0)
+        words.addWidget(name)
+        words.addWidget(self.sentence)
         row.addWidget(self._glyph)
-        row.addWidget(name)
-        row.addWidget(self.sentence, 1)
+        row.addLayout(words, 1)
         for inner in (self._glyph, name, self.sentence):
             inner.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def sizeHint(self) -> QSize:
-        return QSize(300, 46)
+        return QSize(300, _HEIGHT)
 
     def show_status(self, status: StepStatus) -> None:
         glyph, colour, word = _GLYPHS[status.state]

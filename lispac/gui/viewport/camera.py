@@ -68,7 +68,8 @@ class Camera:
     @property
     def position(self) -> Array:
         """The eye; shape (3,), metres, local frame."""
-        return self.focal - self.distance * self.axes[2]
+        position: Array = self.focal - self.distance * self.axes[2]
+        return position
 
     def project(self, points: Array, size: Size) -> Array:
         """Where points appear.
@@ -85,9 +86,9 @@ class Camera:
         seen = (np.atleast_2d(points) - self.position) @ self.axes.T
         depth = np.where(seen[:, 2] > 0.0, seen[:, 2], np.nan)
         scale = size.pixels_per_tangent / depth
-        return np.column_stack(
-            [0.5 * size.width + seen[:, 0] * scale, 0.5 * size.height - seen[:, 1] * scale, seen[:, 2]]
-        )
+        x = 0.5 * size.width + seen[:, 0] * scale
+        y = 0.5 * size.height - seen[:, 1] * scale
+        return np.column_stack([x, y, seen[:, 2]])
 
     def slopes(self, x: float, y: float, size: Size) -> tuple[float, float]:
         """Metres to the right and upwards, per metre of depth, of the ray through a pixel."""

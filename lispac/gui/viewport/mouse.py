@@ -71,7 +71,9 @@ class Mouse(QObject):
             event.ignore()
             return True
         if kind in (QEvent.Type.Enter, QEvent.Type.Leave, QEvent.Type.FocusOut):
-            self._show_cursor(kind == QEvent.Type.Enter and _control(QApplication.keyboardModifiers()))
+            self._show_cursor(
+                kind == QEvent.Type.Enter and _control(QApplication.keyboardModifiers())
+            )
             return kind != QEvent.Type.FocusOut
         return False
 

@@ -137,7 +137,8 @@ class Navigator(QObject):
         """Surface under a pixel, else the point behind it as deep as the focal point."""
         hit = pick(self.coarse, self.camera, x, y, self.size, SNAP)
         if hit is not None:
-            return self.coarse[hit.line][hit.index]
+            surface: Array = self.coarse[hit.line][hit.index]
+            return surface
         return self.camera.point_at(x, y, self.camera.distance, self.size)
 
     def _move(self, camera: Camera) -> None:

@@ -86,7 +86,7 @@ class Overlay(QWidget):
     def _paint_markers(self, painter: QPainter, camera: Camera, size: Size) -> None:
         if not self.markers:
             return
-        font = _scaled(self.font(), 1.0)
+        font = QFont(self.font())
         font.setBold(True)
         painter.setFont(font)
         metrics = QFontMetricsF(font)
@@ -122,7 +122,11 @@ class Overlay(QWidget):
         pixels = metres / metres_per_pixel
         right, base = self.width() - MARGIN - 4.0, self.height() - MARGIN - 6.0
         left = right - pixels
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(255, 255, 255, 170))
+        painter.drawRoundedRect(QRectF(left - 10.0, base - 28.0, pixels + 20.0, 38.0), 8.0, 8.0)
         painter.setFont(_scaled(self.font(), 0.95))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(INK, 1.6))
         painter.drawPolyline(
             [
@@ -177,15 +181,16 @@ class Stage(QWidget):
         self.resized.emit()
 
 
-def _paint_marker(
-    painter: QPainter, metrics: QFontMetricsF, spot: QPointF, marker: Marker
-) -> None:
+def _paint_marker(painter: QPainter, metrics: QFontMetricsF, spot: QPointF, marker: Marker) -> None:
     colour = QColor(*marker.colour)
     label = spot + QPointF(14.0, -18.0)
     painter.setPen(QPen(QColor(255, 255, 255, 220), 3.5))
     painter.drawLine(spot, label)
     painter.setPen(QPen(colour.darker(130), 1.5))
     painter.drawLine(spot, label)
+    # A dark and a light ring tell the dot from points of its own colour.
+    painter.setPen(QPen(INK, 4.2))
+    painter.drawEllipse(spot, 5.0, 5.0)
     painter.setPen(QPen(QColor(255, 255, 255), 1.8))
     painter.setBrush(colour)
     painter.drawEllipse(spot, 5.0, 5.0)

@@ -5,14 +5,13 @@ and a picture rendered outside of Qt's painting would be rendered a second time 
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from pyvistaqt import QtInteractor
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
+from pyvistaqt import QtInteractor
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -27,13 +26,12 @@ from lispac.gui.viewport.base import (
     ViewportSignals,
 )
 from lispac.gui.viewport.camera import Camera
-from lispac.gui.viewport.decimation import Budget, sample_order, shares
+from lispac.gui.viewport.decimation import Budget, in_view, sample_order, shares
 from lispac.gui.viewport.navigation import Navigator
 from lispac.gui.viewport.overlay import Stage
 
 SKY = (0.99, 0.995, 1.0)
 GROUND = (0.86, 0.885, 0.905)
-OUTLINE: Colour = (20, 26, 30)
 
 FAR = 1e4
 """Coordinates beyond it (metres) have a common origin removed: float32 steps by a millimetre."""
@@ -41,34 +39,14 @@ FAR = 1e4
 LIFT = 0.004
 """How far a sighting is moved towards the eye, as part of its distance, to lie over its line."""
 
-RIM_SHADE = 0.5
 RIM_DEPTH = 0.006
-"""Brightness of the rims of points and how far they stand behind, as part of their distance."""
+"""How far the rims of points stand behind them, as part of their distance."""
 
 REST_MS = 180
 """Stillness after which the detail is drawn."""
 
 QUICK_S = 0.03
 """A rendering of everything in less than this is drawn in full while the camera moves, too."""
-
-
-@dataclass(frozen=True, eq=False)
-class _Cloud:
-    """A drawn line.
-
-    Attributes
-    ----------
-    coarse : ndarray of shape (n, 3), metres, local frame
-        The points kept while the camera moves.
-    actors : those points, and the detail
-    rims : the same, larger, darker and a little behind
-        They draw an edge where something nearer stands before something farther, and vanish
-        inside a surface.
-    """
-
-    coarse: Array
-    actors: tuple[vtkActor, vtkActor]
-    rims: tuple[vtkActor, vtkActor]
 
 
 class VtkViewport:
@@ -96,14 +74,20 @@ class VtkViewport:
         self._clouds: dict[str, Array] = {}
         self._colours: dict[str, Colour] = {}
         self._hidden: set[str] = set()
-        self._drawn: dict[str, _Cloud] = {}
+        self._coarse: list[vtkActor] = []
+        self._fine: list[vtkActor] = []
+        self._rims: list[vtkActor] = []
+        self._fine_camera: Camera | None = None
         self._highlights: list[Highlight] = []
         self._highlight_actors: list[tuple[Highlight, vtkActor, vtkActor]] = []
         self._selected: tuple[str, str] | None = None
         self._point_size = 2
         self._origin = np.zeros(3)
         self._closed = False
+        self._detailed = False
+        self._detail_s = np.inf
 
+        self.canvas.aboutToCompose.connect(self._on_painted)
         self._rest = QTimer(self._stage, singleShot=True, interval=REST_MS)
         self._rest.timeout.connect(self._show_detail)
         self._stage.resized.connect(self._on_resized)
@@ -112,7 +96,6 @@ class VtkViewport:
         self._navigator.settled.connect(self._rest.start)
         self._navigator.picked.connect(self.signals.seed_clicked)
         self._navigator.missed.connect(self.signals.missed)
-        self._show_detail()
 
     # What the window asks
 
@@ -152,13 +135,12 @@ class VtkViewport:
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
         """Draw sightings over the clouds; replaces those shown."""
         for _, *actors in self._highlight_actors:
-            for actor in actors:
-                self._renderer.RemoveActor(actor)
+            self._remove(actors)
         self._highlights = list(highlights)
         self._highlight_actors = []
         for highlight in self._highlights:
             data = self._data(highlight.points)
-            actor, outline = _actor(data, highlight.colour), _actor(data, OUTLINE)
+            actor, outline = _actor(data, highlight.colour), _actor(data, _dark(highlight.colour))
             self._highlight_actors.append((highlight, actor, outline))
             self._renderer.AddActor(outline)
             self._renderer.AddActor(actor)
@@ -181,12 +163,12 @@ class VtkViewport:
     def fit(self, points: Array | None = None) -> None:
         """Bring everything, or the given points of shape (n, 3), into view."""
         self._navigator.fit(points)
-        self._camera_moved()
+        self._refine_later()
 
     def view(self, name: str) -> None:
         """Standard view: "top", "front", "side" or "isometric"."""
         self._navigator.view(name)
-        self._camera_moved()
+        self._refine_later()
 
     def set_point_size(self, pixels: int) -> None:
         """Size of the drawn points."""
@@ -228,7 +210,7 @@ class VtkViewport:
         self._rest.stop()
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
-        self._drawn, self._highlight_actors = {}, []
+        self._coarse, self._fine, self._rims, self._highlight_actors = [], [], [], []
         self._clouds, self._highlights = {}, []
         self.canvas.close()
 
@@ -238,32 +220,49 @@ class VtkViewport:
         return {line: p for line, p in self._clouds.items() if line not in self._hidden}
 
     def _draw_clouds(self) -> None:
-        for cloud in self._drawn.values():
-            for actor in (*cloud.actors, *cloud.rims):
-                self._renderer.RemoveActor(actor)
+        """Draw the visible lines coarsely; their detail follows."""
+        self._remove(self._coarse)
+        self._remove_fine()
         visible = self._visible()
-        counts = {line: len(points) for line, points in visible.items()}
-        resting = shares(counts, self._budget.resting)
-        moving = shares(counts, self._budget.moving)
-        self._drawn = {}
-        for line, points in visible.items():
-            order = sample_order(len(points), resting[line])
-            coarse = points[order[: moving[line]]]
-            detail = points[order[moving[line] :]]
-            near, fine = self._data(coarse), self._data(detail)
-            colour = self._colours[line]
-            dark = tuple(round(RIM_SHADE * c) for c in colour)
-            cloud = _Cloud(
-                coarse,
-                (_actor(near, colour), _actor(fine, colour)),
-                (_actor(near, dark), _actor(fine, dark)),
-            )
-            self._drawn[line] = cloud
-            for actor in (*cloud.actors, *cloud.rims):
-                self._renderer.AddActor(actor)
-        self._navigator.clouds = visible
-        self._navigator.coarse = {line: cloud.coarse for line, cloud in self._drawn.items()}
+        share = shares({line: len(p) for line, p in visible.items()}, self._budget.moving)
+        coarse = {
+            line: points[sample_order(len(points), share[line])] for line, points in visible.items()
+        }
+        self._coarse = [_actor(self._data(p), self._colours[line]) for line, p in coarse.items()]
+        for actor in self._coarse:
+            self._renderer.AddActor(actor)
+        self._navigator.clouds, self._navigator.coarse = visible, coarse
+        self._detailed = False
         self._style_points()
+        self._rest.start()
+
+    def _draw_fine(self) -> None:
+        """Draw the points in view, with rims, as far as the budget goes."""
+        self._remove_fine()
+        self._fine_camera = self.camera
+        visible = self._visible()
+        size = self._navigator.size
+        seen = {line: in_view(points, self.camera, size) for line, points in visible.items()}
+        share = shares({line: len(indices) for line, indices in seen.items()}, self._budget.resting)
+        for line, indices in seen.items():
+            chosen = indices[sample_order(len(indices), share[line])]
+            data = self._data(visible[line][chosen])
+            self._fine.append(_actor(data, self._colours[line]))
+            # The same points larger, darker and a little behind: they draw an edge where something
+            # near stands before something far, and vanish inside a surface.
+            self._rims.append(_actor(data, _dark(self._colours[line])))
+        for actor in (*self._fine, *self._rims):
+            self._renderer.AddActor(actor)
+        self._style_points()
+
+    def _remove_fine(self) -> None:
+        self._remove(self._fine)
+        self._remove(self._rims)
+        self._fine, self._rims, self._fine_camera = [], [], None
+
+    def _remove(self, actors: Sequence[vtkActor]) -> None:
+        for actor in actors:
+            self._renderer.RemoveActor(actor)
 
     def _data(self, points: Array) -> vtkPolyData:
         """Points (n, 3) of the local frame as one cell."""
@@ -283,18 +282,22 @@ class VtkViewport:
 
     def _style_points(self) -> None:
         scale = self.canvas.devicePixelRatioF()
-        for cloud in self._drawn.values():
-            for actor, rim in zip(cloud.actors, cloud.rims, strict=True):
-                actor.GetProperty().SetPointSize(self._point_size * scale)
-                rim.GetProperty().SetPointSize((self._point_size + 2) * scale)
+        for actor in self._fine:
+            actor.GetProperty().SetPointSize(self._point_size * scale)
+        for actor in self._coarse:  # fewer, so larger
+            actor.GetProperty().SetPointSize((self._point_size + 1) * scale)
+        for rim in self._rims:
+            rim.GetProperty().SetPointSize((self._point_size + 2) * scale)
         for highlight, actor, outline in self._highlight_actors:
             selected = self._selected is not None and (
                 highlight.key == self._selected or (highlight.key[0], "") == self._selected
             )
             size = self._point_size + (4 if selected else 2)
             actor.GetProperty().SetPointSize(size * scale)
-            outline.GetProperty().SetPointSize((size + 4) * scale)
-            outline.SetVisibility(selected)
+            outline.GetProperty().SetPointSize((size + 3) * scale)
+            shown = highlight.key[1] not in self._hidden
+            actor.SetVisibility(shown)
+            outline.SetVisibility(shown and selected)
         self._camera_moved()
 
     def _camera_moved(self) -> None:
@@ -307,9 +310,8 @@ class VtkViewport:
         for _, actor, outline in self._highlight_actors:
             _shift_depth(actor, eye, -LIFT)
             _shift_depth(outline, eye, -0.7 * LIFT)
-        for cloud in self._drawn.values():
-            for rim in cloud.rims:
-                _shift_depth(rim, eye, RIM_DEPTH)
+        for rim in self._rims:
+            _shift_depth(rim, eye, RIM_DEPTH)
         self._renderer.ResetCameraClippingRange()
         self._update()
 
@@ -318,30 +320,39 @@ class VtkViewport:
         self.canvas.update()
         self._overlay.update()
 
+    def _on_painted(self) -> None:
+        if self._detailed and not self._closed:
+            self._detail_s = self._renderer.GetLastRenderTimeInSeconds()
+
     def _show_detail(self) -> None:
         self._rest.stop()
-        for cloud in self._drawn.values():
-            for actor in (cloud.actors[1], *cloud.rims):
-                actor.VisibilityOn()
+        if self._fine_camera is not self.camera:
+            self._draw_fine()
+        self._set_detailed(True)
         self._update()
 
-    def _hide_detail(self) -> None:
-        if self._renderer.GetLastRenderTimeInSeconds() < QUICK_S:
-            return
-        for cloud in self._drawn.values():
-            for actor in (cloud.actors[1], *cloud.rims):
-                actor.VisibilityOff()
+    def _set_detailed(self, detailed: bool) -> None:
+        self._detailed = detailed
+        for actor in self._coarse:
+            actor.SetVisibility(not detailed)
+        for actor in (*self._fine, *self._rims):
+            actor.SetVisibility(detailed)
 
     def _on_moved(self) -> None:
-        self._hide_detail()
+        if self._detail_s > QUICK_S:
+            self._set_detailed(False)
+        for actor in self._coarse:  # the detail is only that of where the camera rested
+            actor.VisibilityOn()
         self._camera_moved()
 
     def _on_resized(self) -> None:
-        if self._closed:
-            return
-        self._navigator.refit()
-        self._hide_detail()
-        self._style_points()
+        if not self._closed:
+            self._navigator.refit()
+            self._refine_later()
+
+    def _refine_later(self) -> None:
+        """Show a coarse picture at once and the detail in a moment."""
+        self._on_moved()
         self._rest.start()
 
 
@@ -354,7 +365,7 @@ def _common_origin(clouds: Mapping[str, Array]) -> Array:
     return np.round(middle, -2) if np.abs(middle).max() > FAR else np.zeros(3)
 
 
-def _actor(data: vtkPolyData, colour: tuple[int, ...]) -> vtkActor:
+def _actor(data: vtkPolyData, colour: Colour) -> vtkActor:
     """Unlit points of one colour."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
@@ -364,6 +375,11 @@ def _actor(data: vtkPolyData, colour: tuple[int, ...]) -> vtkActor:
     actor.GetProperty().LightingOff()
     actor.GetProperty().SetColor(*(c / 255.0 for c in colour))
     return actor
+
+
+def _dark(colour: Colour) -> Colour:
+    red, green, blue = colour
+    return red // 2, green // 2, blue // 2
 
 
 def _shift_depth(actor: vtkActor, eye: Array, part: float) -> None:

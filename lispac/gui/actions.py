@@ -1,0 +1,154 @@
+"""Menus, toolbar and keys: every action of the window by its name."""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
+
+from lispac.gui import theme
+
+Keys = QKeySequence.StandardKey
+
+# name: (text, short text for the toolbar, icon, keys, tip)
+_ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
+    "new": ("&New project…", "New", "folder-plus-outline", Keys.New,
+            "Make a project from a trajectory and raw lines"),
+    "open": ("&Open project…", "Open", "folder-open-outline", Keys.Open, "Open a project"),
+    "demo": ("Open &demo survey", "Demo", "ferry", "", "Open the built-in simulated survey"),
+    "save": ("&Save", "Save", "content-save-outline", Keys.Save, "Save the project"),
+    "report": ("&Export report…", "Report", "file-document-outline", "Ctrl+E",
+               "Write the report as PDF, HTML or JSON"),
+    "lines": ("Export &georeferenced lines…", "Lines", "export-variant", "",
+              "Write every line as LAZ with the boresight the view shows"),
+    "quit": ("&Quit", "Quit", "", Keys.Quit, "Close the program"),
+    "seed_target": ("Seed an adjustment &target", "Target", "target", "F6",
+                    "The next Ctrl+click picks an adjustment target"),
+    "seed_validation": ("Seed a &validation plane", "Validation", "shield-check-outline", "F7",
+                        "The next Ctrl+click picks a validation plane"),
+    "accept": ("&Accept the plane found", "Accept", "check-bold", ("Return", "Enter"),
+               "Keep the plane just found"),
+    "reject": ("Re&ject the plane found", "Reject", "close", "Esc",
+               "Let the plane just found go"),
+    "estimate": ("&Estimate boresight", "Estimate", "calculator-variant-outline", "F9",
+                 "Adjust boresight and planes together"),
+    "validate": ("&Validate", "Validate", "check-decagram-outline", "F10",
+                 "Compare the lines on the validation planes"),
+    "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
+               "Stop; nothing is changed"),
+    "before": ("&Before (prior boresight)", "Before", "history", "",
+               "Show the lines placed with the prior boresight"),
+    "after": ("&After (estimated boresight)", "After", "check-all", "",
+              "Show the lines placed with the estimated boresight"),
+    "toggle": ("&Switch before / after", "Switch", "swap-horizontal", "B",
+               "Switch the view between prior and estimated boresight"),
+    "fit": ("&Fit all", "Fit", "fit-to-page-outline", "F", "Bring everything into view"),
+    "isometric": ("&Isometric", "3D", "cube-outline", "1", "Look from above at an angle"),
+    "top": ("&Top", "Top", "arrow-down-bold-box-outline", "2", "Look straight down, north up"),
+    "front": ("F&ront", "Front", "eye-outline", "3", "Look from the vessel"),
+    "side": ("&Side", "Side", "axis-arrow", "4", "Look from the side"),
+    "larger": ("&Larger points", "Larger", "magnify-plus-outline", "+", "Draw larger points"),
+    "smaller": ("S&maller points", "Smaller", "magnify-minus-outline", "-",
+                "Draw smaller points"),
+    "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
+    "about": ("&About LISPAC", "About", "information-outline", "", "Version and conventions"),
+}  # fmt: skip
+
+_CHECKABLE = (("seed_target", "seed_validation"), ("before", "after"))
+VIEWS = ("isometric", "top", "front", "side")
+_MENUS: dict[str, tuple[str, ...]] = {
+    "&File": ("new", "open", "demo", "RECENT", "", "save", "", "report", "lines", "", "quit"),
+    "&Edit": ("UNDO",),
+    "&View": ("before", "after", "toggle", "", "fit", *VIEWS, "", "larger", "smaller", "", "DOCKS"),
+    "&Targets": ("seed_target", "seed_validation", "", "accept", "reject"),
+    "&Adjust": ("estimate", "", "cancel"),
+    "Va&lidate": ("validate",),
+    "&Help": ("keys", "about"),
+}
+_TOOLBAR = (
+    "new", "open", "save", "", "UNDO", "", "seed_target", "seed_validation", "", "estimate",
+    "validate", "report", "", "before", "after", "", "fit", *VIEWS,
+)  # fmt: skip
+
+
+class Actions:
+    """The window's actions, as attributes of a mapping by name."""
+
+    def __init__(self, window: QMainWindow, stack: QUndoStack) -> None:
+        self._window = window
+        self.recent = QMenu("Open &recent", window)
+        self.recent.setObjectName("recent_menu")
+        self._by_name = {name: self._made(name) for name in _ACTIONS}
+        for pair in _CHECKABLE:
+            group = QActionGroup(window)
+            for name in pair:
+                self[name].setCheckable(True)
+                group.addAction(self[name])
+            self[pair[0]].setChecked(True)
+        self.undo = stack.createUndoAction(window, "Undo")
+        self.redo = stack.createRedoAction(window, "Redo")
+        for action, name, keys in ((self.undo, "undo", Keys.Undo), (self.redo, "redo", Keys.Redo)):
+            action.setObjectName(f"action_{name}")
+            action.setIcon(theme.icon(name))
+            action.setIconText(name.capitalize())
+            action.setShortcuts(QKeySequence.keyBindings(keys))
+        self.redo.setShortcuts([*QKeySequence.keyBindings(Keys.Redo), QKeySequence("Ctrl+Y")])
+        # The stack renames the actions with every edit, and the toolbar is to keep its width.
+        for action, word in ((self.undo, "Undo"), (self.redo, "Redo")):
+            action.changed.connect(lambda a=action, w=word: _keep_icon_text(a, w))
+
+    def __getitem__(self, name: str) -> QAction:
+        return self._by_name[name]
+
+    def fill_menus(self, docks: Iterable[QAction]) -> None:
+        """Build the menu bar."""
+        for title, names in _MENUS.items():
+            menu = self._window.menuBar().addMenu(title)
+            for name in names:
+                if name == "RECENT":
+                    menu.addMenu(self.recent)
+                elif name == "UNDO":
+                    menu.addActions([self.undo, self.redo])
+                elif name == "DOCKS":
+                    menu.addActions(list(docks))
+                elif name:
+                    menu.addAction(self[name])
+                else:
+                    menu.addSeparator()
+
+    def fill_toolbar(self) -> QToolBar:
+        """Build the toolbar."""
+        bar = QToolBar("Toolbar", self._window)
+        bar.setObjectName("toolbar")
+        bar.setMovable(False)
+        bar.setIconSize(QSize(20, 20))
+        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        for name in _TOOLBAR:
+            if name == "UNDO":
+                bar.addActions([self.undo, self.redo])
+            elif name:
+                bar.addAction(self[name])
+            else:
+                bar.addSeparator()
+        return bar
+
+    def _made(self, name: str) -> QAction:
+        text, short, icon, keys, tip = _ACTIONS[name]
+        action = QAction(text, self._window)
+        action.setObjectName(f"action_{name}")
+        action.setIconText(short)
+        if icon:
+            action.setIcon(theme.icon(icon))
+        if isinstance(keys, tuple):
+            action.setShortcuts([QKeySequence(key) for key in keys])
+        elif keys:
+            action.setShortcut(QKeySequence(keys))
+        shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{tip} ({shown})" if shown else tip)
+        action.setStatusTip(tip)
+        return action
+
+
+def _keep_icon_text(action: QAction, word: str) -> None:
+    if action.iconText() != word:
+        action.setIconText(word)

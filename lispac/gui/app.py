@@ -1,0 +1,58 @@
+"""The program with a window: ``lispac-gui [PROJECT]``."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+
+import lispac
+from lispac.gui import theme
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Open the window, with a project where one is named."""
+    parser = argparse.ArgumentParser(
+        prog="lispac-gui", description="Boresight calibration of a LiDAR and an INS/GNSS."
+    )
+    parser.add_argument("project", nargs="?", type=Path, help="project folder or project.json")
+    parser.add_argument("--demo", action="store_true", help="open the built-in survey")
+    parser.add_argument("--version", action="version", version=f"LISPAC {lispac.__version__}")
+    arguments = parser.parse_args(argv)
+
+    application = QApplication.instance() or QApplication(sys.argv[:1])
+    application.setApplicationName("LISPAC")
+    application.setApplicationVersion(lispac.__version__)
+    theme.apply_theme(application)
+
+    # Imported when the application exists: VTK and Qt set up their graphics together.
+    from lispac.gui.main_window import MainWindow
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    window = MainWindow(VtkViewport())
+
+    def unforeseen(
+        _kind: type[BaseException], error: BaseException, _trace: TracebackType | None
+    ) -> None:
+        if isinstance(error, KeyboardInterrupt):
+            application.quit()
+        else:
+            window.dialogs.show_error(error)
+
+    sys.excepthook = unforeseen
+    window.show()
+    if arguments.project is not None:
+        QTimer.singleShot(0, lambda: window.open_project(arguments.project))
+    elif arguments.demo:
+        QTimer.singleShot(0, window.controller.open_demo)
+    try:
+        return application.exec()
+    finally:
+        sys.excepthook = sys.__excepthook__
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,223 @@
+"""What is computed from a project: counts, the boresight, the comparison, and what is exported."""
+
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from lispac.adjustment.stochastic import PosErrors
+from lispac.gui.controller import Controller
+from lispac.gui.document import Document
+from lispac.gui.scene import Scene, Which
+from lispac.gui.tasks import TaskRunner
+from lispac.gui.viewport.base import Array, Viewport
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.workflow.survey import Survey
+
+
+@dataclass(frozen=True)
+class PointCount:
+    """Points a subsampling distance keeps; ``kept`` is None while they are counted."""
+
+    kept: int | None
+    total: int
+    sightings: int
+
+
+class Computing(QObject):
+    """Starts long work and takes its value over."""
+
+    counted = Signal(object)
+    """A PointCount."""
+    validated = Signal()
+    exported = Signal(object)
+    """The path that was written."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        controller: Controller,
+        viewport: Viewport,
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._runner, self._scene = document, runner, scene
+        self._controller, self._viewport = controller, viewport
+        self._subsample = 0.0
+        self._stale_count = False
+        document.changed.connect(lambda: self.count(self._subsample))
+        document.survey_changed.connect(lambda: self.count(self._subsample))
+        runner.idle.connect(self._count_again)
+
+    def count(self, subsample: float) -> None:
+        """Count the points a distance, metres, would keep; the answer comes by `counted`."""
+        self._subsample = subsample
+        project, survey = self._ready()
+        sightings = _used_sightings(project)
+        total = sum(len(sighting.indices) for sighting in sightings)
+        if project is None or survey is None or not sightings or subsample <= 0:
+            self._stale_count = False
+            self.counted.emit(PointCount(total, total, len(sightings)))
+            return
+        self._stale_count = True
+        self.counted.emit(PointCount(None, total, len(sightings)))
+        if self._runner.busy:
+            return  # counted when the runner is idle
+
+        def work(_progress: Progress) -> int:
+            from lispac.workflow.calibration import thinned_counts
+
+            return sum(thinned_counts(project, survey, subsample).values())
+
+        def done(kept: int) -> None:
+            self._stale_count = False
+            self.counted.emit(PointCount(kept, total, len(sightings)))
+
+        self._runner.run("Counting points", work, done, quiet=True, key="count")
+
+    def estimate(self, subsample: float, pos_errors: PosErrors) -> None:
+        """Adjust the boresight, then show the lines placed with it."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+
+        def work(progress: Progress) -> tuple[Project, Mapping[str, Array]]:
+            from lispac.workflow.calibration import estimate
+
+            done = estimate(
+                project, survey, subsample=subsample, pos_errors=pos_errors, progress=progress
+            )
+            progress(1.0, "Placing the lines with the estimated boresight")
+            return done, survey.placed(done, "estimated", progress=progress)
+
+        def done(value: tuple[Project, Mapping[str, Array]]) -> None:
+            estimated, clouds = value
+            if estimated.result is None or self._document.project is not project:
+                return
+            self._scene.keep_estimated(estimated.result, clouds)
+            self._document.edit("estimate", estimated)
+            self._scene.show("estimated")
+            result = estimated.result
+            self._controller.noted.emit(
+                f"Estimated on {result.points:,} points in {result.elapsed:.2f} s; "
+                f"RMS {result.rms_before * 1000:.1f} → {result.rms_after * 1000:.1f} mm"
+            )
+
+        task = self._runner.run("Estimating the boresight", work, done, key="estimate")
+        self._controller.based_on_project(task)
+
+    def validate(self) -> None:
+        """Compare the lines on the validation planes."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+
+        def work(progress: Progress) -> Project:
+            from lispac.workflow.validation import validate
+
+            return validate(project, survey, progress=progress)
+
+        def done(validated: Project) -> None:
+            if self._document.project is project:
+                self._document.edit("validation", validated)
+                self.validated.emit()
+                self._controller.noted.emit(
+                    f"Compared the lines on {len(validated.validation)} validation planes"
+                )
+
+        task = self._runner.run("Validating", work, done, key="validate")
+        self._controller.based_on_project(task)
+
+    def show(self, which: Which) -> None:
+        """Show the lines before or after; they are placed first where need be."""
+        project, survey = self._ready()
+        if which == "prior" or self._scene.has_estimated:
+            self._scene.show(which)
+            return
+        if project is None or survey is None or project.result is None:
+            self._scene.show("prior")
+            return
+
+        def done(clouds: Mapping[str, Array]) -> None:
+            if self._document.project is not None and self._document.survey is survey:
+                self._scene.keep_estimated(project.result, clouds)
+                self._scene.show("estimated")
+
+        self._runner.run(
+            "Placing the lines with the estimated boresight",
+            lambda progress: survey.placed(project, "estimated", progress=progress),
+            done,
+            key="placed",
+        )
+
+    def export_report(self, path: Path) -> None:
+        """Write the report with pictures of the view."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        folder = tempfile.TemporaryDirectory(prefix="lispac-")
+        pictures = self._pictures(Path(folder.name))
+
+        def work(progress: Progress) -> Path:
+            from lispac.workflow.export import write_report
+
+            try:
+                write_report(project, survey, path, pictures=pictures, progress=progress)
+            finally:
+                folder.cleanup()
+            return path
+
+        self._runner.run("Writing the report", work, self._written)
+
+    def export_lines(self, folder: Path) -> None:
+        """Write the lines with the boresight the view shows."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        which = self._scene.which
+
+        def work(progress: Progress) -> Path:
+            from lispac.workflow.export import georeference_lines
+
+            georeference_lines(project, survey, folder, which, progress=progress)
+            return folder
+
+        self._runner.run("Writing the lines", work, self._written)
+
+    def _written(self, path: Path) -> None:
+        self._controller.noted.emit(f"Wrote {path}")
+        self.exported.emit(path)
+
+    def _pictures(self, folder: Path) -> dict[str, Path]:
+        """The view as it is, before and after."""
+        shown = self._scene.which
+        captions: dict[Which, str] = {
+            "prior": "The lines placed with the prior boresight",
+            "estimated": "The lines placed with the estimated boresight",
+        }
+        pictures = {}
+        for which, caption in captions.items():
+            if which == "estimated" and not self._scene.has_estimated:
+                continue
+            self._scene.show(which)
+            pictures[caption] = folder / f"{which}.png"
+            self._viewport.screenshot(pictures[caption])
+        self._scene.show(shown)
+        return pictures
+
+    def _ready(self) -> tuple[Project | None, Survey | None]:
+        current = self._document.survey_is_current
+        return self._document.project, self._document.survey if current else None
+
+    def _count_again(self) -> None:
+        if self._stale_count:
+            self.count(self._subsample)
+
+
+def _used_sightings(project: Project | None):
+    targets = () if project is None else project.of_role("target")
+    return [sighting for target in targets for sighting in target.used_sightings]

@@ -1,0 +1,258 @@
+"""Intents become edits: opening and saving, seeds, and the list of targets."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QStandardPaths, Signal
+
+from lispac.errors import LispacError
+from lispac.gui import edits
+from lispac.gui.dialogs.new_project import NewProjectRequest
+from lispac.gui.document import Document
+from lispac.gui.scene import Scene
+from lispac.gui.settings import AppSettings
+from lispac.gui.tasks import Task, TaskRunner
+from lispac.gui.viewport.base import PickedPoint
+from lispac.progress import Progress, part
+from lispac.project import Project, Role, Settings, Target
+from lispac.workflow.survey import Survey, load_survey
+
+Opened = tuple[Project, Survey]
+
+
+class Controller(QObject):
+    """What the user wants done with the project."""
+
+    candidate_changed = Signal()
+    noted = Signal(str)
+    """Something worth a line in the log and the status bar."""
+    refused = Signal(object)
+    """An error the user is to be told of."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        settings: AppSettings,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._runner, self._scene = document, runner, scene
+        self._settings = settings
+        self._based: tuple[Task, Project] | None = None
+        self.candidate: Target | None = None
+        document.changed.connect(self._follow)
+
+    # -- the project's life ------------------------------------------------------------------
+
+    def open(self, path: Path) -> None:
+        """Open a project by its folder or its project.json."""
+
+        def work(progress: Progress) -> Opened:
+            from lispac.workflow.projects import open_project
+
+            project = open_project(path)
+            return project, load_survey(project, progress=progress)
+
+        self._runner.run(f"Opening {path.name}", work, self._opened)
+
+    def create(self, request: NewProjectRequest) -> None:
+        """Make a project and open it."""
+
+        def work(progress: Progress) -> Opened:
+            from lispac.workflow.projects import create_project
+
+            project = create_project(
+                request.folder,
+                trajectory=request.trajectory,
+                lines=request.lines,
+                settings=request.settings,
+                accuracy=request.accuracy,
+            )
+            return project, load_survey(project, progress=progress)
+
+        self._runner.run(f"Making {request.folder.name}", work, self._opened)
+
+    def open_demo(self, folder: Path | None = None) -> None:
+        """Open the built-in survey, simulated on its first use."""
+        place = folder or demo_folder()
+
+        def work(progress: Progress) -> Opened:
+            from lispac.workflow.demo import make_demo
+            from lispac.workflow.projects import open_project
+
+            if (place / "project.json").is_file():
+                project = open_project(place)
+            else:
+                project = make_demo(place, progress=part(progress, 0.0, 0.8))
+            return project, load_survey(project, progress=part(progress, 0.8, 1.0))
+
+        self._runner.run("Opening the demo survey", work, self._opened)
+
+    def save(self) -> bool:
+        """Write the project; whether that went well."""
+        from lispac.workflow.projects import save_project
+
+        project = self._document.project
+        if project is None:
+            return True
+        try:
+            save_project(project)
+        except (LispacError, OSError) as error:
+            self.refused.emit(error)
+            return False
+        self._document.mark_saved()
+        self.noted.emit(f"Saved {project.name}")
+        return True
+
+    def _opened(self, opened: Opened) -> None:
+        project, survey = opened
+        self._drop_candidate()
+        self._document.open(project, survey)
+        self._settings.add_recent(project.folder)
+        self.noted.emit(f"Opened {project.folder}")
+        for note in survey.notes:
+            self.noted.emit(note)
+
+    def _follow(self) -> None:
+        """Keep data and running work in step with the project."""
+        project = self._document.project
+        if self._based is not None and self._based[1] is not project:
+            self._based[0].cancel.set()
+            self._based = None
+        if project is None or self._document.survey_is_current:
+            return
+        self._drop_candidate()
+
+        def done(survey: Survey) -> None:
+            if self._document.project is not None:
+                self._document.set_survey(project, survey)
+                if not self._document.survey_is_current:
+                    self._follow()
+
+        self._runner.run(
+            "Placing the lines", lambda progress: load_survey(project, progress=progress), done,
+            key="survey",
+        )  # fmt: skip
+
+    def based_on_project(self, task: Task) -> None:
+        """The task's value rests on the project as it is: an edit ends the task."""
+        assert self._document.project is not None
+        self._based = (task, self._document.project)
+
+    # -- seeds -------------------------------------------------------------------------------
+
+    def seed(
+        self,
+        point: PickedPoint,
+        *,
+        role: Role,
+        line: str | None,
+        selected: str | None,
+        threshold: float | None,
+        radius: float | None,
+    ) -> None:
+        """Find the plane under a click and offer it.
+
+        With ``line`` it is sought there only, for the ``selected`` target where there is one.
+        """
+        project, survey = self._document.project, self._document.survey
+        if project is None or survey is None:
+            return
+        if self._runner.busy or not self._document.survey_is_current:
+            self.noted.emit("Wait until the running task has ended, then seed again")
+            return
+        from lispac.workflow import picking
+
+        name = picking.next_name(project, role)
+        if line is not None and selected is not None:
+            name, role = selected, project.target(selected).role
+
+        def work(progress: Progress) -> Target:
+            return picking.find(
+                project, survey, point.position, name=name, role=role, line=line,
+                first_line=point.line, threshold=threshold, radius=radius, progress=progress,
+            )  # fmt: skip
+
+        task = self._runner.run(f"Seeking {name} on every line", work, self._found)
+        self.based_on_project(task)
+
+    def accept(self) -> None:
+        """Keep the candidate: one undo step."""
+        candidate, project = self.candidate, self._document.project
+        if candidate is None or project is None:
+            return
+        self._drop_candidate()
+        self._document.edit(f"pick of {candidate.name}", project.with_target(candidate))
+        self.noted.emit(
+            f"{candidate.name}: {len(candidate.sightings)} of {len(project.lines)} lines"
+        )
+
+    def reject(self) -> None:
+        """Let the candidate go."""
+        if self.candidate is not None:
+            self.noted.emit(f"{self.candidate.name} rejected")
+            self._drop_candidate()
+
+    def _found(self, candidate: Target) -> None:
+        self.candidate = candidate
+        self._scene.show_candidate(candidate)
+        self.candidate_changed.emit()
+
+    def _drop_candidate(self) -> None:
+        if self.candidate is not None:
+            self.candidate = None
+            self._scene.show_candidate(None)
+            self.candidate_changed.emit()
+
+    # -- edits -------------------------------------------------------------------------------
+
+    def rename(self, old: str, new: str) -> None:
+        """Give a target another name."""
+        if self._project is None:
+            return
+        try:
+            self._document.edit(f"rename of {old}", edits.with_name(self._project, old, new))
+        except LispacError as error:
+            self.refused.emit(error)
+            self._document.changed.emit()
+
+    def remove(self, name: str) -> None:
+        """Remove a target."""
+        if self._project is not None:
+            self._document.edit(f"removal of {name}", self._project.without_target(name))
+
+    def use_target(self, name: str, used: bool) -> None:
+        """Let a target take part, or not."""
+        if self._project is not None:
+            what = f"use of {name}" if used else f"leaving out {name}"
+            self._document.edit(what, edits.with_use_of_target(self._project, name, used))
+
+    def use_sighting(self, name: str, line: str, used: bool) -> None:
+        """Let a sighting take part, or not."""
+        if self._project is not None:
+            what = f"use of {name} on {line}" if used else f"leaving out {name} on {line}"
+            self._document.edit(what, edits.with_use_of_sighting(self._project, name, line, used))
+
+    def change_settings(self, settings: Settings) -> None:
+        """Take over edited settings."""
+        from lispac.workflow.projects import check_settings
+
+        if self._project is None:
+            return
+        try:
+            check_settings(settings)
+        except LispacError as error:
+            self.refused.emit(error)
+            return
+        self._document.edit("change of the mounting", self._project.with_settings(settings))
+
+    @property
+    def _project(self) -> Project | None:
+        return self._document.project
+
+
+def demo_folder() -> Path:
+    """Where the demo survey is kept: the user's cache."""
+    cache = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.GenericCacheLocation)
+    return Path(cache) / "lispac" / "demo"

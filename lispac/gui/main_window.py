@@ -1,0 +1,401 @@
+"""The window: puts the parts together and joins their signals."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
+
+from lispac.gui import status
+from lispac.gui.actions import VIEWS, Actions
+from lispac.gui.computing import Computing, PointCount
+from lispac.gui.controller import Controller
+from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.document import Document
+from lispac.gui.panels.adjust import AdjustPanel
+from lispac.gui.panels.data import DataPanel
+from lispac.gui.panels.histograms import HistogramsPanel
+from lispac.gui.panels.log import LogPanel
+from lispac.gui.panels.report import ReportPanel
+from lispac.gui.panels.results import ResultsPanel
+from lispac.gui.panels.sightings_table import SightingsTable
+from lispac.gui.panels.targets import TargetsPanel
+from lispac.gui.panels.validate import ValidatePanel
+from lispac.gui.panels.workflow import WorkflowPanel
+from lispac.gui.scene import Scene
+from lispac.gui.settings import AppSettings
+from lispac.gui.statusbar import TaskBar
+from lispac.gui.tasks import TaskRunner
+from lispac.gui.viewport.base import PickedPoint, Viewport
+
+Area = Qt.DockWidgetArea
+NOTE_MS = 6000
+DATA, TARGETS, ADJUST, VALIDATE, REPORT = range(5)
+
+
+class MainWindow(QMainWindow):
+    """Assembles document, tasks, viewport and panels.
+
+    Parameters
+    ----------
+    viewport : Viewport
+        Belongs to the window from now on.
+    settings, dialogs
+        Others than the user's own, for tests.
+    """
+
+    def __init__(
+        self,
+        viewport: Viewport,
+        settings: AppSettings | None = None,
+        dialogs: Dialogs | None = None,
+    ) -> None:
+        super().__init__()
+        self.setObjectName("main_window")
+        self.settings = settings or AppSettings()
+        self.dialogs = dialogs or Dialogs()
+        self.dialogs.parent = self
+        self.viewport = viewport
+        self.document = Document(self)
+        self.runner = TaskRunner(self)
+        self.scene = Scene(self.document, viewport, self)
+        self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
+        self.computing = Computing(
+            self.document, self.runner, self.scene, self.controller, viewport
+        )
+        self.actions_ = Actions(self, self.document.undo_stack)
+        self._build()
+        self._join_panels()
+        self._join_actions()
+        self._join_work()
+        viewport.set_point_size(self.settings.point_size)
+        self._refresh()
+
+    # -- assembly ----------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self.data, self.targets, self.adjust = DataPanel(), TargetsPanel(), AdjustPanel()
+        self.validate, self.report = ValidatePanel(), ReportPanel()
+        self.workflow = WorkflowPanel(
+            (self.data, self.targets, self.adjust, self.validate, self.report)
+        )
+        self.results, self.log = ResultsPanel(), LogPanel()
+        self.table, self.histograms = SightingsTable(), HistogramsPanel()
+        self.setCentralWidget(self.viewport.widget)
+        self.centralWidget().setMinimumSize(240, 180)
+        self.task_bar = TaskBar()
+        self.setStatusBar(self.task_bar)
+        self.addToolBar(self.actions_.fill_toolbar())
+        docks = {
+            "Workflow": self._dock("Workflow", self.workflow, Area.LeftDockWidgetArea),
+            "Results": self._dock("Results", self.results, Area.RightDockWidgetArea),
+            "Targets by lines": self._dock(
+                "Targets by lines", self.table, Area.BottomDockWidgetArea
+            ),
+            "Histograms": self._dock("Histograms", self.histograms, Area.BottomDockWidgetArea),
+            "Log": self._dock("Log", self.log, Area.BottomDockWidgetArea),
+        }
+        self.docks = docks
+        self.setTabPosition(Area.BottomDockWidgetArea, QTabWidget.TabPosition.North)
+        self.tabifyDockWidget(docks["Targets by lines"], docks["Histograms"])
+        self.tabifyDockWidget(docks["Histograms"], docks["Log"])
+        docks["Targets by lines"].raise_()
+        self.setCorner(Qt.Corner.BottomLeftCorner, Area.LeftDockWidgetArea)
+        self.setCorner(Qt.Corner.BottomRightCorner, Area.BottomDockWidgetArea)
+        self.setDockOptions(
+            QMainWindow.DockOption.AnimatedDocks | QMainWindow.DockOption.AllowTabbedDocks
+        )
+        self.actions_.fill_menus([dock.toggleViewAction() for dock in docks.values()])
+        self.resize(1600, 1000)
+        kept = self.settings.layout()
+        if kept is None:
+            self.resizeDocks(
+                [docks["Workflow"], docks["Results"]], [350, 400], Qt.Orientation.Horizontal
+            )
+            self.resizeDocks([docks["Targets by lines"]], [240], Qt.Orientation.Vertical)
+        else:
+            self.restoreGeometry(kept[0])
+            self.restoreState(kept[1])
+
+    def sizeHint(self) -> QSize:
+        return QSize(1600, 1000)
+
+    def _dock(self, title: str, widget: QWidget, area: Area) -> QDockWidget:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")
+        dock.setWidget(widget)
+        self.addDockWidget(area, dock)
+        return dock
+
+    def _join_panels(self) -> None:
+        data, targets, control = self.data, self.targets, self.controller
+        data.line_shown.connect(self.viewport.set_line_visible)
+        data.settings_edited.connect(control.change_settings)
+        data.new_asked.connect(self._new)
+        data.open_asked.connect(self._open)
+        data.demo_asked.connect(self._demo)
+        targets.accepted.connect(control.accept)
+        targets.rejected.connect(control.reject)
+        targets.renamed.connect(control.rename)
+        targets.removed.connect(control.remove)
+        targets.used_changed.connect(control.use_target)
+        targets.role_changed.connect(
+            lambda role: self.actions_[
+                "seed_validation" if role == "validation" else "seed_target"
+            ].setChecked(True)
+        )
+        targets.selected.connect(lambda name: self._select(name, ""))
+        self.table.sighting_selected.connect(self._select)
+        self.table.sightings.target_used.connect(control.use_target)
+        self.table.sightings.sighting_used.connect(control.use_sighting)
+        self.histograms.plane_selected.connect(self.table.select)
+        self.adjust.subsample_changed.connect(self.computing.count)
+        self.adjust.estimate_asked.connect(self.computing.estimate)
+        self.adjust.cancel_asked.connect(self.runner.cancel)
+        self.validate.validate_asked.connect(self.computing.validate)
+        self.validate.shown_changed.connect(self.computing.show)
+        self.report.report_asked.connect(self._export_report)
+        self.report.lines_asked.connect(self._export_lines)
+        self.workflow.step_opened.connect(lambda _step: self._refresh())
+
+    def _join_actions(self) -> None:
+        actions = self.actions_
+        for name, slot in {
+            "new": self._new,
+            "open": self._open,
+            "demo": self._demo,
+            "save": self.controller.save,
+            "report": self._export_report,
+            "lines": self._export_lines,
+            "quit": self.close,
+            "seed_target": lambda: self._seed_as("target"),
+            "seed_validation": lambda: self._seed_as("validation"),
+            "accept": self.controller.accept,
+            "reject": self.controller.reject,
+            "estimate": self.adjust.ask,
+            "validate": self.computing.validate,
+            "cancel": self.runner.cancel,
+            "before": lambda: self.computing.show("prior"),
+            "after": lambda: self.computing.show("estimated"),
+            "toggle": self._toggle,
+            "fit": self.viewport.fit,
+            "larger": lambda: self._resize_points(+1),
+            "smaller": lambda: self._resize_points(-1),
+            "keys": self.dialogs.shortcuts,
+            "about": self.dialogs.about,
+        }.items():
+            actions[name].triggered.connect(lambda _=False, slot=slot: slot())
+        for name in VIEWS:
+            actions[name].triggered.connect(lambda _=False, name=name: self.viewport.view(name))
+        actions.recent.aboutToShow.connect(self._list_recent)
+
+    def _join_work(self) -> None:
+        self.document.changed.connect(self._refresh)
+        self.document.survey_changed.connect(self._refresh)
+        self.document.modified.connect(lambda _modified: self._name_window())
+        self.document.opened.connect(lambda: self.workflow.open(self._first_open_step()))
+        self.runner.changed.connect(self._show_task)
+        self.runner.failed.connect(self.dialogs.show_error)
+        self.runner.stopped.connect(lambda title: self._note(f"{title}: cancelled"))
+        self.controller.refused.connect(self.dialogs.show_error)
+        self.controller.noted.connect(self._note)
+        self.controller.candidate_changed.connect(self._show_candidate)
+        self.controller.candidate_changed.connect(self.docks["Targets by lines"].raise_)
+        self.computing.counted.connect(self._show_count)
+        self.computing.validated.connect(self.docks["Histograms"].raise_)
+        self.scene.which_changed.connect(self._show_which)
+        self.viewport.signals.seed_clicked.connect(self._seeded)
+        self.viewport.signals.missed.connect(
+            lambda: self._note("No point there: Ctrl+click right on a target")
+        )
+
+    # -- what is shown -----------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        project = self.document.project
+        survey = self.document.survey if self.document.survey_is_current else None
+        statuses = status.steps(project, survey)
+        busy = self.runner.busy
+        self.workflow.show_status(statuses)
+        self.data.show_project(project, survey)
+        self.targets.show_project(project, survey)
+        self.adjust.show_project(project, statuses[ADJUST], busy)
+        self.validate.show_project(project, statuses[VALIDATE], busy)
+        self.report.show_status(statuses[REPORT], survey is not None, busy)
+        self.table.show_project(project, survey)
+        self.results.show_project(project)
+        self.histograms.show_project(project)
+        self._enable(statuses, busy)
+        self._name_window()
+
+    def _enable(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
+        project, actions = self.document.project, self.actions_
+        ready = statuses[DATA].ready and not busy
+        estimated = project is not None and project.result is not None
+        for name, enabled in {
+            "save": self.document.is_modified,
+            "new": not busy,
+            "open": not busy,
+            "demo": not busy,
+            "report": statuses[REPORT].ready and not busy,
+            "lines": ready,
+            "accept": self.controller.candidate is not None,
+            "reject": self.controller.candidate is not None,
+            "estimate": statuses[ADJUST].ready and not busy,
+            "validate": statuses[VALIDATE].ready and not busy,
+            "cancel": self.runner.active,
+            "before": project is not None,
+            "after": estimated,
+            "toggle": estimated,
+        }.items():
+            actions[name].setEnabled(enabled)
+        actions.recent.setEnabled(not busy)
+
+    def _show_task(self) -> None:
+        task = self.runner.current
+        self.task_bar.show_task(task)
+        estimating = task if task is not None and task.key == "estimate" else None
+        self.adjust.show_task(estimating)
+        survey = self.document.survey if self.document.survey_is_current else None
+        statuses = status.steps(self.document.project, survey)
+        busy = self.runner.busy
+        self.adjust.show_project(self.document.project, statuses[ADJUST], busy)
+        self.validate.show_project(self.document.project, statuses[VALIDATE], busy)
+        self.report.show_status(statuses[REPORT], survey is not None, busy)
+        self._enable(statuses, busy)
+
+    def _show_candidate(self) -> None:
+        candidate, project = self.controller.candidate, self.document.project
+        known = None
+        if candidate is not None and project is not None:
+            known = next((t for t in project.targets if t.name == candidate.name), None)
+            self.workflow.open(TARGETS)
+        lines = 0 if project is None else len(project.lines)
+        self.targets.show_candidate(candidate, known, lines)
+        for name in ("accept", "reject"):
+            self.actions_[name].setEnabled(candidate is not None)
+
+    def _show_count(self, count: PointCount) -> None:
+        self.adjust.show_count(count.kept, count.total, count.sightings)
+
+    def _show_which(self, which: str) -> None:
+        self.validate.show_which(which)
+        self.actions_["after" if which == "estimated" else "before"].setChecked(True)
+
+    def _name_window(self) -> None:
+        project = self.document.project
+        self.setWindowTitle("LISPAC" if project is None else f"{project.name}[*] – LISPAC")
+        self.setWindowModified(self.document.is_modified)
+        self.actions_["save"].setEnabled(self.document.is_modified)
+
+    def _note(self, text: str) -> None:
+        self.log.note(text)
+        self.task_bar.showMessage(text, NOTE_MS)
+
+    def _first_open_step(self) -> int:
+        project = self.document.project
+        if project is None:
+            return DATA
+        if not project.of_role("target"):
+            return TARGETS
+        if project.result is None:
+            return ADJUST
+        return REPORT if project.validation else VALIDATE
+
+    # -- what is asked -----------------------------------------------------------------------
+
+    def open_project(self, path: Path) -> None:
+        """Open a project, after asking about changes to the present one."""
+        if self._may_leave():
+            self.controller.open(path)
+
+    def _new(self) -> None:
+        if self._may_leave():
+            request = self.dialogs.new_project()
+            if request is not None:
+                self.controller.create(request)
+
+    def _open(self) -> None:
+        if self._may_leave():
+            recent = self.settings.recent()
+            path = self.dialogs.project_to_open(recent[0].parent if recent else Path.home())
+            if path is not None:
+                self.controller.open(path)
+
+    def _demo(self) -> None:
+        if self._may_leave():
+            self.controller.open_demo()
+
+    def _list_recent(self) -> None:
+        menu = self.actions_.recent
+        menu.clear()
+        for folder in self.settings.recent():
+            action = menu.addAction(str(folder))
+            action.triggered.connect(lambda _=False, folder=folder: self.open_project(folder))
+        menu.setToolTipsVisible(True)
+        if menu.isEmpty():
+            menu.addAction("No project yet").setEnabled(False)
+        else:
+            menu.addSeparator()
+            menu.addAction("Forget these").triggered.connect(self.settings.forget_recent)
+
+    def _export_report(self) -> None:
+        project = self.document.project
+        if project is not None and self.report.report.isEnabled():
+            path = self.dialogs.report_file(project.folder / f"{project.name}.pdf")
+            if path is not None:
+                self.computing.export_report(path)
+
+    def _export_lines(self) -> None:
+        project = self.document.project
+        if project is not None:
+            folder = self.dialogs.lines_folder(project.folder)
+            if folder is not None:
+                self.computing.export_lines(folder)
+
+    def _seed_as(self, role: str) -> None:
+        self.targets.set_role(role)
+        self.workflow.open(TARGETS)
+
+    def _seeded(self, point: PickedPoint) -> None:
+        targets = self.targets
+        self.controller.seed(
+            point, role=targets.role, line=targets.line, selected=targets.current,
+            threshold=targets.threshold, radius=targets.radius,
+        )  # fmt: skip
+
+    def _select(self, name: str, line: str) -> None:
+        self.scene.look_at(name, line)
+        self.targets.select(name)
+        self.table.select(name)
+        self.histograms.select(name)
+
+    def _toggle(self) -> None:
+        self.computing.show("prior" if self.scene.which == "estimated" else "estimated")
+
+    def _resize_points(self, by: int) -> None:
+        pixels = min(max(self.settings.point_size + by, 1), 12)
+        self.settings.point_size = pixels
+        self.viewport.set_point_size(pixels)
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def _may_leave(self) -> bool:
+        project = self.document.project
+        if project is None or not self.document.is_modified:
+            return True
+        answer = self.dialogs.save_changes(project.name)
+        if answer == "save":
+            return self.controller.save()
+        return answer == "discard"
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self._may_leave():
+            event.ignore()
+            return
+        self.settings.keep_layout(self.saveGeometry(), self.saveState())
+        self.settings.sync()
+        self.adjust.stop()
+        self.runner.close()
+        self.viewport.close()
+        event.accept()

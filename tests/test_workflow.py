@@ -1,0 +1,327 @@
+"""The steps from picks to validation on the built-in survey, whose truth is known."""
+
+import json
+import shutil
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
+from lispac.errors import AdjustmentError, InputError, LispacError, PlaneNotFound, ProjectError
+from lispac.geometry.frames import LocalFrame
+from lispac.project import LineSource, PickedSighting, Project, Settings
+from lispac.simulation.survey import port_survey
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.trajectory import LocalTrajectory, Trajectory
+from lispac.workflow import calibration, export, picking, projects
+from lispac.workflow.demo import demo_seeds, make_demo, run_demo
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.validation import validate
+
+
+@pytest.fixture(scope="module")
+def calibrated(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, Survey]:
+    return run_demo(tmp_path_factory.mktemp("survey") / "demo")
+
+
+@pytest.fixture
+def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Iterator[Project]:
+    folder = tmp_path / "copy"
+    shutil.copytree(calibrated[0].folder, folder)
+    yield projects.open_project(folder)
+
+
+def test_noise_free_survey_gives_the_boresight_back() -> None:
+    """Two degrees on each axis, found within 1e-6 deg from the points the simulator labels."""
+    survey = port_survey(boresight_deg=(2.0, 2.0, 2.0), noise=False, pos_errors=False)
+    path = survey.trajectory
+    attitude = np.stack([path.roll, path.pitch, path.heading], axis=1)
+    raw = Trajectory(path.time, path.latitude, path.longitude, path.height, attitude)
+    trajectory = LocalTrajectory.of(raw, LocalFrame(*survey.origin))
+    rows, sightings = [], []
+    for target in survey.targets:
+        label = survey.surface_names.index(target)
+        for line in survey.lines:
+            own = line.label == label
+            rows.append((line.points_lidar[own], line.time[own]))
+            sightings.append(Sighting(target, line.name))
+    points = np.concatenate([row[0] for row in rows])
+    time = np.concatenate([row[1] for row in rows])
+    poses = trajectory.at(time)
+    observations = Observations(
+        points,
+        poses.position,
+        poses.attitude,
+        np.full(points.shape, 0.003),
+        np.full(points.shape, 0.012),
+        np.full(points.shape, np.radians(0.008)),
+        time,
+        np.repeat(np.arange(len(sightings)), [len(row[1]) for row in rows]),
+        tuple(sightings),
+    )
+    for pos_errors in POS_ERRORS:
+        result = adjust(
+            observations, Mounting(survey.lever_arm, np.zeros(3)), StochasticModel(pos_errors)
+        )
+        np.testing.assert_allclose(np.degrees(result.boresight), 2.0, rtol=0, atol=1e-6)
+
+
+def test_every_line_yields_both_targets(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    for name in ("T1", "T2"):
+        assert {s.line for s in project.target(name).sightings} == set(survey.lines)
+
+
+def test_truth_lies_in_the_stated_interval(calibrated: tuple[Project, Survey]) -> None:
+    """The built-in survey is one draw: three sigma hold it with near certainty."""
+    project, _ = calibrated
+    assert project.result is not None
+    assert project.truth_deg is not None
+    error = np.degrees(project.result.boresight) - project.truth_deg
+    assert (np.abs(error) < 3 * np.degrees(project.result.sigma)).all(), error
+    assert np.degrees(project.result.sigma).max() < 0.05
+
+
+def test_every_validation_plane_is_better_after(calibrated: tuple[Project, Survey]) -> None:
+    project, _ = calibrated
+    assert [comparison.name for comparison in project.validation] == ["V1", "V2", "V3", "V4", "V5"]
+    for comparison in project.validation:
+        assert comparison.after.rms < 0.5 * comparison.before.rms, comparison.name
+
+
+def test_saved_project_opens_the_same(calibrated: tuple[Project, Survey], copy: Project) -> None:
+    project, _ = calibrated
+    assert copy.result is not None
+    assert project.result is not None
+    np.testing.assert_array_equal(copy.result.boresight, project.result.boresight)
+    np.testing.assert_array_equal(copy.result.covariance, project.result.covariance)
+    assert copy.settings == project.settings
+    assert [t.name for t in copy.targets] == [t.name for t in project.targets]
+    for ours, theirs in zip(copy.targets, project.targets, strict=True):
+        for one, other in zip(ours.sightings, theirs.sightings, strict=True):
+            np.testing.assert_array_equal(one.indices, other.indices)
+    assert copy.lines[0].path == copy.folder / "raw" / project.lines[0].path.name
+    assert [c.to_dict() for c in copy.validation] == [c.to_dict() for c in project.validation]
+    reloaded = load_survey(copy)
+    again = calibration.estimate(copy, reloaded)
+    assert again.result is not None
+    np.testing.assert_array_equal(again.result.boresight, project.result.boresight)
+
+
+def test_edits_drop_what_no_longer_follows(calibrated: tuple[Project, Survey]) -> None:
+    project, _ = calibrated
+    assert project.without_target("V1").result is project.result
+    assert project.without_target("V1").validation == ()
+    assert project.without_target("T1").result is None
+    assert project.with_target(replace(project.target("T1"), used=False)).result is None
+    assert project.with_settings(replace(project.settings, lidar_sigma=0.01)).result is None
+    promoted = replace(project.target("V1"), role="target")
+    assert project.with_target(promoted).result is None
+
+
+def test_thinned_counts_are_what_the_adjustment_takes(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    assert project.result is not None
+    counts = calibration.thinned_counts(project, survey, project.settings.subsample)
+    taken = {(s.sighting.target, s.sighting.line): s.points for s in project.result.sightings}
+    assert counts == taken
+
+
+def test_one_line_can_have_a_seed_of_its_own(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    line = survey.lines[2]
+    target = project.target("T1")
+    lost = replace(
+        target,
+        sightings=tuple(s for s in target.sightings if s.line != line),
+        missing={line: "not found"},
+    )
+    own = target.sighting(line)
+    assert own is not None
+    seed = survey.clouds[line][own.indices].mean(axis=0)
+    found = picking.find(project.with_target(lost), survey, seed, name="T1", line=line)
+    assert [s.line for s in found.sightings] == list(survey.lines)
+    assert found.missing == {}
+    regained = found.sighting(line)
+    assert regained is not None
+    shared = np.intersect1d(regained.indices, own.indices)
+    assert len(shared) > 0.95 * len(own.indices)
+
+
+def test_seed_in_empty_space_changes_nothing(copy: Project) -> None:
+    survey = load_survey(copy)
+    before = (copy.folder / "project.json").read_bytes()
+    with pytest.raises(PlaneNotFound):
+        picking.pick(copy, survey, (500.0, 500.0, 500.0), name="T9")
+    assert (copy.folder / "project.json").read_bytes() == before
+
+
+def test_unknown_line_is_named(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    with pytest.raises(ProjectError, match="there is no line L9"):
+        picking.pick(project, survey, (0, 0, 0), name="T9", line="L9")
+
+
+def test_target_on_one_line_only_is_refused(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    target = project.target("T1")
+    single = project.with_target(replace(target, sightings=target.sightings[:1]))
+    with pytest.raises(AdjustmentError, match=f"on line {target.sightings[0].line} only"):
+        calibration.estimate(single, survey)
+
+
+def test_fewer_than_three_points_are_refused(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    target = project.target("T1")
+    few = PickedSighting(target.sightings[0].line, target.sightings[0].indices[:2], 0.0)
+    with pytest.raises(AdjustmentError, match="at least three"):
+        calibration.estimate(
+            project.with_target(replace(target, sightings=(few, *target.sightings[1:]))), survey
+        )
+
+
+def test_nothing_picked_is_refused(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    with pytest.raises(AdjustmentError, match="pick planar targets first"):
+        calibration.estimate(replace(project, targets=()), survey)
+    with pytest.raises(ProjectError, match="estimate first"):
+        validate(replace(project, result=None), survey)
+    only_targets = replace(project, targets=project.of_role("target"))
+    with pytest.raises(ProjectError, match="no validation plane"):
+        validate(only_targets, survey)
+
+
+def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    plane = project.target("V1")
+    lonely = replace(plane, sightings=plane.sightings[:1])
+    validated = validate(project.with_target(lonely), survey)
+    assert [c.name for c in validated.validation] == ["V2", "V3", "V4", "V5"]
+    assert "one line only" in validated.not_compared["V1"]
+
+
+def test_moved_files_are_named_and_the_project_still_opens(copy: Project) -> None:
+    before = (copy.folder / "project.json").read_bytes()
+    (copy.folder / "raw").rename(copy.folder / "elsewhere")
+    moved = projects.open_project(copy.folder)
+    with pytest.raises(InputError, match=r"trajectory\.sbet: there is no such SBET file"):
+        load_survey(moved)
+    assert (copy.folder / "project.json").read_bytes() == before
+
+
+def test_missing_sighting_file_is_named(copy: Project) -> None:
+    next((copy.folder / "sightings").glob("T1-*.npz")).unlink()
+    with pytest.raises(ProjectError, match="points of target T1 are missing"):
+        projects.open_project(copy.folder)
+
+
+@pytest.mark.parametrize("damage", ["{", "[]", "{}", '{"schema_version": 99}', "\x00"])
+def test_damaged_project_file_is_refused(tmp_path: Path, damage: str) -> None:
+    (tmp_path / "project.json").write_text(damage)
+    with pytest.raises(ProjectError):
+        projects.open_project(tmp_path)
+
+
+def test_a_line_outside_the_trajectory_is_refused(copy: Project) -> None:
+    path = copy.lines[1].path
+    las = laspy.read(path)
+    las.gps_time = np.asarray(las.gps_time) + 86_400
+    las.write(path)
+    with pytest.raises(InputError, match=rf"{path.name}: its points .* lie outside the trajectory"):
+        load_survey(copy)
+
+
+def test_points_partly_outside_are_left_out_and_said(copy: Project) -> None:
+    path = copy.lines[1].path
+    las = laspy.read(path)
+    time = np.asarray(las.gps_time).copy()
+    time[:10] += 86_400
+    las.gps_time = time
+    las.write(path)
+    survey = load_survey(copy)
+    assert len(survey.scans[copy.lines[1].name]) == len(time) - 10
+    assert any("10 points outside" in note for note in survey.notes)
+
+
+def test_a_project_folder_is_not_overwritten(copy: Project) -> None:
+    with pytest.raises(ProjectError, match="there is a project here already"):
+        projects.create_project(
+            copy.folder, trajectory=copy.trajectory, lines=copy.lines, settings=copy.settings
+        )
+    other = copy.folder.parent / "mine"
+    projects.create_project(
+        other, trajectory=copy.trajectory, lines=copy.lines, settings=copy.settings
+    )
+    with pytest.raises(ProjectError, match="holds another project"):
+        make_demo(other)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"lidar_sigma": 0.0}, "LiDAR sigma"),
+        ({"lever_arm": (500.0, 0.0, 0.0)}, "give metres"),
+        ({"lever_arm": (float("nan"), 0.0, 0.0)}, "lever arm is not a number"),
+        ({"boresight_deg": (400.0, 0.0, 0.0)}, "beyond 360"),
+        ({"origin_deg_m": (95.0, 0.0, 0.0)}, "latitude"),
+        ({"position_sigma": (-0.01, 0.01, 0.01)}, "negative"),
+    ],
+)
+def test_settings_that_make_no_sense_are_refused(change: dict[str, object], said: str) -> None:
+    settings = replace(Settings(lever_arm=(0.0, 0.0, 0.0)), **change)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=said):
+        projects.check_settings(settings)
+
+
+def test_two_lines_of_one_name_are_refused(copy: Project, tmp_path: Path) -> None:
+    line = copy.lines[0]
+    with pytest.raises(InputError, match="Two lines are named"):
+        projects.create_project(
+            tmp_path / "twins",
+            trajectory=copy.trajectory,
+            lines=[line, LineSource(line.name, copy.lines[1].path)],
+            settings=copy.settings,
+        )
+
+
+def test_georeferenced_lines_are_where_the_project_puts_them(
+    calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project, survey = calibrated
+    paths = export.georeference_lines(project, survey, tmp_path, "estimated")
+    assert len(paths) == len(survey.lines)
+    placed = survey.placed(project, "estimated")
+    for path, line in zip(paths, survey.lines, strict=True):
+        np.testing.assert_allclose(laspy.read(path).xyz, placed[line], atol=0.00051)
+
+
+def test_reports_are_written_in_all_three_forms(
+    calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project, survey = calibrated
+    assert project.result is not None
+    for ending in export.REPORT_ENDINGS:
+        export.write_report(project, survey, tmp_path / f"report{ending}")
+    assert (tmp_path / "report.pdf").read_bytes().startswith(b"%PDF")
+    numbers = json.loads((tmp_path / "report.json").read_text())
+    assert f"{np.degrees(project.result.boresight[1]):.10f}"[:8] in json.dumps(numbers)
+    with pytest.raises(LispacError, match="end its name so"):
+        export.write_report(project, survey, tmp_path / "report.docx")
+    assert sorted(p.name for p in tmp_path.iterdir()) == [
+        "report.html", "report.json", "report.pdf",
+    ]  # fmt: skip
+
+
+def test_names_are_the_first_free_ones(calibrated: tuple[Project, Survey]) -> None:
+    project, _ = calibrated
+    assert picking.next_name(project, "target") == "T3"
+    assert picking.next_name(project.without_target("V2"), "validation") == "V2"
+    assert set(demo_seeds()) == {target.name for target in project.targets}
