@@ -234,7 +234,9 @@ def _find_in(
     best = matches[0]
     for other in matches[1:]:
         shared = np.isin(other.patch.indices, best.patch.indices, assume_unique=True).mean()
-        if shared < 0.2 and other.score > DOUBT * best.score:
+        # Two parts of one wide surface are no contradiction: either gives the same plane.
+        off = abs(float(best.patch.plane.distances(other.patch.centre)))
+        if shared < 0.2 and off > settings.threshold and other.score > DOUBT * best.score:
             apart = float(np.linalg.norm(other.patch.centre - best.patch.centre))
             raise PlaneNotFound(
                 f"Two planes {apart:.2f} m apart resemble the target equally; "
@@ -312,8 +314,7 @@ def find_merged(
     seed = checked_seed(seed)
     grids = indices or {}
     near = {
-        name: _near(cloud, grids.get(name), seed, settings.radius)
-        for name, cloud in clouds.items()
+        name: _near(cloud, grids.get(name), seed, settings.radius) for name, cloud in clouds.items()
     }
     names = list(clouds)
     merged = np.concatenate([clouds[name][near[name]] for name in names])

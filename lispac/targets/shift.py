@@ -63,14 +63,15 @@ def find_shifts(
     first, second = first - origin, second - origin
     steps = int(np.ceil(most / LEVELS[0]))
     axis = np.arange(-steps, steps + 1) * LEVELS[0]
-    tried = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
+    tried: Array = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
     tried = tried[np.linalg.norm(tried, axis=1) <= most + 0.5 * LEVELS[0]]
     found: list[Shift] = []
     for level, voxel in enumerate(LEVELS):
         if level > 0:
             around = np.stack(np.meshgrid(*[[-voxel, 0.0, voxel]] * 3, indexing="ij"), axis=-1)
             tried = np.concatenate([s.vector + around.reshape(-1, 3) for s in found])
-            tried = np.unique(np.round(tried / voxel).astype(np.int64), axis=0) * voxel
+            steps_tried = np.unique(np.round(tried / voxel).astype(np.int64), axis=0)
+            tried = np.asarray(steps_tried * voxel, dtype=np.float64)
         scores = _scores(first, weights, second, tried, voxel)
         scores -= prefer_small * np.linalg.norm(tried, axis=1)
         found = _distinct(tried, scores, APART * voxel if level < 2 else 2.0 * LEVELS[0])

@@ -100,7 +100,7 @@ class Overlay(QWidget):
     def _paint_axes(self, painter: QPainter, camera: Camera) -> None:
         centre = QPointF(MARGIN + 42.0, self.height() - MARGIN - 42.0)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(255, 255, 255, 150))
+        painter.setBrush(QColor(255, 255, 255, 205))
         painter.drawEllipse(centre, 44.0, 44.0)
         seen = camera.axes  # columns: how north, west and up look
         font = _scaled(self.font(), 0.95)
@@ -123,7 +123,7 @@ class Overlay(QWidget):
         right, base = self.width() - MARGIN - 4.0, self.height() - MARGIN - 6.0
         left = right - pixels
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(255, 255, 255, 170))
+        painter.setBrush(QColor(255, 255, 255, 215))
         painter.drawRoundedRect(QRectF(left - 10.0, base - 28.0, pixels + 20.0, 38.0), 8.0, 8.0)
         painter.setFont(_scaled(self.font(), 0.95))
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -149,7 +149,7 @@ class Overlay(QWidget):
             middle = 0.5 * (left + right)
             box = QRectF(middle - 0.5 * width, self.height() - MARGIN - 22.0, width, 22.0)
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(255, 255, 255, 170))
+            painter.setBrush(QColor(255, 255, 255, 215))
             painter.drawRoundedRect(box, 11.0, 11.0)
             painter.setPen(FAINT)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, HELP)

@@ -1,0 +1,113 @@
+"""A plane grown to the outline of what it belongs to."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import Plane, fit_plane, in_plane_axes
+from lispac.targets import outline
+from lispac.targets.ransac import BESIDE, SAMPLE
+from lispac.targets.settings import FinderSettings
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# A cell of the patch is kept when its share of points on the plane is at least this part of the
+# share around the seed; where another surface runs through the plane it is far smaller.
+PURE = 0.6
+# Rounds of growing and fitting; they settle in two to five.
+MOST_ROUNDS = 12
+# Steps of the weighted fit in one round of growing.
+ROBUST_ROUNDS = 5
+# Noise is normal: beyond three sigma a point is more likely to be a mixed pixel.
+TRIM = 3.0
+
+
+def grow(
+    points: Array, votes: Array, plane: Plane, settings: FinderSettings, through: Array | None
+) -> Indices:
+    """Points connected with the votes on the plane, fitted and grown in turns."""
+    on: Indices = np.empty(0, dtype=np.int64)
+    for _ in range(MOST_ROUNDS):
+        grown = _connected_on(points, votes, plane, settings.threshold)
+        if len(grown) < 3 or np.array_equal(grown, on):
+            break
+        fitted = _robust_plane(points[grown], plane, settings.threshold)
+        # A larger surface nearby must not draw the plane off the point that was clicked.
+        if through is not None and abs(float(fitted.distances(through))) > settings.threshold:
+            on = grown if len(on) == 0 else on
+            break
+        on, plane = grown, fitted
+    return on
+
+
+def strongest(
+    points: Array,
+    votes: Array,
+    contenders: list[Plane],
+    settings: FinderSettings,
+    through: Array | None,
+) -> Plane:
+    """The contender that has grown to the most points near its plane.
+
+    Near the seed alone several planes of different tilt may look alike; how far each one carries
+    tells them apart.
+    """
+    if len(contenders) == 1:
+        return contenders[0]
+    step = max(1, len(points) // SAMPLE)
+    sample, weights = points[::step], votes[::step]
+    best_merit, best = -1.0, contenders[0]
+    for plane in contenders:
+        on = grow(sample, weights, plane, settings, through)
+        if len(on) < 3:
+            continue
+        fitted = _robust_plane(sample[on], plane, settings.threshold)
+        off = fitted.distances(sample[on]) / settings.threshold
+        merit = float((np.maximum(1.0 - off * off, 0.0) ** 2).sum())
+        if merit > best_merit:
+            best_merit, best = merit, fitted
+    return best
+
+
+def _robust_plane(points: Array, plane: Plane, threshold: float) -> Plane:
+    """Weighted fit with Tukey's biweight, which settles on the densest layer of the points.
+
+    A plain fit of everything within the threshold is content with a tilted plane that
+    fills the threshold evenly, where surfaces are uneven or run into each other.
+    """
+    for _ in range(ROBUST_ROUNDS):
+        off = plane.distances(points) / threshold
+        weights = np.maximum(1.0 - off * off, 0.0) ** 2
+        if np.count_nonzero(weights) < 3:
+            break
+        plane = fit_plane(points, weights)
+    return plane
+
+
+def _connected_on(points: Array, votes: Array, plane: Plane, threshold: float) -> Indices:
+    off = np.abs(plane.distances(points))
+    band = np.flatnonzero(off <= BESIDE * threshold)
+    on = off[band] <= threshold
+    if np.count_nonzero(on) < 3:
+        return band[on]
+    placed = points[band] @ in_plane_axes(plane.normal).T
+    weights = votes[band] * on
+    cell = outline.cell_size(placed[on], weights[on])
+    share = outline.share_in_cell(placed, on, cell)
+    on &= share >= PURE * np.average(share, weights=weights)
+    if np.count_nonzero(on) < 3:
+        return band[on]
+    return band[on][outline.connected(placed[on], weights[on], cell)]
+
+
+def trimmed(points: Array, on: Indices, settings: FinderSettings) -> Indices:
+    """Drop what lies beyond three sigma, the sigma taken from the middle of the residuals."""
+    if len(on) < 3:
+        return on
+    plane = fit_plane(points[on])
+    residuals = plane.distances(points[on])
+    sigma = 1.4826 * float(np.median(np.abs(residuals)))
+    limit = min(settings.threshold, TRIM * sigma)
+    kept = on[np.abs(residuals) <= limit]
+    # Noise-free points have no sigma; then all of them are kept.
+    return kept if len(kept) >= max(3, len(on) // 2) else on

@@ -1,0 +1,55 @@
+"""How a plane is sought."""
+
+from dataclasses import dataclass
+from math import radians
+
+from lispac.errors import InputError
+
+
+@dataclass(frozen=True)
+class FinderSettings:
+    """How a plane is sought.
+
+    Attributes
+    ----------
+    radius : float, metres
+        Only points this near to the seed can belong to the patch. A wide surface, a wall or a
+        tower face, is cut there.
+    threshold : float, metres
+        Farthest a point may lie from its plane (thesis default 0.01).
+    stop : float, in (0, 1)
+        Stop criterion (thesis default 0.98). Planes are drawn until the probability of having
+        drawn one free of outliers, given the share of the points near the seed that the best
+        plane so far holds, reaches this value.
+    min_points : int
+        Smallest patch that counts as found.
+    max_tilt : float, radians
+        Largest angle between a target in one line and the same target in another, or between
+        the plane and an expected normal.
+    max_shift : float, metres
+        Farthest the prior boresight may displace a target from one line to another.
+    seed : int
+        Seed of the random draws: the same points and settings give the same patch.
+    """
+
+    radius: float = 2.0
+    threshold: float = 0.01
+    stop: float = 0.98
+    min_points: int = 30
+    max_tilt: float = radians(15.0)
+    max_shift: float = 2.5
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        for name, good in (
+            ("radius", self.radius > 0.0),
+            ("threshold", self.threshold > 0.0),
+            ("stop", 0.0 < self.stop < 1.0),
+            ("min_points", self.min_points >= 3),
+            ("max_tilt", self.max_tilt > 0.0),
+            ("max_shift", self.max_shift >= 0.0),
+        ):
+            if not good:  # a NaN fails every comparison, so it ends here too
+                raise InputError(
+                    f"The plane finder cannot work with {name} = {getattr(self, name)}."
+                )

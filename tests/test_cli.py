@@ -1,0 +1,254 @@
+"""The command line from raw files to report, and what it says when it refuses."""
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.workflow.demo import make_demo
+
+
+@pytest.fixture(scope="module")
+def raw(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Raw files of the built-in survey."""
+    return make_demo(tmp_path_factory.mktemp("cli") / "demo").folder / "raw"
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    try:
+        code = main([str(word) for word in words])
+    except SystemExit as stop:
+        code = int(stop.code or 0)
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def answer(capsys: pytest.CaptureFixture[str], *words: object) -> dict[str, Any]:
+    code, out, err = run(capsys, *words, "--json")
+    assert code == 0, err
+    return json.loads(out)  # type: ignore[no-any-return]
+
+
+def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+    """Run a command that must be refused: exit 1, one line, nothing on stdout."""
+    code, out, err = run(capsys, *words)
+    assert code == 1, (code, out, err)
+    assert out == ""
+    line, nothing = err.split("\n")
+    assert nothing == ""
+    assert line.startswith("lispac: ")
+    return line
+
+
+def new_words(project: Path, raw: Path, *lines: Path) -> list[object]:
+    return [
+        "new", project, "--trajectory", raw / "trajectory.sbet",
+        "--trajectory-accuracy", raw / "smrmsg.out",
+        "--lever-arm", -0.242, 0.061, 2.173, "--origin", 45.5189, -73.5390, -25.6,
+        "--lidar-sigma", 0.0025, *(lines or sorted(raw.glob("*.laz"))),
+    ]  # fmt: skip
+
+
+def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path) -> None:
+    project = tmp_path / "quay"
+    made = answer(capsys, *new_words(project, raw))
+    assert len(made["points"]) == 6
+    seeds = {
+        "T1": (1.15, -14.7, 8.1, "target"),
+        "T2": (-1.1, -14.38, 7.7, "target"),
+    }
+    for name, (x, y, z, role) in seeds.items():
+        picked = answer(capsys, "pick", project, "--seed", x, y, z, "--name", name, "--role", role)
+        assert len(picked["lines"]) == 6, picked["missing"]
+    numbers = answer(capsys, "estimate", project)
+    wanted = {
+        "boresight_deg", "sigma_deg", "correlation", "variance_factor", "chi_square", "iterations",
+        "points", "sightings", "planes", "elapsed_s",
+    }  # fmt: skip
+    assert wanted <= set(numbers)
+    truth = {"roll": 0.27, "pitch": -1.14, "yaw": 0.36}
+    for angle, value in truth.items():
+        error = abs(numbers["boresight_deg"][angle] - value)
+        assert error < 3 * numbers["sigma_deg"][angle], (angle, numbers)
+    assert numbers["sightings"] == 12
+    assert numbers["planes"] == 2
+    assert set(numbers["chi_square"]) == {"statistic", "lower", "upper", "passed"}
+    thesis = answer(capsys, "estimate", project, "--pos-errors", "independent")
+    assert thesis["sigma_deg"]["roll"] < 0.5 * numbers["sigma_deg"]["roll"]
+    code, out, _ = run(capsys, "estimate", project, "--subsample", 0.15)
+    assert code == 0
+    assert "boresight" in out
+    assert "pitch" in out
+
+    assert "there is no validation plane" in refused(capsys, "validate", project)
+    picked = answer(
+        capsys, "pick", project, "--seed", 29.75, -24.6, 5.0, "--name", "V1",
+        "--role", "validation", "--radius", 3,
+    )  # fmt: skip
+    assert picked["role"] == "validation"
+    planes = answer(capsys, "validate", project)["planes"]
+    assert [plane["name"] for plane in planes] == ["V1"]
+
+    code, out, _ = run(capsys, "georeference", project, "--output", tmp_path / "out")
+    assert code == 0
+    assert len(list((tmp_path / "out").glob("*_estimated.laz"))) == 6
+    for ending in (".html", ".pdf", ".json"):
+        code, _, err = run(capsys, "report", project, "--output", tmp_path / f"report{ending}")
+        assert code == 0, err
+        assert (tmp_path / f"report{ending}").stat().st_size > 1000
+
+
+def test_demo_prints_answer_truth_and_report(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    folder = tmp_path / "demo"
+    for _ in range(2):  # a second run replaces the first
+        code, out, err = run(capsys, "demo", "--output", folder, "--no-window")
+        assert code == 0, err
+    for word in ("boresight", "sigma", "truth", "V5", str(folder / "report.pdf")):
+        assert word in out
+    assert (folder / "report.pdf").exists()
+
+
+def test_prototype_plane_files(capsys: pytest.CaptureFixture[str], shared_data: Path) -> None:
+    folder = shared_data / "prototype"
+    expected = json.loads((folder / "expected.json").read_text())["c"]
+    numbers = answer(
+        capsys, "estimate", "--planes", folder / "c/plane1.txt", folder / "c/plane2.txt",
+        "--lever-arm", *expected["lever_arm_m"], "--boresight", 0, 45, 0, "--lidar-sigma", 0.0031,
+    )  # fmt: skip
+    boresight, sigma = numbers["boresight_deg"].values(), numbers["sigma_deg"].values()
+    np.testing.assert_allclose(list(boresight), expected["boresight_deg"], rtol=0, atol=1e-6)
+    np.testing.assert_allclose(list(sigma), expected["sigma_deg"], rtol=0, atol=1e-6)
+    assert numbers["points"] == 600
+
+
+@pytest.mark.parametrize(
+    "command",
+    ["", "demo", "new", "pick", "estimate", "validate", "georeference", "report"],
+)
+def test_help(capsys: pytest.CaptureFixture[str], command: str) -> None:
+    code, out, _ = run(capsys, *([command] if command else []), "--help")
+    assert code == 0
+    assert "usage: lispac" in out
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        [],
+        ["nonsense"],
+        ["pick", "p", "--name", "T1"],
+        ["pick", "p", "--name", "T1", "--seed", "1", "2"],
+        ["pick", "p", "--name", "T1", "--seed", "1", "2", "nan"],
+        ["pick", "p", "--name", "T1", "--seed", "1", "2", "3", "--threshold", "-1"],
+        ["estimate"],
+        ["estimate", "--planes", "a.txt"],
+        ["estimate", "p", "--planes", "a.txt", "--lever-arm", "0", "0", "0"],
+        ["estimate", "p", "--lever-arm", "0", "0", "0"],
+        ["estimate", "p", "--subsample", "-0.1"],
+        ["estimate", "p", "--pos-errors", "none"],
+    ],
+)
+def test_wrong_usage(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+    code, out, err = run(capsys, *words)
+    assert code == 2
+    assert out == ""
+    assert err
+
+
+def test_no_project_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    for command in ("estimate", "validate"):
+        assert "there is no project here" in refused(capsys, command, tmp_path / "none")
+
+
+def one_line(raw: Path) -> Path:
+    return sorted(raw.glob("*.laz"))[0]
+
+
+def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
+    """A copy of the raw files with one of them damaged: the copy, and the line to use."""
+    shutil.copytree(raw, folder, ignore=lambda _, names: [n for n in names if n.startswith("L2")])
+    trajectory, line = folder / "trajectory.sbet", one_line(folder)
+    if kind == "truncated trajectory":
+        trajectory.write_bytes(trajectory.read_bytes()[:-40])
+    elif kind == "empty trajectory":
+        trajectory.write_bytes(b"")
+    elif kind == "nan in trajectory":
+        records = np.fromfile(trajectory).reshape(-1, 17)
+        records[7, 3] = np.nan
+        records.tofile(trajectory)
+    elif kind == "no gps_time":
+        las = laspy.read(line)
+        plain = laspy.LasData(laspy.LasHeader(point_format=0, version="1.2"))
+        plain.x, plain.y, plain.z = las.x[:100], las.y[:100], las.z[:100]
+        line = folder / "plain.las"
+        plain.write(line)
+    elif kind == "outside the trajectory":
+        las = laspy.read(line)
+        las.gps_time = np.asarray(las.gps_time) + 1e5
+        las.write(line)
+    elif kind == "empty line":
+        empty = laspy.LasData(laspy.LasHeader(point_format=6, version="1.4"))
+        line = folder / "empty.las"
+        empty.write(line)
+    elif kind == "missing column":
+        line = folder / "line.txt"
+        line.write_text("1 2 3\n")
+    return folder, line
+
+
+@pytest.mark.parametrize(
+    ("kind", "said"),
+    [
+        ("truncated trajectory", "cut short"),
+        ("empty trajectory", "trajectory.sbet: this SBET file is empty"),
+        ("nan in trajectory", "record 8 holds a value that is not a number"),
+        ("no gps_time", "has no gps_time"),
+        ("outside the trajectory", "lie outside the trajectory"),
+        ("empty line", "holds no points"),
+        ("missing column", "lack time, x, y, z"),
+    ],
+)
+def test_bad_input_is_refused_and_no_project_is_left(
+    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path, kind: str, said: str
+) -> None:
+    folder, line = damaged(kind, raw, tmp_path / "raw")
+    message = refused(capsys, *new_words(tmp_path / "project", folder, line))
+    assert said in message
+    assert not (tmp_path / "project").exists()
+
+
+def test_text_line_with_named_columns(
+    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
+) -> None:
+    las = laspy.read(one_line(raw))
+    rows = np.column_stack([las.gps_time, las.x, las.y, las.z])[:5000]
+    np.savetxt(tmp_path / "line.csv", rows, delimiter=",", fmt="%.7f")
+    words = new_words(tmp_path / "project", raw, tmp_path / "line.csv")
+    assert answer(capsys, *words, "--columns", "time,x,y,z")["points"] == {"line": 5000}
+    message = refused(
+        capsys, *new_words(tmp_path / "other", raw, tmp_path / "line.csv"), "--columns", "time,x,y"
+    )
+    assert "lack z" in message
+
+
+def test_a_refused_pick_leaves_the_project_as_it_was(
+    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
+) -> None:
+    project = tmp_path / "project"
+    answer(capsys, *new_words(project, raw, one_line(raw)))
+    before = (project / "project.json").read_bytes()
+    refused(capsys, "pick", project, "--seed", 900, 900, 900, "--name", "T1")
+    refused(capsys, "pick", project, "--seed", 1, 1, 1, "--name", "T1", "--line", "L77")
+    assert (project / "project.json").read_bytes() == before
+    # One line only: the target is found, but nothing compares it.
+    answer(capsys, "pick", project, "--seed", 1.15, -14.7, 8.1, "--name", "T1")
+    picked = (project / "project.json").read_bytes()
+    assert "so nothing compares it" in refused(capsys, "estimate", project)
+    assert (project / "project.json").read_bytes() == picked
