@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
@@ -22,6 +22,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "lines": ("Export &georeferenced lines…", "Lines", "export-variant", "",
               "Write every line as LAZ with the boresight the view shows"),
     "quit": ("&Quit", "Quit", "", Keys.Quit, "Close the program"),
+    "undo": ("&Undo", "Undo", "undo", Keys.Undo, "Take the last edit back"),
+    "redo": ("&Redo", "Redo", "redo", ("Ctrl+Y", "Ctrl+Shift+Z"), "Make the edit again"),
     "seed_target": ("Seed an adjustment &target", "Target", "target", "F6",
                     "The next Ctrl+click picks an adjustment target"),
     "seed_validation": ("Seed a &validation plane", "Validation", "shield-check-outline", "F7",
@@ -58,7 +60,7 @@ _CHECKABLE = (("seed_target", "seed_validation"), ("before", "after"))
 VIEWS = ("isometric", "top", "front", "side")
 _MENUS: dict[str, tuple[str, ...]] = {
     "&File": ("new", "open", "demo", "RECENT", "", "save", "", "report", "lines", "", "quit"),
-    "&Edit": ("UNDO",),
+    "&Edit": ("undo", "redo"),
     "&View": ("before", "after", "toggle", "", "fit", *VIEWS, "", "larger", "smaller", "", "DOCKS"),
     "&Targets": ("seed_target", "seed_validation", "", "accept", "reject"),
     "&Adjust": ("estimate", "", "cancel"),
@@ -66,15 +68,16 @@ _MENUS: dict[str, tuple[str, ...]] = {
     "&Help": ("keys", "about"),
 }
 _TOOLBAR = (
-    "new", "open", "save", "", "UNDO", "", "seed_target", "seed_validation", "", "estimate",
+    "new", "open", "save", "", "undo", "redo", "", "seed_target", "seed_validation", "", "estimate",
     "validate", "report", "", "before", "after", "", "fit", *VIEWS,
 )  # fmt: skip
 
 
-class Actions:
-    """The window's actions, as attributes of a mapping by name."""
+class Actions(QObject):
+    """The window's actions, by name."""
 
     def __init__(self, window: QMainWindow, stack: QUndoStack) -> None:
+        super().__init__(window)
         self._window = window
         self.recent = QMenu("Open &recent", window)
         self.recent.setObjectName("recent_menu")
@@ -85,17 +88,14 @@ class Actions:
                 self[name].setCheckable(True)
                 group.addAction(self[name])
             self[pair[0]].setChecked(True)
-        self.undo = stack.createUndoAction(window, "Undo")
-        self.redo = stack.createRedoAction(window, "Redo")
-        for action, name, keys in ((self.undo, "undo", Keys.Undo), (self.redo, "redo", Keys.Redo)):
-            action.setObjectName(f"action_{name}")
-            action.setIcon(theme.icon(name))
-            action.setIconText(name.capitalize())
-            action.setShortcuts(QKeySequence.keyBindings(keys))
-        self.redo.setShortcuts([*QKeySequence.keyBindings(Keys.Redo), QKeySequence("Ctrl+Y")])
-        # The stack renames the actions with every edit, and the toolbar is to keep its width.
-        for action, word in ((self.undo, "Undo"), (self.redo, "Redo")):
-            action.changed.connect(lambda a=action, w=word: _keep_icon_text(a, w))
+        stack.canUndoChanged.connect(self["undo"].setEnabled)
+        stack.canRedoChanged.connect(self["redo"].setEnabled)
+        stack.undoTextChanged.connect(self._name_undo)
+        stack.redoTextChanged.connect(self._name_redo)
+        self["undo"].triggered.connect(stack.undo)
+        self["redo"].triggered.connect(stack.redo)
+        for name in ("undo", "redo"):
+            self[name].setEnabled(False)
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]
@@ -107,8 +107,6 @@ class Actions:
             for name in names:
                 if name == "RECENT":
                     menu.addMenu(self.recent)
-                elif name == "UNDO":
-                    menu.addActions([self.undo, self.redo])
                 elif name == "DOCKS":
                     menu.addActions(list(docks))
                 elif name:
@@ -124,13 +122,19 @@ class Actions:
         bar.setIconSize(QSize(20, 20))
         bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         for name in _TOOLBAR:
-            if name == "UNDO":
-                bar.addActions([self.undo, self.redo])
-            elif name:
+            if name:
                 bar.addAction(self[name])
             else:
                 bar.addSeparator()
         return bar
+
+    def _name_undo(self, text: str) -> None:
+        self["undo"].setText(f"&Undo {text}".strip())
+        self["undo"].setIconText("Undo")
+
+    def _name_redo(self, text: str) -> None:
+        self["redo"].setText(f"&Redo {text}".strip())
+        self["redo"].setIconText("Redo")
 
     def _made(self, name: str) -> QAction:
         text, short, icon, keys, tip = _ACTIONS[name]
@@ -147,8 +151,3 @@ class Actions:
         action.setToolTip(f"{tip} ({shown})" if shown else tip)
         action.setStatusTip(tip)
         return action
-
-
-def _keep_icon_text(action: QAction, word: str) -> None:
-    if action.iconText() != word:
-        action.setIconText(word)

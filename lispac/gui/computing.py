@@ -49,8 +49,6 @@ class Computing(QObject):
         self._controller, self._viewport = controller, viewport
         self._subsample = 0.0
         self._stale_count = False
-        document.changed.connect(lambda: self.count(self._subsample))
-        document.survey_changed.connect(lambda: self.count(self._subsample))
         runner.idle.connect(self._count_again)
 
     def count(self, subsample: float) -> None:

@@ -53,7 +53,7 @@ class Document(QObject):
         self.survey: Survey | None = None
         self._key: tuple[object, ...] | None = None
         self.undo_stack = QUndoStack(self)
-        self.undo_stack.cleanChanged.connect(lambda clean: self.modified.emit(not clean))
+        self.undo_stack.cleanChanged.connect(self._clean_changed)
 
     @property
     def is_modified(self) -> bool:
@@ -88,6 +88,9 @@ class Document(QObject):
     def mark_saved(self) -> None:
         """The project on disk is the one in memory."""
         self.undo_stack.setClean()
+
+    def _clean_changed(self, clean: bool) -> None:
+        self.modified.emit(not clean)
 
     def _set(self, project: Project) -> None:
         self.project = project

@@ -106,13 +106,14 @@ class MainWindow(QMainWindow):
             QMainWindow.DockOption.AnimatedDocks | QMainWindow.DockOption.AllowTabbedDocks
         )
         self.actions_.fill_menus([dock.toggleViewAction() for dock in docks.values()])
-        self.resize(1600, 1000)
+        screen = self.screen().availableGeometry()
+        self.resize(min(1600, screen.width()), min(1000, screen.height()))
         kept = self.settings.layout()
         if kept is None:
             self.resizeDocks(
                 [docks["Workflow"], docks["Results"]], [350, 400], Qt.Orientation.Horizontal
             )
-            self.resizeDocks([docks["Targets by lines"]], [240], Qt.Orientation.Vertical)
+            self.resizeDocks([docks["Targets by lines"]], [self.height() // 4], Qt.Orientation.Vertical)
         else:
             self.restoreGeometry(kept[0])
             self.restoreState(kept[1])
@@ -192,6 +193,8 @@ class MainWindow(QMainWindow):
     def _join_work(self) -> None:
         self.document.changed.connect(self._refresh)
         self.document.survey_changed.connect(self._refresh)
+        self.document.changed.connect(self._count)
+        self.document.survey_changed.connect(self._count)
         self.document.modified.connect(lambda _modified: self._name_window())
         self.document.opened.connect(lambda: self.workflow.open(self._first_open_step()))
         self.runner.changed.connect(self._show_task)
@@ -277,6 +280,9 @@ class MainWindow(QMainWindow):
 
     def _show_count(self, count: PointCount) -> None:
         self.adjust.show_count(count.kept, count.total, count.sightings)
+
+    def _count(self) -> None:
+        self.computing.count(self.adjust.subsample)
 
     def _show_which(self, which: str) -> None:
         self.validate.show_which(which)

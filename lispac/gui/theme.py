@@ -161,5 +161,9 @@ QHeaderView::section {{ background: #eef1f5; border: none; border-right: 1px sol
 QProgressBar {{ border: 1px solid {BORDER}; border-radius: 4px; background: #ffffff;
     text-align: center; min-height: 16px; max-height: 16px; }}
 QProgressBar::chunk {{ background: #7fb0e2; border-radius: 3px; }}
+QMainWindow > QTabBar::tab {{ padding: 4px 14px 4px 14px; min-height: 17px; background: transparent;
+    border: none; border-bottom: 3px solid transparent; color: {MUTED}; }}
+QMainWindow > QTabBar::tab:selected {{ color: {TEXT}; border-bottom-color: {ACCENT}; }}
+QMainWindow > QTabBar::tab:hover {{ background: #e8eef5; }}
 QScrollArea {{ border: none; background: transparent; }}
 """

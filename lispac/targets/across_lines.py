@@ -40,6 +40,9 @@ PATCH_SHARE = 0.5
 OFFSET = 0.3
 # Least part of the reference's outline that the patch must cover, and the most it may be larger.
 LEAST_COVERED, MOST_LARGER = 0.3, 3.0
+# A seed this near to a point of a line, metres, was taken from that line: coordinates are often
+# written with three decimals.
+CLICK = 0.002
 # Translations looked at, and how near in score a different patch makes the answer doubtful.
 CANDIDATES, DOUBT = 6, 0.97
 
@@ -79,8 +82,9 @@ def find_in_lines(
     seed : ndarray of shape (3,), metres
     settings : FinderSettings
     first_line : str, optional
-        The line that was clicked. Without it, the line whose plane passes nearest to the seed,
-        or, when that plane is missing in some lines, the line whose plane most lines share.
+        The line that was clicked. Without it, the line with a point at the seed; or else the
+        line whose plane passes nearest to the seed; or, when that plane is missing in some lines,
+        the one of the nearest three whose plane most lines share.
     indices : mapping of line name to PointGrid, optional
         Prepared cells; lines without are read through.
     progress : Progress
@@ -106,11 +110,19 @@ def find_in_lines(
         return _from_reference(clouds, grids, first_line, first, seed, settings, progress)
     patches: dict[str, PlanePatch] = {}
     reasons: dict[str, str] = {}
-    for name, cloud in clouds.items():
+
+    def look(name: str) -> PlanePatch | str:
         try:
-            patches[name] = find_plane(cloud, seed, settings, index=grids.get(name))
+            return find_plane(clouds[name], seed, settings, index=grids.get(name))
         except PlaneNotFound as reason:
-            reasons[name] = str(reason)
+            return str(reason)
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for name, answer in zip(clouds, pool.map(look, clouds), strict=True):
+            if isinstance(answer, PlanePatch):
+                patches[name] = answer
+            else:
+                reasons[name] = answer
     if not patches:
         if len(set(reasons.values())) == 1:
             raise PlaneNotFound(next(iter(reasons.values())))
@@ -118,16 +130,33 @@ def find_in_lines(
             "No line has a plane at the seed. "
             + " ".join(f"{name}: {reason}" for name, reason in reasons.items())
         )
-    nearest = sorted(patches, key=lambda name: _distance_to_seed(patches[name], seed))
+    clicked = _clicked_line(clouds, grids, seed)
+    if clicked in patches:
+        nearest = [clicked]
+    else:
+        nearest = sorted(patches, key=lambda name: _distance_to_seed(patches[name], seed))
     best: tuple[dict[str, PlanePatch], dict[str, str]] | None = None
     for name in nearest[:3]:
-        answer = _from_reference(clouds, grids, name, patches[name], seed, settings, progress)
-        if best is None or len(answer[0]) > len(best[0]):
-            best = answer
-        if not answer[1]:
+        both = _from_reference(clouds, grids, name, patches[name], seed, settings, progress)
+        if best is None or len(both[0]) > len(best[0]):
+            best = both
+        if not both[1]:
             break
     assert best is not None
     return best
+
+
+def _clicked_line(
+    clouds: Mapping[str, Array], grids: Mapping[str, PointGrid], seed: Array
+) -> str | None:
+    """The line with the point nearest to the seed, where that is as near as a click."""
+    nearest: tuple[float, str] | None = None
+    for name, cloud in clouds.items():
+        at_seed = _near(cloud, grids.get(name), seed, CLICK)
+        if len(at_seed):
+            off = float(np.linalg.norm(cloud[at_seed] - seed, axis=1).min())
+            nearest = min(nearest, (off, name)) if nearest else (off, name)
+    return nearest[1] if nearest else None
 
 
 def _distance_to_seed(patch: PlanePatch, seed: Array) -> float:

@@ -83,7 +83,7 @@ def find_plane(
     # The seed itself may float before the surface; the nearest point is on something real.
     reach = np.linalg.norm(points - points[0], axis=1)
     # The far field still votes, but its many points cannot outvote the few around the seed.
-    votes = 1.0 / (1.0 + (reach / NEAR) ** 2) ** 1.5
+    votes = 1.0 / (1.0 + (reach / NEAR) ** 2) ** 2
     # A seed on a point is a click on a surface, and only a plane through it is meant.
     clicked = points[0] if float(np.linalg.norm(points[0] - seed)) <= settings.threshold else None
     return extract(

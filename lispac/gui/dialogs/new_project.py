@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
@@ -65,12 +66,15 @@ class NewProjectDialog(QDialog):
         self.ok.setText("Create project")
         self.ok.setObjectName("new_ok")
         self.ok.setProperty("primary", True)
+        for standard in self.buttons.buttons():
+            standard.setIcon(QIcon())
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
         bottom = QHBoxLayout()
         bottom.addWidget(self.reason, 1)
         bottom.addWidget(self.buttons)
         outer.addLayout(bottom)
+        self._align_labels()
         self._check()
 
     def add_lines(self, paths: Sequence[Path]) -> None:
@@ -191,7 +195,7 @@ class NewProjectDialog(QDialog):
         )
         self.origin.setEnabled(False)
         self.origin_given.toggled.connect(self.origin.setEnabled)
-        form.addRow("", self.origin_given)
+        form.addRow(" ", self.origin_given)
         form.addRow("Origin", self.origin)
         return form
 
@@ -218,6 +222,19 @@ class NewProjectDialog(QDialog):
         form.addRow("Position (1 σ)", self.position_sigma)
         form.addRow("Attitude (1 σ)", self.attitude_sigma)
         return form
+
+    def _align_labels(self) -> None:
+        """One column of labels through all sections."""
+        forms = self.findChildren(QFormLayout)
+        labels = [
+            item.widget()
+            for form in forms
+            for row in range(form.rowCount())
+            if (item := form.itemAt(row, QFormLayout.ItemRole.LabelRole)) is not None
+        ]
+        widest = max(each.sizeHint().width() for each in labels)
+        for each in labels:
+            each.setMinimumWidth(widest)
 
     def _path_row(self, form: QFormLayout, words: str, name: str, ask) -> QLineEdit:
         field = QLineEdit()
@@ -285,7 +302,7 @@ def _form() -> QFormLayout:
 
 def _rule(text: str) -> QLabel:
     made = widgets.label(text, "heading")
-    made.setStyleSheet(f"border-bottom: 1px solid {theme.BORDER}; padding-bottom: 3px;")
+    made.setStyleSheet(f"border-bottom: 1px solid {theme.BORDER}; padding: 4px 0 3px 0;")
     return made
 
 

@@ -218,9 +218,7 @@ def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
                 )
 
 
-def _write_row(
-    table: QTableWidget, row: int, texts: Sequence[str], *, bold: bool = False
-) -> None:
+def _write_row(table: QTableWidget, row: int, texts: Sequence[str], *, bold: bool = False) -> None:
     for column, text in enumerate(texts):
         item = QTableWidgetItem(text.replace("-", "−"))
         item.setTextAlignment(_RIGHT)

@@ -10,7 +10,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QBrush, QColor
+from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme
@@ -20,6 +20,8 @@ from lispac.workflow.survey import Survey
 Role = Qt.ItemDataRole
 Index = QModelIndex | QPersistentModelIndex
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_EMPTY = "No targets yet. Hold Ctrl and click a target in the view: one row for each appears here."
 _NAME_TIP = "Tick to let the whole target take part"
 
 
@@ -66,7 +68,7 @@ class SightingsModel(QAbstractTableModel):
         if orientation == Qt.Orientation.Vertical:
             return None
         if role == Role.TextAlignmentRole:
-            return Qt.AlignmentFlag.AlignLeft if section == 0 else _RIGHT
+            return _LEFT if section == 0 else _RIGHT
         if section == 0:
             return "Target" if role == Role.DisplayRole else None
         line = self._lines[section - 1]
@@ -74,7 +76,7 @@ class SightingsModel(QAbstractTableModel):
         if role == Role.DisplayRole:
             return line if heading is None else f"{line}  {round(heading * 57.29578) % 360}°"
         if role == Role.DecorationRole:
-            return QColor(*self._colours[line])
+            return theme.swatch(self._colours[line])
         if role == Role.ToolTipRole:
             return f"{line}: points and RMS about the sighting's own plane, in millimetres"
         return None
@@ -181,6 +183,15 @@ class SightingsTable(QTableView):
         key = self.sightings.key(self.currentIndex())
         if row is not None and (key is None or key[0] != name):
             self._set_current(row, 0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.sightings.rowCount() == 0:
+            painter = QPainter(self.viewport())
+            painter.setPen(QColor(theme.MUTED))
+            area = self.viewport().rect().adjusted(16, 8, -16, -8)
+            painter.drawText(area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, _EMPTY)
+            painter.end()
 
     def _set_current(self, row: int, column: int) -> None:
         self.selectionModel().blockSignals(True)

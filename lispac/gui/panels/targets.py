@@ -125,7 +125,8 @@ class TargetsPanel(QWidget):
         if selected in self._names:
             self.table.selectRow(self._names.index(selected))
         self.table.blockSignals(False)
-        self.table.setFixedHeight(30 + 26 * min(max(len(targets), 3), 9))
+        rows = 26 * min(max(len(targets), 3), 8)
+        self.table.setFixedHeight(self.table.horizontalHeader().sizeHint().height() + rows + 4)
         self._selection_changed(tell=False)
 
     def _item_changed(self, item: QTableWidgetItem) -> None:
@@ -163,10 +164,10 @@ class TargetsPanel(QWidget):
 
     def _roles(self) -> QHBoxLayout:
         self._target = widgets.button(
-            "Adjustment target", "role_target", tip="The plane takes part in the adjustment (F6)"
+            " Target", "role_target", tip="The plane takes part in the adjustment (F6)"
         )
         self._validation = widgets.button(
-            "Validation plane", "role_validation",
+            " Validation plane", "role_validation",
             tip="The plane takes no part; the lines are compared on it before and after (F7)",
         )  # fmt: skip
         group = QButtonGroup(self)
@@ -280,6 +281,10 @@ def _targets_table() -> QTableWidget:
     table.setObjectName("targets_table")
     table.setAccessibleName("Targets and validation planes")
     table.setHorizontalHeaderLabels(["Name", "Role", "Lines"])
+    for column in (0, 1):
+        table.horizontalHeaderItem(column).setTextAlignment(
+            Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        )
     table.verticalHeader().hide()
     table.verticalHeader().setDefaultSectionSize(26)
     table.setShowGrid(False)

@@ -18,7 +18,7 @@ from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.status import STEPS, State, StepStatus
 
-_HEIGHT = 50
+_HEIGHT = 46
 _GLYPHS: dict[State, tuple[str, str, str]] = {
     "empty": ("circle-outline", "#9aa6b2", "not yet"),
     "todo": ("circle-slice-4", theme.ACCENT, "to do"),
@@ -80,7 +80,7 @@ class _Header(QPushButton):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._title = f"{number}  {title}"
         row = QHBoxLayout(self)
-        row.setContentsMargins(12, 4, 12, 4)
+        row.setContentsMargins(12, 3, 12, 3)
         row.setSpacing(10)
         self._glyph = QLabel()
         name = widgets.label(self._title, "heading")

@@ -1,0 +1,61 @@
+"""Windows with the demo survey in them."""
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.workflow.demo import demo_seeds, make_demo
+from lispac.workflow.picking import pick
+from lispac.workflow.survey import load_survey
+from tests.gui.support import Demo, Driver
+
+PICKED = ("T1", "T2", "V1")
+
+
+@pytest.fixture(scope="session")
+def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
+    """The demo survey, made once."""
+    project = make_demo(tmp_path_factory.mktemp("survey") / "demo")
+    survey = load_survey(project)
+    picked = project
+    for name in PICKED:
+        role, seed = demo_seeds()[name]
+        picked = pick(picked, survey, seed, name=name, role=role)
+    return Demo(project, picked, survey)
+
+
+@pytest.fixture
+def demo_copy(demo: Demo, tmp_path: Path) -> Path:
+    """A folder of the demo project that the test may change."""
+    return Path(shutil.copytree(demo.project.folder, tmp_path / "harbour"))
+
+
+@pytest.fixture
+def driver(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
+    """An empty window with a recording viewport."""
+    theme.apply_theme(qapp)
+    made = Driver(qtbot, RecordingViewport(), tmp_path)
+    yield made
+    made.leave()
+
+
+@pytest.fixture
+def opened(driver: Driver, demo: Demo) -> Driver:
+    """The demo survey with nothing picked."""
+    driver.window.document.open(demo.project, demo.survey)
+    driver.rest()
+    return driver
+
+
+@pytest.fixture
+def picked(driver: Driver, demo: Demo) -> Driver:
+    """The demo survey with two targets and a validation plane."""
+    driver.window.document.open(demo.picked, demo.survey)
+    driver.rest()
+    return driver

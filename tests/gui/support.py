@@ -1,0 +1,94 @@
+"""The window of the tests: answers instead of dialogues, and a driver that leaves nothing."""
+
+import threading
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.dialogs.new_project import NewProjectRequest
+from lispac.gui.dialogs.service import Answer, Dialogs
+from lispac.gui.main_window import MainWindow
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.base import Viewport
+from lispac.project import Project
+from lispac.workflow.survey import Survey
+
+WAIT_MS = 120_000
+
+
+class ScriptedDialogs(Dialogs):
+    """Answers by itself and remembers what it was told."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.path: Path | None = None
+        self.request: NewProjectRequest | None = None
+        self.answer: Answer = "discard"
+        self.asked: list[str] = []
+        self.errors: list[BaseException] = []
+
+    def new_project(self) -> NewProjectRequest | None:
+        return self.request
+
+    def project_to_open(self, start: Path) -> Path | None:
+        return self.path
+
+    def report_file(self, start: Path) -> Path | None:
+        return self.path
+
+    def lines_folder(self, start: Path) -> Path | None:
+        return self.path
+
+    def save_changes(self, name: str) -> Answer:
+        self.asked.append(name)
+        return self.answer
+
+    def show_error(self, error: BaseException) -> None:
+        self.errors.append(error)
+
+
+@dataclass(frozen=True)
+class Demo:
+    """The demo survey: as made, and with targets and a validation plane picked."""
+
+    project: Project
+    picked: Project
+    survey: Survey
+
+
+class Driver:
+    """A window, and how a test drives and leaves it."""
+
+    def __init__(self, qtbot: QtBot, viewport: Viewport, folder: Path) -> None:
+        self.bot = qtbot
+        self.dialogs = ScriptedDialogs()
+        self.viewport = viewport
+        self.window = MainWindow(viewport, AppSettings(folder / "settings.ini"), self.dialogs)
+        self.window.show()
+        self.window.activateWindow()
+        qtbot.waitUntil(self.window.isActiveWindow, timeout=WAIT_MS)
+
+    @property
+    def project(self) -> Project:
+        """The project in the window."""
+        assert self.window.document.project is not None
+        return self.window.document.project
+
+    def rest(self) -> None:
+        """Wait until no work is left."""
+        QCoreApplication.processEvents()
+        self.bot.waitUntil(lambda: not self.window.runner.active, timeout=WAIT_MS)
+
+    def leave(self) -> None:
+        """Close the window and see that nothing of it is left."""
+        self.dialogs.answer = "discard"
+        assert self.window.close()
+        assert self.window.runner.current is None
+        self.window.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        QCoreApplication.processEvents()
+        assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == []
+        assert [t.name for t in threading.enumerate() if t.name == "lispac-worker"] == []

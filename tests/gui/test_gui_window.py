@@ -1,0 +1,415 @@
+"""The window, driven by mouse and keys; the viewport only remembers what it was asked."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QModelIndex, QPoint, Qt
+from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTableView, QWidget
+
+from lispac.errors import PlaneNotFound, ProjectError
+from lispac.gui.viewport.base import PickedPoint
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.projects import open_project
+from tests.gui.support import Demo, Driver
+
+Key, Left = Qt.Key, Qt.MouseButton.LeftButton
+Control = Qt.KeyboardModifier.ControlModifier
+
+
+def press(driver: Driver, key: Qt.Key, modifier=Qt.KeyboardModifier.NoModifier) -> None:
+    driver.bot.keyClick(driver.window, key, modifier)
+
+
+def click(driver: Driver, widget: QWidget) -> None:
+    assert widget.isVisible()
+    assert widget.isEnabled()
+    driver.bot.mouseClick(widget, Left)
+
+
+def click_check(driver: Driver, table: QTableView, index: QModelIndex) -> None:
+    """Click the check box of a cell: its leftmost ten pixels."""
+    place = table.visualRect(index)
+    driver.bot.mouseClick(
+        table.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y())
+    )
+
+
+def seed(driver: Driver, name: str) -> None:
+    """What a Ctrl+click on the middle of a plane of the demo does."""
+    role, position = demo_seeds()[name]
+    driver.window.targets.set_role(role)
+    first = driver.window.document.survey.lines[0]
+    driver.viewport.signals.seed_clicked.emit(PickedPoint(first, position))
+    driver.rest()
+
+
+def sentence(driver: Driver, step: int) -> str:
+    return driver.window.workflow.headers[step].sentence.text()
+
+
+def open_step(driver: Driver, step: int) -> None:
+    click(driver, driver.window.workflow.headers[step])
+
+
+# -- opening, saving, closing ------------------------------------------------------------------
+
+
+def test_a_project_opens_with_a_key_and_its_lines_are_drawn(driver: Driver, demo_copy: Path):
+    assert sentence(driver, 0) == "no project open"
+    driver.dialogs.path = demo_copy / "project.json"
+    press(driver, Key.Key_O, Control)
+    driver.rest()
+    assert driver.project.folder == demo_copy
+    assert list(driver.viewport.clouds) == [line.name for line in driver.project.lines]
+    assert len(set(driver.viewport.colours.values())) == 6
+    assert sentence(driver, 0).startswith("6 lines, 1.")
+    assert driver.window.settings.recent() == [demo_copy]
+    assert not driver.window.isWindowModified()
+
+
+def test_a_folder_without_a_project_is_refused_in_words(driver: Driver, tmp_path: Path):
+    driver.window.open_project(tmp_path)
+    driver.rest()
+    assert isinstance(driver.dialogs.errors[0], ProjectError)
+    assert driver.window.document.project is None
+
+
+@pytest.mark.parametrize(("answer", "closes", "saved"), [
+    ("cancel", False, 0), ("discard", True, 0), ("save", True, 1),
+])  # fmt: skip
+def test_closing_with_changes_asks(
+    driver: Driver, demo: Demo, demo_copy: Path, answer, closes, saved
+):
+    before = replace(demo.project, folder=demo_copy)
+    driver.window.document.open(before, demo.survey)
+    target = demo.picked.target("T1")
+    driver.window.document.edit("pick of T1", before.with_target(target))
+    assert driver.window.isWindowModified()
+    driver.dialogs.answer = answer
+    assert driver.window.close() is closes
+    assert driver.dialogs.asked == ["harbour"]
+    assert len(open_project(demo_copy).targets) == saved
+
+
+def test_saving_makes_the_project_clean_and_undo_makes_it_dirty_again(
+    driver: Driver, demo: Demo, demo_copy: Path
+):
+    before = replace(demo.project, folder=demo_copy)
+    driver.window.document.open(before, demo.survey)
+    driver.window.document.edit("pick", before.with_target(demo.picked.target("T1")))
+    press(driver, Key.Key_S, Control)
+    assert not driver.window.isWindowModified()
+    assert [t.name for t in open_project(demo_copy).targets] == ["T1"]
+    press(driver, Key.Key_Z, Control)
+    assert driver.window.isWindowModified()
+
+
+# -- seeds -------------------------------------------------------------------------------------
+
+
+def test_a_seed_lights_up_the_plane_on_every_line_and_enter_accepts(opened: Driver):
+    seed(opened, "T1")
+    assert {h.key for h in opened.viewport.highlights} == {
+        ("T1", line.name) for line in opened.project.lines
+    }
+    assert [m.label for m in opened.viewport.markers] == ["T1?"]
+    assert opened.window.targets.candidate.isVisible()
+    assert "6 of 6 lines" in opened.window.targets.candidate.detail.text()
+    assert opened.project.targets == ()
+    press(opened, Key.Key_Return)
+    assert [t.name for t in opened.project.targets] == ["T1"]
+    assert [m.label for m in opened.viewport.markers] == ["T1"]
+    assert not opened.window.targets.candidate.isVisible()
+    assert sentence(opened, 1) == "1 target in 6 lines"
+
+
+def test_escape_rejects_and_leaves_nothing(opened: Driver):
+    before = opened.project
+    seed(opened, "T1")
+    press(opened, Key.Key_Escape)
+    assert opened.project is before
+    assert opened.viewport.highlights == []
+    assert not opened.window.document.undo_stack.canUndo()
+
+
+def test_a_pick_is_one_undo_step(opened: Driver):
+    seed(opened, "T1")
+    click(opened, opened.window.targets.candidate.accept)
+    assert opened.window.actions_["undo"].text() == "&Undo pick of T1"
+    press(opened, Key.Key_Z, Control)
+    assert opened.project.targets == ()
+    assert opened.window.table.sightings.rowCount() == 0
+    press(opened, Key.Key_Y, Control)
+    assert [t.name for t in opened.project.targets] == ["T1"]
+
+
+def test_a_validation_plane_by_key_gets_its_own_name_and_colour(opened: Driver):
+    press(opened, Key.Key_F7)
+    assert opened.window.targets.role == "validation"
+    seed(opened, "V1")
+    press(opened, Key.Key_Return)
+    assert [(t.name, t.role) for t in opened.project.targets] == [("V1", "validation")]
+    press(opened, Key.Key_F6)
+    seed(opened, "T1")
+    press(opened, Key.Key_Return)
+    colours = {h.key[0]: h.colour for h in opened.viewport.highlights}
+    assert colours["T1"] != colours["V1"]
+
+
+def test_a_line_that_lacks_a_target_is_seeded_alone(opened: Driver, demo: Demo):
+    whole = demo.picked.target("T1")
+    line = demo.survey.lines[2]
+    without = replace(
+        whole,
+        sightings=tuple(s for s in whole.sightings if s.line != line),
+        missing={line: "no plane there"},
+    )
+    opened.window.document.edit("pick", demo.project.with_target(without))
+    open_step(opened, 1)
+    panel, table = opened.window.targets, opened.window.table
+    cell = table.sightings.index(0, 3)
+    assert table.sightings.data(cell) == "–"
+    assert "no plane there" in table.sightings.data(cell, Qt.ItemDataRole.ToolTipRole)
+    opened.bot.mouseClick(
+        panel.table.viewport(), Left, pos=panel.table.visualItemRect(panel.table.item(0, 1)).center()
+    )
+    panel.line_choice.setFocus()
+    for _ in range(3):
+        opened.bot.keyClick(panel.line_choice, Key.Key_Down)
+    assert panel.line == line
+    seed(opened, "T1")
+    press(opened, Key.Key_Return)
+    assert len(opened.project.target("T1").sightings) == 6
+    assert opened.project.target("T1").missing == {}
+    assert len(opened.project.targets) == 1
+
+
+def test_a_click_in_empty_space_and_a_seed_off_every_plane_change_nothing(opened: Driver):
+    before = opened.project
+    opened.viewport.click_empty()
+    assert "No point there" in opened.window.task_bar.currentMessage()
+    first = opened.window.document.survey.lines[0]
+    opened.viewport.signals.seed_clicked.emit(PickedPoint(first, (0.0, 0.0, 500.0)))
+    opened.rest()
+    assert isinstance(opened.dialogs.errors[0], PlaneNotFound)
+    assert opened.project is before
+
+
+# -- editing the list ----------------------------------------------------------------------------
+
+
+def test_rename_by_keyboard_keeps_the_place_and_refuses_a_taken_name(picked: Driver):
+    open_step(picked, 1)
+    table = picked.window.targets.table
+    table.setCurrentCell(0, 0)
+    table.setFocus()
+
+    def type_name(name: str) -> None:
+        picked.bot.keyClick(table, Key.Key_F2)
+        editor = table.findChild(QLineEdit)
+        editor.selectAll()
+        picked.bot.keyClicks(editor, name)
+        picked.bot.keyClick(editor, Key.Key_Return)
+        picked.bot.waitUntil(lambda: table.state() != table.State.EditingState)
+        picked.rest()
+
+    type_name("Quay board")
+    assert [t.name for t in picked.project.targets] == ["Quay board", "T2", "V1"]
+    type_name("T2")
+    assert isinstance(picked.dialogs.errors[0], ProjectError)
+    assert [t.name for t in picked.project.targets] == ["Quay board", "T2", "V1"]
+    assert table.item(0, 0).text() == "Quay board"
+
+
+def test_remove_by_key(picked: Driver):
+    open_step(picked, 1)
+    table = picked.window.targets.table
+    table.setFocus()
+    table.selectRow(1)
+    picked.bot.keyClick(table, Key.Key_Delete)
+    assert [t.name for t in picked.project.targets] == ["T1", "V1"]
+
+
+def test_a_sighting_is_left_out_by_its_check_box(picked: Driver):
+    table = picked.window.table
+    click_check(picked, table, table.sightings.index(0, 2))
+    line = picked.project.lines[1].name
+    assert not picked.project.target("T1").sighting(line).used
+    assert picked.window.targets.table.item(0, 2).text() == "5 of 6"
+    click_check(picked, table, table.sightings.index(1, 0))
+    assert not picked.project.target("T2").used
+    assert "1 target in 5 lines" in sentence(picked, 1)
+
+
+def test_a_selected_cell_goes_to_its_sighting(picked: Driver):
+    table = picked.window.table
+    place = table.visualRect(table.sightings.index(1, 1))
+    picked.bot.mouseClick(table.viewport(), Left, pos=place.center() + QPoint(20, 0))
+    line = picked.project.lines[0].name
+    assert picked.viewport.selected == ("T2", line)
+    name, (points,) = picked.viewport.calls[-1]
+    assert name == "fit"
+    assert len(points) == len(picked.project.target("T2").sighting(line).indices)
+    assert picked.window.targets.current == "T2"
+
+
+# -- data ----------------------------------------------------------------------------------------
+
+
+def test_a_line_is_hidden_by_its_check_box(picked: Driver):
+    open_step(picked, 0)
+    table = picked.window.data.lines
+    click_check(picked, table, table.model().index(1, 0))
+    assert picked.viewport.hidden == {picked.project.lines[1].name}
+
+
+def test_a_new_lever_arm_places_the_lines_again_and_undo_puts_them_back(picked: Driver):
+    open_step(picked, 0)
+    panel = picked.window.data
+    line = picked.project.lines[0].name
+    before = picked.viewport.clouds[line][:100].copy()
+    field = panel.lever_arm.fields[2]
+    assert not panel.apply.isEnabled()
+    field.setFocus()
+    field.selectAll()
+    picked.bot.keyClicks(field, "3.173")
+    click(picked, panel.apply)
+    picked.rest()
+    assert picked.project.settings.lever_arm[2] == pytest.approx(3.173)
+    moved = np.linalg.norm(picked.viewport.clouds[line][:100] - before, axis=1)
+    assert moved == pytest.approx(np.ones(100), abs=1e-6)
+    press(picked, Key.Key_Z, Control)
+    picked.rest()
+    assert picked.viewport.clouds[line][:100] == pytest.approx(before, abs=1e-9)
+    assert field.value() == pytest.approx(2.173)
+
+
+# -- adjusting, validating, reporting ------------------------------------------------------------
+
+
+def count_text(driver: Driver) -> str:
+    driver.bot.waitUntil(
+        lambda: "Counting" not in driver.window.adjust.count.text(), timeout=30_000
+    )
+    return driver.window.adjust.count.text()
+
+
+def test_the_point_count_follows_the_distance(picked: Driver):
+    open_step(picked, 2)
+    panel = picked.window.adjust
+    ten_cm = count_text(picked)
+    panel.distance.setFocus()
+    panel.distance.selectAll()
+    picked.bot.keyClicks(panel.distance, "30")
+    picked.bot.waitUntil(lambda: count_text(picked) != ten_cm, timeout=30_000)
+    kept = int(count_text(picked).split("</b>")[0].removeprefix("<b>").replace(",", ""))
+    assert 50 < kept < 1000
+    assert panel.subsample == pytest.approx(0.30)
+    panel.unit.setCurrentIndex(1)
+    assert panel.distance.value() == pytest.approx(0.30)
+    assert picked.project.settings.subsample == 0.10  # nothing is edited until Estimate
+
+
+def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver):
+    open_step(picked, 2)
+    click(picked, picked.window.adjust.estimate)
+    picked.rest()
+    result = picked.project.result
+    truth = picked.project.truth_deg
+    off = np.abs(np.degrees(result.boresight) - truth)
+    assert (off < 4 * np.degrees(result.sigma)).all()
+    table = picked.window.results.angles
+    assert table.item(1, 1).text() == f"{np.degrees(result.boresight[1]):+.4f}".replace("-", "−")
+    assert table.item(4, 1).text() == f"{truth[1]:+.4f}".replace("-", "−")
+    assert sentence(picked, 2) == f"done: variance factor {result.variance_factor:.2f}"
+    assert picked.window.scene.which == "estimated"
+    after = picked.viewport.clouds[picked.project.lines[0].name]
+    open_step(picked, 3)
+    click(picked, picked.window.validate.before)
+    before = picked.viewport.clouds[picked.project.lines[0].name]
+    assert np.abs(after - before).max() > 0.05
+    press(picked, Key.Key_B)
+    assert picked.viewport.clouds[picked.project.lines[0].name] is after
+    assert picked.window.actions_["after"].isChecked()
+    press(picked, Key.Key_Z, Control)
+    assert picked.project.result is None
+    assert picked.viewport.clouds[picked.project.lines[0].name] is before
+    assert not picked.window.actions_["after"].isEnabled()
+
+
+def test_cancel_changes_nothing_and_estimate_runs_afterwards(picked: Driver):
+    before = picked.project
+    open_step(picked, 2)
+    click(picked, picked.window.adjust.estimate)
+    assert picked.window.adjust.cancel.isVisible()
+    click(picked, picked.window.adjust.cancel)
+    picked.rest()
+    assert picked.project is before
+    assert not picked.window.document.undo_stack.canUndo()
+    assert "cancelled" in picked.window.log.toPlainText()
+    click(picked, picked.window.adjust.estimate)
+    picked.rest()
+    assert picked.project.result is not None
+
+
+def test_an_edit_stops_the_adjustment_that_rests_on_the_old_project(picked: Driver):
+    press(picked, Key.Key_F9)
+    picked.window.controller.use_target("T2", False)
+    picked.rest()
+    assert picked.project.result is None
+    assert not picked.project.target("T2").used
+
+
+def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
+    picked: Driver, tmp_path: Path
+):
+    press(picked, Key.Key_F9)
+    picked.rest()
+    open_step(picked, 3)
+    click(picked, picked.window.validate.run)
+    picked.rest()
+    (comparison,) = picked.project.validation
+    assert comparison.after.rms < comparison.before.rms
+    assert sentence(picked, 3) == "1 of 1 plane closer than before"
+    panel = picked.window.histograms
+    assert panel.isVisible()
+    assert panel.current == "V1"
+    assert panel.table.item(0, 3).text() == (
+        f"{comparison.before.rms * 1000:.1f} → {comparison.after.rms * 1000:.1f} mm"
+    )
+    axes = panel.canvas.figure.axes[0]
+    assert len(axes.patches) + len(axes.collections) >= 2
+
+    open_step(picked, 4)
+    for name in ("calibration.json", "calibration.html"):
+        picked.dialogs.path = tmp_path / name
+        click(picked, picked.window.report.report)
+        picked.rest()
+    assert picked.dialogs.errors == []
+    content = json.loads((tmp_path / "calibration.json").read_text())
+    assert "boresight" in json.dumps(content)
+    page = (tmp_path / "calibration.html").read_text()
+    assert "prior boresight" in page
+    taken = [a[0].name for name, a in picked.viewport.calls if name == "screenshot"]
+    assert taken == ["prior.png", "estimated.png"] * 2
+    assert picked.window.scene.which == "estimated"
+
+
+def test_what_cannot_be_done_yet_is_grey_and_says_why(opened: Driver):
+    open_step(opened, 2)
+    assert not opened.window.adjust.estimate.isEnabled()
+    assert "targets first" in opened.window.adjust.advice.text()
+    open_step(opened, 3)
+    assert not opened.window.validate.run.isEnabled()
+    assert not opened.window.validate.after.isEnabled()
+    open_step(opened, 4)
+    assert not opened.window.report.report.isEnabled()
+    assert opened.window.report.lines.isEnabled()
+
+
+def test_cells_of_the_table_cannot_be_typed_into(picked: Driver):
+    triggers = picked.window.results.angles.editTriggers()
+    assert triggers == QAbstractItemView.EditTrigger.NoEditTriggers

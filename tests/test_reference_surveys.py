@@ -1,0 +1,84 @@
+"""Surveys made by others, by the command line alone; skipped where they are not at hand."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.test_cli import answer
+
+
+def make(capsys: pytest.CaptureFixture[str], data: Path, project: Path, *extra: object) -> Any:
+    site = json.loads((data / "site.json").read_text())
+    lines = sorted(data.glob("*.laz"))
+    answer(
+        capsys, "new", project, "--trajectory", data / "trajectory.sbet",
+        "--lever-arm", *site["lever_arm_m"], "--origin", *site["origin_deg_m"], *extra, *lines,
+    )  # fmt: skip
+    return site
+
+
+def angles(numbers: dict[str, Any], key: str) -> np.ndarray:
+    return np.array([numbers[key][angle] for angle in ("roll", "pitch", "yaw")])
+
+
+def test_harbour(
+    capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path
+) -> None:
+    data, project = shared_data / "harbour", tmp_path / "harbour"
+    truth = json.loads((data / "truth.json").read_text())["boresight_deg"]
+    site = make(
+        capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out", "--lidar-sigma", 0.003
+    )
+    for name, target in site["targets_nwu"].items():
+        picked = answer(capsys, "pick", project, "--seed", *target["centre"], "--name", name)
+        assert len(picked["lines"]) == 6, (name, picked["missing"])
+    thesis = answer(capsys, "estimate", project, "--pos-errors", "independent")
+    honest = answer(capsys, "estimate", project, "--pos-errors", "correlated")
+    error = angles(honest, "boresight_deg") - truth
+    said = (
+        f"truth {truth}, thesis mode {angles(thesis, 'boresight_deg')}, "
+        f"correlated {angles(honest, 'boresight_deg')} +- {angles(honest, 'sigma_deg')}"
+    )
+    assert (np.abs(error) < 3 * angles(honest, "sigma_deg")).all(), said
+    assert np.abs(angles(thesis, "boresight_deg") - truth).max() < 0.25, said
+    compared = set()
+    for name, plane in site["validation_nwu"].items():
+        if name == "V5":
+            continue  # no line of this survey has a point within 13 m of it
+        answer(
+            capsys, "pick", project, "--seed", *plane["centre"], "--name", name,
+            "--role", "validation",
+        )  # fmt: skip
+        compared.add(name)
+    planes = answer(capsys, "validate", project)["planes"]
+    assert {plane["name"] for plane in planes} == compared
+    for plane in planes:
+        assert plane["after"]["rms"] < plane["before"]["rms"], (plane["name"], said)
+
+
+@pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
+@pytest.mark.parametrize("pos_errors", ["independent", "correlated"])
+def test_drone(
+    capsys: pytest.CaptureFixture[str],
+    shared_data: Path,
+    tmp_path: Path,
+    name: str,
+    pos_errors: str,
+) -> None:
+    data, project = shared_data / name, tmp_path / name
+    reference = json.loads((data / "reference.json").read_text())
+    site = make(
+        capsys, data, project, "--position-sigma", 0.02, 0.02, 0.02,
+        "--attitude-sigma", 0.015, 0.015, 0.015, "--lidar-sigma", 0.02,
+    )  # fmt: skip
+    for target, seed in site["seeds_nwu_on_line1"].items():
+        answer(capsys, "pick", project, "--seed", *seed, "--name", target)
+    numbers = answer(capsys, "estimate", project, "--pos-errors", pos_errors, "--subsample", 0)
+    error = angles(numbers, "boresight_deg") - reference["boresight_deg"]
+    rms = numbers["joint_plane_rms_m"]
+    assert np.abs(error).max() < 0.1, (error, rms)
+    assert rms["before"] == pytest.approx(reference["rms_before_m"], rel=0.25), rms
+    assert rms["after"] < 0.025, rms

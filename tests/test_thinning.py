@@ -1,0 +1,60 @@
+"""Spatial subsampling: what is kept, how far apart, and that order does not matter."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from scipy.spatial import cKDTree
+
+from lispac.errors import InputError
+from lispac.targets.thinning import thin
+
+POINTS = arrays(
+    np.float64,
+    st.tuples(st.integers(0, 60), st.just(3)),
+    elements=st.floats(-5, 5, allow_nan=False, width=32),
+)
+DISTANCES = st.floats(0.02, 3.0)
+
+
+@settings(max_examples=80, deadline=None)
+@given(points=POINTS, distance=DISTANCES)
+def test_one_point_per_cube_and_every_point_has_one_near(points, distance):
+    kept = thin(points, distance)
+    assert np.array_equal(kept, np.unique(kept))
+    cells = np.floor(points / distance)
+    assert len(np.unique(cells[kept], axis=0)) == len(kept) == len(np.unique(cells, axis=0))
+    if len(points):
+        off, _ = cKDTree(points[kept]).query(points)
+        assert off.max() <= np.sqrt(3) * distance * (1 + 1e-12)
+
+
+@settings(max_examples=40, deadline=None)
+@given(points=POINTS, distance=DISTANCES, seed=st.integers(0, 1000))
+def test_the_order_of_the_points_does_not_matter(points, distance, seed):
+    order = np.random.default_rng(seed).permutation(len(points))
+    kept, shuffled = points[thin(points, distance)], points[order][thin(points[order], distance)]
+    # Adding zero turns -0.0 into 0.0, which only bytes tell apart.
+    assert sorted(map(tuple, kept + 0.0)) == sorted(map(tuple, shuffled + 0.0))
+
+
+@pytest.mark.parametrize("distance", [0.0, -1.0])
+def test_no_distance_keeps_every_point_that_has_coordinates(distance):
+    points = np.random.default_rng(1).normal(size=(50, 3))
+    points[3] = np.nan
+    np.testing.assert_array_equal(thin(points, distance), np.delete(np.arange(50), 3))
+
+
+def test_a_dense_board_is_left_with_about_one_point_per_cell():
+    rng = np.random.default_rng(2)
+    points = np.stack(
+        [rng.uniform(0, 1.2, 20_000), np.full(20_000, 0.05), rng.uniform(0, 1.2, 20_000)], 1
+    )
+    assert len(thin(points, 0.1)) == 144
+
+
+@pytest.mark.parametrize("distance", [np.nan, np.inf])
+def test_a_distance_that_is_no_number_is_refused(distance):
+    with pytest.raises(InputError):
+        thin(np.zeros((3, 3)), distance)
