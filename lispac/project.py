@@ -63,7 +63,7 @@ class Settings:
     attitude_sigma_deg: Triple = (0.01, 0.01, 0.015)
     lidar_sigma: float = 0.005
     subsample: float = 0.10
-    pos_errors: PosErrors = "correlated"
+    pos_errors: PosErrors = "independent"
 
     @property
     def threshold(self) -> float:

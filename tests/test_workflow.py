@@ -127,10 +127,30 @@ def test_edits_drop_what_no_longer_follows(calibrated: tuple[Project, Survey]) -
 
 def test_thinned_counts_are_what_the_adjustment_takes(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    assert project.result is not None
     counts = calibration.thinned_counts(project, survey, project.settings.subsample)
-    taken = {(s.sighting.target, s.sighting.line): s.points for s in project.result.sightings}
+    result = calibration.estimate(project, survey, reselections=0).result
+    assert result is not None
+    taken = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
     assert counts == taken
+
+
+def test_selecting_again_leaves_clean_boards_alone(calibrated: tuple[Project, Survey]) -> None:
+    """The boards are crossed too fast for the prior to smear them, so little can change."""
+    project, survey = calibrated
+    assert project.result is not None
+    picks = calibration.estimate(project, survey, reselections=0).result
+    assert picks is not None
+    moved = np.abs(picks.boresight - project.result.boresight) / project.result.sigma
+    assert (moved < 0.3).all(), moved
+
+
+def test_estimating_twice_gives_the_same(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    again = calibration.estimate(project, survey)
+    assert again.targets is project.targets
+    assert again.result is not None
+    assert project.result is not None
+    np.testing.assert_array_equal(again.result.boresight, project.result.boresight)
 
 
 def test_one_line_can_have_a_seed_of_its_own(calibrated: tuple[Project, Survey]) -> None:

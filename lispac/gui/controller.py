@@ -168,13 +168,15 @@ class Controller(QObject):
         if line is not None and selected is not None:
             name, role = selected, project.target(selected).role
 
+        position = self._scene.prior_position(point)
+
         def work(progress: Progress) -> Target:
             return picking.find(
-                project, survey, point.position, name=name, role=role, line=line,
+                project, survey, position, name=name, role=role, line=line,
                 first_line=point.line, threshold=threshold, radius=radius, progress=progress,
             )  # fmt: skip
 
-        task = self._runner.run(f"Seeking {name} on every line", work, self._found)
+        task = self._runner.run(f"Seeking {name} on {line or 'every line'}", work, self._found)
         self.based_on_project(task)
 
     def accept(self) -> None:

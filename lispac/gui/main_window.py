@@ -113,7 +113,9 @@ class MainWindow(QMainWindow):
             self.resizeDocks(
                 [docks["Workflow"], docks["Results"]], [350, 400], Qt.Orientation.Horizontal
             )
-            self.resizeDocks([docks["Targets by lines"]], [self.height() // 4], Qt.Orientation.Vertical)
+            self.resizeDocks(
+                [docks["Targets by lines"]], [self.height() // 4], Qt.Orientation.Vertical
+            )
         else:
             self.restoreGeometry(kept[0])
             self.restoreState(kept[1])

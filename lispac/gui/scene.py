@@ -8,8 +8,8 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.gui import theme
 from lispac.gui.document import Document
-from lispac.gui.viewport.base import Array, Highlight, Marker, Viewport
-from lispac.project import Target
+from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Viewport
+from lispac.project import Target, Triple
 
 Which = Literal["prior", "estimated"]
 
@@ -50,6 +50,16 @@ class Scene(QObject):
             and project.result is not None
             and self._estimated[0] is project.result
         )
+
+    def prior_position(self, point: PickedPoint) -> Triple:
+        """Where a clicked point lies with the prior boresight, in which planes are sought."""
+        survey = self._document.survey
+        if survey is None or self.which == "prior":
+            return point.position
+        away = self.clouds[point.line] - np.array(point.position)
+        nearest = int(np.argmin(np.einsum("ij,ij->i", away, away)))
+        north, west, up = (float(v) for v in survey.clouds[point.line][nearest])
+        return north, west, up
 
     def keep_estimated(self, result: object, clouds: Mapping[str, Array]) -> None:
         """Keep the lines placed with ``result``."""

@@ -65,6 +65,7 @@ def make_demo(folder: Path, *, progress: Progress = no_progress) -> Project:
             lever_arm=_triple(survey.lever_arm),
             origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
             lidar_sigma=LIDAR_SIGMA,
+            pos_errors="correlated",  # as the errors put in are
         ),
         truth_deg=_triple(np.degrees(survey.boresight)),
     )

@@ -32,9 +32,7 @@ def click(driver: Driver, widget: QWidget) -> None:
 def click_check(driver: Driver, table: QTableView, index: QModelIndex) -> None:
     """Click the check box of a cell: its leftmost ten pixels."""
     place = table.visualRect(index)
-    driver.bot.mouseClick(
-        table.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y())
-    )
+    driver.bot.mouseClick(table.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y()))
 
 
 def seed(driver: Driver, name: str) -> None:
@@ -174,7 +172,9 @@ def test_a_line_that_lacks_a_target_is_seeded_alone(opened: Driver, demo: Demo):
     assert table.sightings.data(cell) == "–"
     assert "no plane there" in table.sightings.data(cell, Qt.ItemDataRole.ToolTipRole)
     opened.bot.mouseClick(
-        panel.table.viewport(), Left, pos=panel.table.visualItemRect(panel.table.item(0, 1)).center()
+        panel.table.viewport(),
+        Left,
+        pos=panel.table.visualItemRect(panel.table.item(0, 1)).center(),
     )
     panel.line_choice.setFocus()
     for _ in range(3):
@@ -338,6 +338,21 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
     assert picked.project.result is None
     assert picked.viewport.clouds[picked.project.lines[0].name] is before
     assert not picked.window.actions_["after"].isEnabled()
+
+
+def test_a_seed_on_the_lines_after_is_sought_where_it_lies_before(picked: Driver):
+    press(picked, Key.Key_F9)
+    picked.rest()
+    line = picked.project.lines[1].name
+    sighting = picked.project.target("T2").sighting(line)
+    press(picked, Key.Key_F6)
+    picked.viewport.click(line, int(sighting.indices[len(sighting.indices) // 2]))
+    picked.rest()
+    found = picked.window.controller.candidate
+    shared = np.intersect1d(found.sighting(line).indices, sighting.indices)
+    assert len(shared) > 0.9 * len(sighting.indices)
+    place = picked.window.document.survey.clouds[line][sighting.indices]
+    assert np.linalg.norm(place - found.seed, axis=1).min() < 1e-9
 
 
 def test_cancel_changes_nothing_and_estimate_runs_afterwards(picked: Driver):

@@ -3,7 +3,7 @@
 import traceback
 
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QPushButton, QWidget
+from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QWidget
 
 from lispac.errors import LispacError
 
@@ -14,6 +14,8 @@ def describe(error: BaseException) -> tuple[str, str]:
         return str(error), ""
     if isinstance(error, MemoryError):
         return "There is not enough memory for this; close other programs or use fewer lines.", ""
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename or 'A file'}: {error.strerror}.", ""
     details = "".join(traceback.format_exception(error))
     return (
         "Something went wrong that the program did not foresee. Your project is as it was before "
@@ -31,9 +33,8 @@ def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
     if details:
         box.setIcon(QMessageBox.Icon.Critical)
         box.setDetailedText(details)
-        copy = QPushButton("Copy details")
+        copy = box.addButton("Copy details", QMessageBox.ButtonRole.ActionRole)
         copy.setObjectName("copy_details")
-        box.addButton(copy, QMessageBox.ButtonRole.ActionRole)
         # A message box closes with any of its buttons; this one is to leave it open.
         copy.clicked.disconnect()
         copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(details))

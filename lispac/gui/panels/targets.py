@@ -108,9 +108,12 @@ class TargetsPanel(QWidget):
             self.candidate.fill(candidate, known, lines)
 
     def select(self, name: str) -> None:
-        """Select a target in the list."""
+        """Select a target in the list, without telling anyone."""
         if name in self._names and self.current != name:
+            self.table.blockSignals(True)
             self.table.selectRow(self._names.index(name))
+            self.table.blockSignals(False)
+            self._selection_changed(tell=False)
 
     def _list(self, project: Project | None) -> None:
         targets = () if project is None else project.targets

@@ -1,0 +1,72 @@
+"""The points of every target selected again with the boresight found so far."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import PlaneNotFound
+from lispac.progress import Progress, no_progress
+from lispac.project import PickedSighting, Project, Target
+from lispac.targets.across_lines import find_in_lines
+from lispac.targets.finder import FinderSettings
+from lispac.workflow.survey import Survey
+
+Array = NDArray[np.float64]
+
+NARROWED = 2 / 3
+"""Share of the pick's threshold that is left once the boresight no longer smears the surface: two
+LiDAR sigma where the pick took three."""
+
+
+def reselect(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Project:
+    """Seek every target that takes part once more, in lines placed with the estimated boresight.
+
+    A sighting that is not found again keeps its points. No sighting is added: which lines a
+    target is used in is the user's choice.
+    """
+    clouds = survey.placed(project, "estimated", progress=progress)
+    for target in project.of_role("target"):
+        if target.used_sightings:
+            project = replace(
+                project,
+                targets=tuple(
+                    _again(target, survey.clouds, clouds) if other is target else other
+                    for other in project.targets
+                ),
+            )
+    return project
+
+
+def _again(target: Target, before: Mapping[str, Array], after: Mapping[str, Array]) -> Target:
+    line, seed = _moved_seed(target, before, after)
+    settings = FinderSettings(threshold=NARROWED * target.threshold, radius=target.radius)
+    lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
+    try:
+        found, _ = find_in_lines(lines, seed, settings, first_line=line)
+    except PlaneNotFound:
+        return target
+    return replace(
+        target,
+        sightings=tuple(
+            PickedSighting(s.line, found[s.line].indices, found[s.line].rms, s.used)
+            if s.line in found
+            else s
+            for s in target.sightings
+        ),
+    )
+
+
+def _moved_seed(
+    target: Target, before: Mapping[str, Array], after: Mapping[str, Array]
+) -> tuple[str, Array]:
+    """The seed moves as the sighting's point nearest to it does; that point's line and the seed."""
+    seed = np.array(target.seed)
+    nearest: list[tuple[float, str, int]] = []
+    for sighting in target.used_sightings:
+        apart = np.linalg.norm(before[sighting.line][sighting.indices] - seed, axis=1)
+        k = int(np.argmin(apart))
+        nearest.append((float(apart[k]), sighting.line, int(sighting.indices[k])))
+    _, line, index = min(nearest)
+    return line, seed + after[line][index] - before[line][index]

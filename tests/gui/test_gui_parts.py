@@ -1,0 +1,218 @@
+"""Parts of the window on their own: tasks, dialogues, settings, words."""
+
+import threading
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication, QPushButton
+from pytestqt.qtbot import QtBot
+
+from lispac.errors import Cancelled, InputError
+from lispac.gui import edits, status
+from lispac.gui.dialogs.error import describe, error_box
+from lispac.gui.dialogs.new_project import NewProjectDialog
+from lispac.gui.settings import AppSettings
+from lispac.gui.statusbar import spoken
+from lispac.gui.tasks import TaskRunner
+from lispac.progress import Progress
+from lispac.workflow.projects import create_project
+from tests.gui.support import Demo
+
+
+@pytest.fixture
+def runner(qtbot: QtBot):
+    made = TaskRunner()
+    yield made
+    made.close()
+
+
+def endless(progress: Progress) -> None:
+    while True:
+        progress(0.5, "going on")
+        time.sleep(0.005)
+
+
+# -- tasks ---------------------------------------------------------------------------------------
+
+
+def test_the_work_runs_elsewhere_and_its_value_comes_back_here(qtbot, runner):
+    got = []
+
+    def work(progress):
+        progress(0.5, "half")
+        return threading.current_thread().name
+
+    runner.run("Work", work, lambda value: got.append((value, threading.current_thread().name)))
+    assert runner.busy
+    qtbot.waitUntil(lambda: bool(got))
+    assert got == [("lispac-worker", "MainThread")]
+    assert not runner.active
+
+
+def test_a_cancelled_task_hands_nothing_over(qtbot, runner):
+    got = []
+    runner.run("Endless", endless, got.append)
+    qtbot.waitUntil(lambda: runner.current.message == "going on")
+    with qtbot.waitSignal(runner.stopped) as stopped:
+        runner.cancel()
+    assert stopped.args == ["Endless"]
+    assert got == []
+
+
+def test_a_failed_task_tells_why_and_the_next_one_runs(qtbot, runner):
+    def fails(_progress):
+        raise InputError("the file is short")
+
+    got = []
+    with qtbot.waitSignal(runner.failed) as failed:
+        runner.run("Fails", fails, got.append)
+        runner.run("Works", lambda _progress: 7, got.append)
+    assert str(failed.args[0]) == "the file is short"
+    qtbot.waitUntil(lambda: got == [7])
+
+
+def test_quiet_work_gives_way_and_a_later_one_replaces_it(qtbot, runner):
+    got = []
+    runner.run("First", endless, got.append, quiet=True, key="count")
+    qtbot.waitUntil(lambda: runner.current.message == "going on")
+    assert not runner.busy
+    runner.run("Second", lambda _progress: 2, got.append, quiet=True, key="count")
+    qtbot.waitUntil(lambda: got == [2])
+    runner.run("Third", endless, got.append, quiet=True)
+    runner.run("Loud", lambda _progress: 3, got.append)
+    qtbot.waitUntil(lambda: got == [2, 3])
+
+
+def test_progress_reaches_the_window_at_most_twenty_times_a_second(qtbot, runner):
+    shown = []
+    runner.changed.connect(lambda: shown.append(time.monotonic()))
+
+    def chatty(progress):
+        end = time.monotonic() + 0.5
+        while time.monotonic() < end:
+            progress(0.5)
+
+    done = []
+    runner.run("Chatty", chatty, done.append)
+    qtbot.waitUntil(lambda: bool(done))
+    assert len(shown) <= 0.5 * 20 + 4
+
+
+def test_closing_waits_for_the_worker(qtbot):
+    runner = TaskRunner()
+    ended = []
+
+    def work(progress):
+        try:
+            endless(progress)
+        except Cancelled:
+            ended.append(True)
+            raise
+
+    runner.run("Endless", work, lambda _value: None)
+    qtbot.waitUntil(lambda: runner.current.message == "going on")
+    runner.close()
+    assert ended == [True]
+    assert "lispac-worker" not in [thread.name for thread in threading.enumerate()]
+
+
+# -- a new project -------------------------------------------------------------------------------
+
+
+def test_a_new_project_says_what_is_missing_until_it_can_be_made(
+    qtbot: QtBot, demo: Demo, tmp_path: Path
+):
+    dialog = NewProjectDialog()
+    qtbot.addWidget(dialog)
+    dialog.show()
+    assert not dialog.ok.isEnabled()
+    assert dialog.reason.text() == "Choose a folder for the project."
+    qtbot.keyClicks(dialog.folder, str(tmp_path / "made"))
+    assert "trajectory" in dialog.reason.text()
+    dialog.trajectory.setText(str(tmp_path / "none.sbet"))
+    assert "is not there" in dialog.reason.text()
+    dialog.trajectory.setText(str(demo.project.trajectory))
+    assert "at least one line" in dialog.reason.text()
+    assert dialog.position_sigma.isEnabled()
+    dialog.accuracy.setText(str(demo.project.accuracy))
+    assert not dialog.position_sigma.isEnabled()
+
+    text = tmp_path / "line.txt"
+    text.write_text("1 2 3 4\n")
+    dialog.add_lines([text])
+    assert dialog.ok.isEnabled()
+    dialog.columns.setText("time x y")
+    assert dialog.reason.text().endswith("missing: z.")
+    dialog.lines.setCurrentRow(0)
+    dialog.findChild(QPushButton, "new_remove_lines").click()
+    assert not dialog.columns.isEnabled()
+    dialog.add_lines([line.path for line in demo.project.lines])
+    field = dialog.lever_arm.fields[2]
+    field.selectAll()
+    qtbot.keyClicks(field, "2.173")
+    assert dialog.ok.isEnabled(), dialog.reason.text()
+
+    asked = dialog.request()
+    made = create_project(
+        asked.folder, trajectory=asked.trajectory, lines=asked.lines,
+        settings=asked.settings, accuracy=asked.accuracy,
+    )  # fmt: skip
+    assert [line.name for line in made.lines] == [line.name for line in demo.project.lines]
+    assert made.settings.lever_arm == (0.0, 0.0, 2.173)
+    assert dialog.problem() == "There is a project in this folder already."
+
+
+# -- errors and words ----------------------------------------------------------------------------
+
+
+def test_an_error_of_the_program_is_its_sentence_and_another_has_details(
+    qtbot: QtBot, qapp: QApplication
+):
+    assert describe(InputError("line 3 is empty")) == ("line 3 is empty", "")
+    sentence, details = describe(ZeroDivisionError("by zero"))
+    assert "Traceback" not in sentence
+    assert "ZeroDivisionError: by zero" in details
+    box = error_box(None, ZeroDivisionError("by zero"))
+    qtbot.addWidget(box)
+    box.show()
+    box.findChild(QPushButton, "copy_details").click()
+    assert "ZeroDivisionError" in qapp.clipboard().text()
+    assert box.isVisible()
+    box.close()
+
+
+def test_steps_say_what_is_there_and_what_comes_next(demo: Demo):
+    assert [s.sentence for s in status.steps(None, None)][0] == "no project open"
+    assert status.steps(demo.project, None)[0].state == "todo"
+    start = status.steps(demo.project, demo.survey)
+    assert [s.state for s in start] == ["done", "todo", "empty", "empty", "empty"]
+    assert "Ctrl" in start[1].advice
+    ready = status.steps(demo.picked, demo.survey)
+    assert ready[1].sentence == "2 targets in 6 lines, 1 validation plane"
+    assert ready[2].ready
+    first = demo.picked.target("T1")
+    lonely = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))
+    assert "fewer than two lines" in status.steps(lonely, demo.survey)[1].advice
+
+
+def test_renaming_a_validation_plane_keeps_the_order(demo: Demo):
+    renamed = edits.with_name(demo.picked, "T1", "A")
+    assert [t.name for t in renamed.targets] == ["A", "T2", "V1"]
+    assert edits.with_use_of_target(demo.picked, "T1", True) is demo.picked
+
+
+def test_recent_projects_come_back_newest_first(tmp_path: Path):
+    kept = AppSettings(tmp_path / "s.ini")
+    for name in ("a", "b", "a"):
+        kept.add_recent(tmp_path / name)
+    kept.point_size = 4
+    kept.sync()
+    again = AppSettings(tmp_path / "s.ini")
+    assert again.recent() == [tmp_path / "a", tmp_path / "b"]
+    assert again.point_size == 4
+
+
+def test_durations_are_spoken():
+    assert [spoken(s) for s in (0.2, 42, 130)] == ["1 s", "42 s", "2 min 10 s"]
