@@ -37,5 +37,5 @@ class NotConverged(AdjustmentError):
     """The iterations did not settle."""
 
 
-class Cancelled(Exception):  # noqa: N818 - a request, not an error
+class Cancelled(Exception):
     """The user asked a running task to stop; nothing has been changed."""

@@ -78,9 +78,7 @@ def test_sums_equal_dense_matrix_products(pose_in_variance: bool) -> None:
     variance = np.diag(jacobian @ np.diag(sigma[0] ** 2) @ jacobian.T)
     effects = np.random.default_rng(0).normal(0, 0.01, (len(observations.sightings), 6))
     here = mounting(0.1, 0.2, 0.3)
-    sums = sum_by_sighting(
-        observations, here, PLANES, effects, pose_in_variance=pose_in_variance
-    )
+    sums = sum_by_sighting(observations, here, PLANES, effects, pose_in_variance=pose_in_variance)
     for s in range(len(observations.sightings)):
         own = observations.sighting == s
         rows = conditions.rows[own].copy()

@@ -84,7 +84,9 @@ def test_missing_file_and_folder_are_refused(tmp_path: Path) -> None:
 
 def test_smrmsg_round_trip_in_arc_minutes(tmp_path: Path) -> None:
     attitude = np.radians([[0.008, 0.008, 0.012], [0.01, 0.01, 0.02]])
-    accuracy = TrajectoryAccuracy(np.array([0.0, 1.0]), np.array([[0.01] * 3, [0.02] * 3]), attitude)
+    accuracy = TrajectoryAccuracy(
+        np.array([0.0, 1.0]), np.array([[0.01] * 3, [0.02] * 3]), attitude
+    )
     write_smrmsg(tmp_path / "smrmsg.out", accuracy)
     stored = np.fromfile(tmp_path / "smrmsg.out").reshape(-1, 10)
     np.testing.assert_allclose(stored[0, 7:], [0.48, 0.48, 0.72])
@@ -245,16 +247,22 @@ def test_bad_plane_file_is_refused(tmp_path: Path, text: str, said: str) -> None
 def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
     path.write_text("old")
-    with pytest.raises(ValueError, match="broken"), written_whole(path) as temporary:
-        temporary.write_text("half")
-        raise ValueError("broken")
+
+    def write_half() -> None:
+        with written_whole(path) as temporary:
+            temporary.write_text("half")
+            raise ValueError("broken")
+
+    with pytest.raises(ValueError, match="broken"):
+        write_half()
     assert path.read_text() == "old"
     assert [p.name for p in tmp_path.iterdir()] == ["a.txt"]
 
 
 def test_writing_where_no_folder_can_be_made_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(InputError, match="cannot be written"), written_whole(
-        tmp_path / "file" / "a.txt"
+    with (
+        pytest.raises(InputError, match="cannot be written"),
+        written_whole(tmp_path / "file" / "a.txt"),
     ):
         pass

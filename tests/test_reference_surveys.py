@@ -28,9 +28,7 @@ def angles(numbers: dict[str, Any], key: str) -> np.ndarray:
     return np.array([numbers[key][angle] for angle in ("roll", "pitch", "yaw")])
 
 
-def test_harbour(
-    capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path
-) -> None:
+def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path) -> None:
     data, project = shared_data / "harbour", tmp_path / "harbour"
     truth = json.loads((data / "truth.json").read_text())["boresight_deg"]
     site = make(

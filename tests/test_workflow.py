@@ -2,7 +2,6 @@
 
 import json
 import shutil
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -31,10 +30,10 @@ def calibrated(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, Surve
 
 
 @pytest.fixture
-def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Iterator[Project]:
+def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
     folder = tmp_path / "copy"
     shutil.copytree(calibrated[0].folder, folder)
-    yield projects.open_project(folder)
+    return projects.open_project(folder)
 
 
 def test_noise_free_survey_gives_the_boresight_back() -> None:

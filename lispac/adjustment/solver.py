@@ -190,17 +190,13 @@ def _solve(
     effects = (
         np.zeros((len(observations.sightings), 6)) if factor is None else factor @ unit_effects
     )
-    sums = sum_by_sighting(
-        observations, mounting, planes, effects, pose_in_variance=factor is None
-    )
+    sums = sum_by_sighting(observations, mounting, planes, effects, pose_in_variance=factor is None)
     parameters = 3 + 3 * len(planes)
     unknowns = parameters + len(unit_effects)
     normal = np.zeros((unknowns, unknowns))
     right = np.zeros(unknowns)
     quadratic = float(unit_effects @ unit_effects)
-    for s, (total, target) in enumerate(
-        zip(sums, observations.target_of_sighting, strict=True)
-    ):
+    for s, (total, target) in enumerate(zip(sums, observations.target_of_sighting, strict=True)):
         # This sighting's columns as functions of all unknowns
         own = np.zeros((13, unknowns))
         own[BORESIGHT, :3] = np.eye(3)
@@ -248,9 +244,7 @@ def _covariance(normal: Array) -> Array:
 
 def _residuals(
     observations: Observations, before: Array, after: Array, planes: Array
-) -> tuple[
-    tuple[TargetResidual, ...], tuple[SightingResidual, ...], tuple[float, float]
-]:
+) -> tuple[tuple[TargetResidual, ...], tuple[SightingResidual, ...], tuple[float, float]]:
     squares = observations.mean_by_sighting(np.stack([before**2, after**2], axis=1))
     means = observations.mean_by_sighting(after)
     sightings = tuple(

@@ -53,18 +53,19 @@ def demo(arguments: Namespace) -> None:
 def new(arguments: Namespace) -> None:
     """Make a project; the lines are read once, so that what cannot be used is said now."""
     columns = tuple(arguments.columns.split(",")) if arguments.columns else ()
-    given = {
+    given: dict[str, Any] = {
         "boresight_deg": arguments.boresight,
         "origin_deg_m": arguments.origin,
         "position_sigma": arguments.position_sigma,
         "attitude_sigma_deg": arguments.attitude_sigma,
     }
+    triples: dict[str, Any] = {k: tuple(v) for k, v in given.items() if v is not None}
     settings = Settings(
         lever_arm=tuple(arguments.lever_arm),
         lidar_sigma=(
             DEFAULT_LIDAR_SIGMA if arguments.lidar_sigma is None else arguments.lidar_sigma
         ),
-        **{name: tuple(value) for name, value in given.items() if value is not None},
+        **triples,
     )
     check_settings(settings)
     lines = [LineSource(name, path, columns) for name, path in _named(arguments.lines)]
@@ -298,7 +299,9 @@ def _print_result(result: AdjustmentResult) -> None:
 
 
 def _print_validation(project: Project) -> None:
-    print(f"{'validation':12s}{'points':>10s}{'RMS before':>14s}{'RMS after':>14s}  mm, line to line")
+    print(
+        f"{'validation':12s}{'points':>10s}{'RMS before':>14s}{'RMS after':>14s}  mm, line to line"
+    )
     for comparison in project.validation:
         print(
             f"{comparison.name:12s}{comparison.after.n:10,}"

@@ -30,7 +30,9 @@ def build_parser() -> argparse.ArgumentParser:
 Commands = argparse._SubParsersAction  # the type argparse gives no public name
 
 
-def _command(commands: "Commands[argparse.ArgumentParser]", name: str, text: str) -> argparse.ArgumentParser:
+def _command(
+    commands: "Commands[argparse.ArgumentParser]", name: str, text: str
+) -> argparse.ArgumentParser:
     return commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
 
 
@@ -44,10 +46,14 @@ def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
 def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
     new = _command(commands, "new", "make a project from raw lines and a trajectory")
     new.add_argument("project", type=Path, metavar="PROJECT", help="folder to make")
-    new.add_argument("lines", type=Path, nargs="+", metavar="LINE", help="scan file (LAS, LAZ, text)")
+    new.add_argument(
+        "lines", type=Path, nargs="+", metavar="LINE", help="scan file (LAS, LAZ, text)"
+    )
     new.add_argument("--trajectory", type=Path, required=True, metavar="FILE", help="SBET")
     new.add_argument("--trajectory-accuracy", type=Path, metavar="FILE", help="smrmsg")
-    _triple(new, "--lever-arm", ("X", "Y", "Z"), "LiDAR from POS: forward, left, up (m)", required=True)
+    _triple(
+        new, "--lever-arm", ("X", "Y", "Z"), "LiDAR from POS: forward, left, up (m)", required=True
+    )
     _triple(new, "--boresight", ("ROLL", "PITCH", "YAW"), "prior boresight (deg), default 0 0 0")
     _triple(new, "--origin", ("LAT", "LON", "HEIGHT"), "origin of the local frame (deg, m)")
     _triple(new, "--position-sigma", ("N", "E", "D"), "position sigmas without accuracy file (m)")
@@ -55,7 +61,9 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
         new, "--attitude-sigma", ("ROLL", "PITCH", "HEADING"),
         "attitude sigmas without accuracy file (deg)",
     )  # fmt: skip
-    new.add_argument("--lidar-sigma", type=_positive, metavar="METRES", help="LiDAR noise on each axis")
+    new.add_argument(
+        "--lidar-sigma", type=_positive, metavar="METRES", help="LiDAR noise on each axis"
+    )
     new.add_argument(
         "--columns",
         metavar="NAMES",
@@ -67,7 +75,9 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
 def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
     pick = _command(commands, "pick", "find the plane at a seed, in every line")
     pick.add_argument("project", type=Path, metavar="PROJECT")
-    _triple(pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True)
+    _triple(
+        pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True
+    )
     pick.add_argument("--name", required=True, help="name of the target, e.g. T1")
     pick.add_argument("--role", choices=("target", "validation"), default="target")
     pick.add_argument("--line", help="seek in this line only")

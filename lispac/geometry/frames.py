@@ -103,7 +103,7 @@ class LocalFrame:
         return rotation_nwu_ecef(self.latitude, self.longitude)
 
     def to_local(self, latitude: Array, longitude: Array, height: Array) -> Array:
-        """Local coordinates, ndarray of shape (n, 3), metres, of geodetic ones (radians, metres)."""
+        """Local coordinates, shape (n, 3), metres, of geodetic ones in radians and metres."""
         offset = geodetic_to_ecef(latitude, longitude, height) - self._origin_ecef
         return offset @ self._rotation_local_ecef.T
 

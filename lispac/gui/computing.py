@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from lispac.adjustment.stochastic import PosErrors
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document
+from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Array, Viewport
@@ -117,6 +118,7 @@ class Computing(QObject):
         def work(progress: Progress) -> Project:
             from lispac.workflow.validation import validate
 
+            preload()
             return validate(project, survey, progress=progress)
 
         def done(validated: Project) -> None:

@@ -8,6 +8,7 @@ from lispac.errors import LispacError
 from lispac.gui import edits
 from lispac.gui.dialogs.new_project import NewProjectRequest
 from lispac.gui.document import Document
+from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.gui.tasks import Task, TaskRunner
@@ -52,6 +53,8 @@ class Controller(QObject):
             from lispac.workflow.projects import open_project
 
             project = open_project(path)
+            if project.validation:
+                preload()
             return project, load_survey(project, progress=progress)
 
         self._runner.run(f"Opening {path.name}", work, self._opened)

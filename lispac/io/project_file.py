@@ -117,7 +117,10 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
 
 
 def _decode(folder: Path, content: dict[str, Any]) -> Project:
-    settings = content["settings"]
+    settings: dict[str, Any] = {
+        key: _triple(value) if isinstance(value, list) else value
+        for key, value in content["settings"].items()
+    }
     return Project(
         folder=folder,
         trajectory=_absolute(content["trajectory"], folder),
@@ -126,12 +129,7 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
             LineSource(line["name"], _absolute(line["path"], folder), tuple(line["columns"]))
             for line in content["lines"]
         ),
-        settings=Settings(
-            **{
-                key: _triple(value) if isinstance(value, list) else value
-                for key, value in settings.items()
-            }
-        ),
+        settings=Settings(**settings),
         targets=tuple(_decode_target(folder, target) for target in content["targets"]),
         result=_decode_result(content["result"]) if content["result"] else None,
         validation=tuple(PlaneComparison.from_dict(item) for item in content["validation"]),
@@ -244,5 +242,3 @@ def _absolute(path: str, folder: Path) -> Path:
 def _triple(values: list[float]) -> Triple:
     first, second, third = values
     return first, second, third
-
-

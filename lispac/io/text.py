@@ -55,7 +55,9 @@ def read_text_scan(path: Path, columns: Sequence[str]) -> Scan:
             except ValueError as error:
                 if not rows and not any(character.isdigit() for character in fields[0]):
                     continue  # a row of names
-                raise InputError(f"{path}, row {number:,}: {error}; rows must be numbers.") from error
+                raise InputError(
+                    f"{path}, row {number:,}: {error}; rows must be numbers."
+                ) from error
     if not rows:
         raise InputError(f"{path}: this line holds no points; leave it out.")
     table = np.array(rows)

@@ -105,9 +105,7 @@ class LocalTrajectory:
         """Bring a trajectory into ``frame``: positions, and attitude turned to its axes."""
         position = frame.to_local(trajectory.latitude, trajectory.longitude, trajectory.height)
         rotation_level_body = rotation_matrix(*trajectory.attitude.T)
-        rotation_local_level = frame.rotation_local_level(
-            trajectory.latitude, trajectory.longitude
-        )
+        rotation_local_level = frame.rotation_local_level(trajectory.latitude, trajectory.longitude)
         attitude = angles_of(rotation_local_level @ rotation_level_body)
         return cls(frame, trajectory.time, position, np.unwrap(attitude, axis=0))
 

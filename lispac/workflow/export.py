@@ -50,7 +50,9 @@ def georeference_lines(
     return paths
 
 
-def content_of(project: Project, survey: Survey, *, generated: datetime | None = None) -> ReportContent:
+def content_of(
+    project: Project, survey: Survey, *, generated: datetime | None = None
+) -> ReportContent:
     """Numbers of the report."""
     tracks = {}
     for name, scan in survey.scans.items():

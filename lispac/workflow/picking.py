@@ -13,7 +13,6 @@ from lispac.targets.across_lines import find_in_lines
 from lispac.targets.finder import FinderSettings, find_plane
 from lispac.workflow.survey import Survey
 
-
 DEFAULT_RADIUS: dict[Role, float] = {"target": 2.0, "validation": 4.0}
 """Metres about the seed: a board fits into the first; a validation plane is a piece of a wall or of
 a tower, where more points tell more and something in front may hide the seed from a line."""
@@ -120,9 +119,7 @@ def _with_sighting(
 ) -> Target:
     known = next((target for target in project.targets if target.name == name), None)
     if known is None:
-        return Target(
-            name, role, seed, settings.threshold, settings.radius, (sighting,), {}
-        )
+        return Target(name, role, seed, settings.threshold, settings.radius, (sighting,), {})
     order = [line.name for line in project.lines]
     kept = [s for s in known.sightings if s.line != sighting.line]
     sightings = sorted([*kept, sighting], key=lambda s: order.index(s.line))

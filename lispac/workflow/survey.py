@@ -95,7 +95,9 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     heading: dict[str, float] = {}
     mounting = project.mounting("prior")
     for k, line in enumerate(project.lines):
-        step = part(progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines))
+        step = part(
+            progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
+        )
         step(0.0, f"Reading {line.path.name}")
         scan = read_line(line)
         scan, note = _inside(scan, trajectory, line.path)
@@ -127,9 +129,7 @@ def _frame(project: Project) -> LocalFrame | None:
     return LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
 
 
-def _require_overlap(
-    accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, path: Path
-) -> None:
+def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, path: Path) -> None:
     if accuracy.time[-1] < trajectory.time[0] or accuracy.time[0] > trajectory.time[-1]:
         raise InputError(
             f"{path}: its times ({accuracy.time[0]:.1f} to {accuracy.time[-1]:.1f} s) do not meet "
@@ -138,9 +138,7 @@ def _require_overlap(
         )
 
 
-def _inside(
-    scan: Scan, trajectory: LocalTrajectory, path: Path
-) -> tuple[Scan, tuple[str, ...]]:
+def _inside(scan: Scan, trajectory: LocalTrajectory, path: Path) -> tuple[Scan, tuple[str, ...]]:
     inside = trajectory.covers(scan.time)
     if inside.all():
         return scan, ()

@@ -184,7 +184,7 @@ def test_an_error_of_the_program_is_its_sentence_and_another_has_details(
 
 
 def test_steps_say_what_is_there_and_what_comes_next(demo: Demo):
-    assert [s.sentence for s in status.steps(None, None)][0] == "no project open"
+    assert status.steps(None, None)[0].sentence == "no project open"
     assert status.steps(demo.project, None)[0].state == "todo"
     start = status.steps(demo.project, demo.survey)
     assert [s.state for s in start] == ["done", "todo", "empty", "empty", "empty"]

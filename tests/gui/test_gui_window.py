@@ -105,6 +105,30 @@ def test_saving_makes_the_project_clean_and_undo_makes_it_dirty_again(
     assert driver.window.isWindowModified()
 
 
+def test_closing_while_work_runs_stops_it(driver: Driver, demo_copy: Path):
+    driver.window.open_project(demo_copy)
+    assert driver.window.runner.busy
+    assert driver.window.close()
+    assert driver.window.runner.current is None
+    assert driver.viewport.closed
+    assert driver.window.document.project is None
+
+
+def test_a_cancelled_opening_keeps_the_project_that_is_open(opened: Driver, demo_copy: Path):
+    before = opened.project
+    opened.window.open_project(demo_copy)
+    click(opened, opened.window.task_bar.cancel)
+    opened.rest()
+    assert opened.project is before
+    assert opened.viewport.clouds
+
+
+def test_the_demo_is_opened_where_it_has_been_made(driver: Driver, demo_copy: Path):
+    driver.window.controller.open_demo(demo_copy)
+    driver.rest()
+    assert driver.project.truth_deg is not None
+
+
 # -- seeds -------------------------------------------------------------------------------------
 
 

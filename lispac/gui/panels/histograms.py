@@ -27,6 +27,12 @@ _TIPS = (
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
+def preload() -> None:
+    """Import Matplotlib, which takes half a second: to be called in the worker."""
+
+    import lispac.report.figures  # noqa: F401
+
+
 class HistogramsPanel(QWidget):
     """A row of figures for each plane, and the two histograms of the selected one."""
 
@@ -100,7 +106,7 @@ class HistogramsPanel(QWidget):
             self.plane_selected.emit(name)
 
     def _draw(self, comparison: PlaneComparison) -> None:
-        # Matplotlib takes half a second to import, which the start of the window does not wait for.
+        # Imported here, so that the start of the window does not wait for it.
         from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 
         from lispac.report.figures import histogram_figure
