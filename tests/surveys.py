@@ -64,22 +64,44 @@ def planar_survey(
     )
 
 
-def disturbed(observations: Observations, *, correlated: bool, seed: int) -> Observations:
-    """Add noise as the sigmas say: POS errors per sighting (correlated) or per point."""
+def disturbed(
+    observations: Observations,
+    *,
+    correlated: bool,
+    seed: int,
+    correlation_times: tuple[float, float] = (300.0, 600.0),
+) -> Observations:
+    """Add noise as the sigmas say: POS errors drifting in time (correlated) or one a point."""
     rng = np.random.default_rng(seed)
 
-    def pos_error(sigma: np.ndarray) -> np.ndarray:
+    def pos_error(sigma: np.ndarray, correlation_time: float) -> np.ndarray:
         if correlated:
-            return sigma * rng.normal(size=(len(observations.sightings), 3))[observations.sighting]
+            return sigma * gauss_markov(observations.time, correlation_time, rng)
         return sigma * rng.normal(size=sigma.shape)
 
+    position_time, attitude_time = correlation_times
     return replace(
         observations,
         points_lidar=observations.points_lidar
         + observations.sigma_lidar * rng.normal(size=observations.sigma_lidar.shape),
-        position=observations.position + pos_error(observations.sigma_position),
-        attitude=observations.attitude + pos_error(observations.sigma_attitude),
+        position=observations.position + pos_error(observations.sigma_position, position_time),
+        attitude=observations.attitude + pos_error(observations.sigma_attitude, attitude_time),
     )
+
+
+def gauss_markov(time: np.ndarray, correlation_time: float, rng: np.random.Generator) -> np.ndarray:
+    """Three components of a unit first-order Gauss-Markov process at given times, shape (n, 3)."""
+    order = np.argsort(time)
+    kept = np.exp(-np.diff(time[order]) / correlation_time)
+    fresh = np.sqrt(1 - kept**2)
+    draws = rng.normal(size=(len(time), 3))
+    values = np.empty_like(draws)
+    values[0] = draws[0]
+    for k in range(1, len(time)):
+        values[k] = kept[k - 1] * values[k - 1] + fresh[k - 1] * draws[k]
+    drifting = np.empty_like(values)
+    drifting[order] = values
+    return drifting
 
 
 def turned(normal: np.ndarray, degrees: float) -> np.ndarray:

@@ -4,19 +4,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy.linalg
 import scipy.stats
 
-from lispac.adjustment.conditions import (
-    BORESIGHT,
-    MISCLOSURE,
-    PLANE,
-    POSE,
-    linearise,
-    sum_by_sighting,
-)
+from lispac.adjustment.conditions import BORESIGHT, PLANE, POSE, Groups, linearise, sum_by_group
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel, effect_factor
+from lispac.adjustment.stochastic import KNOT_INTERVAL, PosErrorKnots, StochasticModel
 from lispac.errors import AdjustmentError, Cancelled, RankDeficient
 from lispac.io.plane_file import read_plane_files
 from lispac.survey.georeferencing import Mounting
@@ -65,26 +59,81 @@ def test_jacobians_against_central_differences(block: str) -> None:
         np.testing.assert_allclose(analytic[:, k], difference, atol=2e-7)
 
 
-@pytest.mark.parametrize("pose_in_variance", [True, False])
-def test_sums_equal_dense_matrix_products(pose_in_variance: bool) -> None:
-    observations = planar_survey(mounting(), points=4)
-    conditions = linearise(observations, mounting(0.1, 0.2, 0.3), PLANES)
-    jacobian = np.hstack([conditions.by_lidar, conditions.rows[:, POSE]])
-    sigma = np.hstack(
-        [observations.sigma_lidar, observations.sigma_position, observations.sigma_attitude]
+def dense_rows(
+    observations: Observations, here: Mounting, knots: PosErrorKnots | None, effects: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Wide rows and variances of all points, written out without sums."""
+    conditions = linearise(observations, here, PLANES)
+    by_pose = conditions.rows[:, POSE]
+    variance = ((conditions.by_lidar * observations.sigma_lidar) ** 2).sum(axis=1)
+    if knots is None:
+        sigma = np.hstack([observations.sigma_position, observations.sigma_attitude])
+        variance += ((by_pose * sigma) ** 2).sum(axis=1)
+        return np.delete(conditions.rows, range(7, 13), axis=1), variance
+    u = knots.fraction[:, None]
+    error = (1 - u) * effects[knots.left] + u * effects[knots.left + 1]
+    misclosure = conditions.misclosure + (by_pose * error).sum(axis=1)
+    rows = [conditions.rows[:, :7], (1 - u) * by_pose, u * by_pose, misclosure[:, None]]
+    return np.hstack(rows), variance
+
+
+@pytest.mark.parametrize("model", [INDEPENDENT, CORRELATED])
+def test_sums_equal_dense_matrix_products(model: StochasticModel) -> None:
+    observations, here = planar_survey(mounting(), points=6), mounting(0.1, 0.2, 0.3)
+    knots = PosErrorKnots.of(observations, model) if model is CORRELATED else None
+    effects = np.random.default_rng(0).normal(0, 0.01, (len(knots.time) if knots else 0, 6))
+    groups = Groups.of(observations, knots)
+    rows, variance = dense_rows(observations, here, knots, effects)
+    sums = sum_by_group(observations, here, PLANES, groups, effects)
+    assert len(sums) == len(groups.target) > 1
+    for g in range(len(sums)):
+        own = groups.group == g
+        expected = rows[own].T @ np.diag(1 / variance[own]) @ rows[own]
+        np.testing.assert_allclose(sums[g], expected, rtol=1e-9, atol=1e-6)
+
+
+def test_knots_interpolate_and_have_the_gauss_markov_prior() -> None:
+    observations = planar_survey(mounting(), points=5)
+    model = StochasticModel("correlated", position_time=200.0, attitude_time=500.0)
+    knots = PosErrorKnots.of(observations, model)
+    u = knots.fraction
+    time = (1 - u) * knots.time[knots.left] + u * knots.time[knots.left + 1]
+    np.testing.assert_allclose(time, observations.time, atol=1e-9)
+    count = len(knots.time)
+    apart = np.abs(knots.time[:, None] - knots.time[None, :])
+    for k, (tau, sigma) in {0: (200.0, 0.012), 5: (500.0, np.radians(0.012))}.items():
+        unit = np.zeros((count, count, 6))
+        unit[range(count), range(count), k] = 1.0
+        precision = np.stack([knots.weighted(column)[:, k] for column in unit])
+        expected = sigma**2 * np.exp(-apart / tau)
+        np.testing.assert_allclose(np.linalg.inv(precision), expected, rtol=1e-6)
+
+
+def test_elimination_of_the_pos_error_equals_generalised_least_squares() -> None:
+    """The same sigmas from one dense covariance of all misclosures, without any knots."""
+    observations = planar_survey(mounting(0.1, 0.2, 0.3), points=8)
+    on_knots = replace(
+        observations, time=np.round(observations.time / KNOT_INTERVAL) * KNOT_INTERVAL
     )
-    if not pose_in_variance:
-        sigma[:, 3:] = 0
-    variance = np.diag(jacobian @ np.diag(sigma[0] ** 2) @ jacobian.T)
-    effects = np.random.default_rng(0).normal(0, 0.01, (len(observations.sightings), 6))
     here = mounting(0.1, 0.2, 0.3)
-    sums = sum_by_sighting(observations, here, PLANES, effects, pose_in_variance=pose_in_variance)
-    for s in range(len(observations.sightings)):
-        own = observations.sighting == s
-        rows = conditions.rows[own].copy()
-        rows[:, MISCLOSURE] += rows[:, POSE] @ effects[s]
-        expected = rows.T @ np.diag(1 / variance[own]) @ rows
-        np.testing.assert_allclose(sums[s], expected, rtol=1e-9, atol=1e-6)
+    result = adjust(on_knots, here, CORRELATED)
+    planes = np.stack([target.plane for target in result.targets])
+    conditions = linearise(on_knots, here.with_boresight(result.boresight), planes)
+    apart = np.abs(on_knots.time[:, None] - on_knots.time[None, :])
+    covariance = np.diag(((conditions.by_lidar * on_knots.sigma_lidar) ** 2).sum(axis=1))
+    sigma = np.hstack([on_knots.sigma_position, on_knots.sigma_attitude])
+    for k, tau in enumerate([300.0] * 3 + [600.0] * 3):
+        part = conditions.rows[:, POSE][:, k] * sigma[:, k]
+        covariance += np.exp(-apart / tau) * np.outer(part, part)
+    design = np.zeros((len(on_knots), 9))
+    design[:, :3] = conditions.rows[:, BORESIGHT]
+    target = on_knots.target_of_sighting[on_knots.sighting]
+    for k, plane in enumerate(planes):
+        turns = scipy.linalg.null_space(plane[None, :3])
+        columns = np.column_stack([conditions.rows[:, 3:6] @ turns, conditions.rows[:, 6]])
+        design[target == k, 3 + 3 * k : 6 + 3 * k] = columns[target == k]
+    expected = np.linalg.inv(design.T @ np.linalg.solve(covariance, design))[:3, :3]
+    np.testing.assert_allclose(result.covariance, expected, rtol=1e-6, atol=1e-16)
 
 
 @pytest.mark.parametrize("case", ["a", "c"])
@@ -118,16 +167,19 @@ def test_closed_loop_without_noise(
     assert result.rms_after < 1e-9
 
 
-@pytest.mark.parametrize("model", [INDEPENDENT, CORRELATED])
+@pytest.mark.parametrize(
+    "model",
+    [INDEPENDENT, CORRELATED, StochasticModel("correlated", position_time=5.0, attitude_time=5.0)],
+)
 def test_sigmas_hold_when_the_errors_are_what_the_model_says(model: StochasticModel) -> None:
     """Error over sigma is a unit normal variable: its squares over many surveys are chi-square."""
     exact = planar_survey(mounting(0.2, -1.2, 0.15), points=40)
-    correlated = model.pos_errors == "correlated"
-    short = replace(model, position_time=1e-3, attitude_time=1e-3)  # sightings independent
+    times = (model.position_time, model.attitude_time)
     ratios = []
     for seed in range(60):
-        noisy = disturbed(exact, correlated=correlated, seed=seed)
-        result = adjust(noisy, mounting(), short)
+        correlated = model.pos_errors == "correlated"
+        noisy = disturbed(exact, correlated=correlated, seed=seed, correlation_times=times)
+        result = adjust(noisy, mounting(), model)
         ratios.append((result.boresight - np.radians([0.2, -1.2, 0.15])) / result.sigma)
     squares = np.sum(np.square(ratios), axis=0)
     lower, upper = scipy.stats.chi2.ppf([0.0005, 0.9995], 60)
@@ -140,20 +192,6 @@ def test_thesis_mode_is_over_confident_on_shared_pos_errors() -> None:
     thesis = adjust(noisy, mounting(), INDEPENDENT)
     honest = adjust(noisy, mounting(), CORRELATED)
     assert (honest.sigma > 2 * thesis.sigma)[[0, 2]].all()
-
-
-def test_effects_have_the_gauss_markov_covariance() -> None:
-    observations = planar_survey(mounting(), points=5)
-    model = StochasticModel("correlated", position_time=200.0, attitude_time=500.0)
-    factor = effect_factor(observations, model)
-    covariance = np.einsum("iku,jlu->ikjl", factor, factor)
-    time = observations.mean_by_sighting(observations.time)
-    apart = abs(time[0] - time[3])
-    sigma = observations.sigma_attitude[0]
-    assert covariance[0, 0, 3, 0] == pytest.approx(0.012**2 * np.exp(-apart / 200))
-    assert covariance[0, 5, 3, 5] == pytest.approx(sigma[2] ** 2 * np.exp(-apart / 500))
-    assert covariance[0, 0, 0, 1] == 0
-    assert covariance[2, 3, 2, 3] == pytest.approx(sigma[0] ** 2)
 
 
 def test_sightings_at_the_same_instant_are_allowed() -> None:

@@ -3,7 +3,8 @@
 ``F = n . X + d = 0`` with ``X = P + R_local_body (R_body_lidar x + lever_arm)`` (thesis equations
 4.1 and 4.4). One point gives one condition, so ``B Q B'`` is diagonal: one variance a point, and
 the products that make up the normal equations can be summed in one pass. The sums are kept per
-sighting, which is all either stochastic model needs, whatever the number of points.
+group of points (a target, and with it the stretch between two knots of the POS error), which is
+all either stochastic model needs, whatever the number of points.
 """
 
 from dataclasses import dataclass
@@ -13,6 +14,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.stochastic import PosErrorKnots
 from lispac.geometry.rotations import rotation_derivatives
 from lispac.survey.georeferencing import Mounting
 
@@ -61,40 +63,72 @@ def linearise(observations: Observations, mounting: Mounting, planes: Array) -> 
     return Conditions(rows, by_lidar)
 
 
-def sum_by_sighting(
-    observations: Observations,
-    mounting: Mounting,
-    planes: Array,
-    effects: Array,
-    *,
-    pose_in_variance: bool,
+@dataclass(frozen=True, eq=False)
+class Groups:
+    """Points whose products are summed together.
+
+    Attributes
+    ----------
+    group : ndarray of shape (n,), int
+        Group of each point.
+    target : ndarray of shape (groups,), int
+    knot : ndarray of shape (groups,), int
+        Knot of the POS error at the beginning of the group's stretch.
+    knots : PosErrorKnots or None
+        None in thesis mode, where the POS error is in each point's variance instead.
+    """
+
+    group: NDArray[np.int64]
+    target: NDArray[np.int64]
+    knot: NDArray[np.int64]
+    knots: PosErrorKnots | None
+
+    @classmethod
+    def of(cls, observations: Observations, knots: PosErrorKnots | None) -> "Groups":
+        """Group by target, and by stretch of the POS error where it has knots."""
+        target = observations.target_of_sighting[observations.sighting]
+        left = np.zeros(len(target), dtype=np.int64) if knots is None else knots.left
+        count = len(observations.targets)
+        key, group = np.unique(left * count + target, return_inverse=True)
+        return cls(group.reshape(-1).astype(np.int64), key % count, key // count, knots)
+
+
+def sum_by_group(
+    observations: Observations, mounting: Mounting, planes: Array, groups: Groups, effects: Array
 ) -> Array:
-    """Weighted sums of ``row row'`` over each sighting.
+    """Weighted sums of ``row row'`` over each group.
 
     Parameters
     ----------
     planes : ndarray of shape (targets, 4)
-    effects : ndarray of shape (sightings, 6), metres and radians
-        POS error of each sighting found so far; its effect is added to the misclosures, so that
+    groups : Groups
+        With knots, the variance of a condition holds the LiDAR noise alone; without, the POS
+        error too.
+    effects : ndarray of shape (knots, 6), metres and radians
+        POS error at the knots found so far; its effect is added to the misclosures, so that
         these, and with them the rounding of their sums, are small at the solution.
-    pose_in_variance : bool
-        Whether the variance of a condition holds the POS error (thesis mode: independent from
-        point to point) or the LiDAR noise alone.
 
     Returns
     -------
-    ndarray of shape (sightings, 14, 14)
+    ndarray of shape (groups, width, width)
+        Rows are the derivatives by boresight (3) and plane (4), with knots those by the POS error
+        at the knot before (6) and after (6), and last the misclosure.
     """
-    sums = np.zeros((len(observations.sightings), WIDTH, WIDTH))
+    knots = groups.knots
+    width = 8 if knots is None else 20
+    sums = np.zeros((len(groups.target), width, width))
     _accumulate(
         *_columns(observations),
         *_rotation_and_derivatives(mounting),
         planes,
+        groups.group,
+        knots is not None,
+        np.zeros(0, dtype=np.int64) if knots is None else knots.left,
+        np.zeros(0) if knots is None else knots.fraction,
         effects,
         observations.sigma_lidar,
         observations.sigma_position,
         observations.sigma_attitude,
-        pose_in_variance,
         sums,
     )
     return sums + np.swapaxes(np.tril(sums, -1), -1, -2)
@@ -170,23 +204,36 @@ def _linearise(  # type: ignore[no-untyped-def]
 @njit(nogil=True, cache=True)
 def _accumulate(  # type: ignore[no-untyped-def]
     points, position, attitude, sighting, target_of_sighting,
-    rotation, derivatives, lever_arm, planes, effects,
-    sigma_lidar, sigma_position, sigma_attitude, pose_in_variance, sums,
+    rotation, derivatives, lever_arm, planes,
+    group, has_knots, left, fraction, effects,
+    sigma_lidar, sigma_position, sigma_attitude, sums,
 ):  # fmt: skip
     row, lidar = np.empty(14), np.empty(3)
+    width = sums.shape[1]
+    wide = np.empty(width)
     for i in range(len(points)):
-        s = sighting[i]
-        plane = planes[target_of_sighting[s]]
+        plane = planes[target_of_sighting[sighting[i]]]
         _row(i, points, position, attitude, rotation, derivatives, lever_arm, plane, row, lidar)
-        for k in range(6):
-            row[13] += row[7 + k] * effects[s, k]
         variance = 0.0
         for k in range(3):
             variance += (lidar[k] * sigma_lidar[i, k]) ** 2
-            if pose_in_variance:
+        for k in range(7):
+            wide[k] = row[k]
+        misclosure = row[13]
+        if has_knots:
+            u, knot = fraction[i], left[i]
+            for k in range(6):
+                by_pose = row[7 + k]
+                wide[7 + k] = (1 - u) * by_pose
+                wide[13 + k] = u * by_pose
+                misclosure += by_pose * ((1 - u) * effects[knot, k] + u * effects[knot + 1, k])
+        else:
+            for k in range(3):
                 variance += (row[7 + k] * sigma_position[i, k]) ** 2
                 variance += (row[10 + k] * sigma_attitude[i, k]) ** 2
-        for j in range(14):
-            weighted = row[j] / variance
+        wide[width - 1] = misclosure
+        total = sums[group[i]]
+        for j in range(width):
+            weighted = wide[j] / variance
             for k in range(j + 1):
-                sums[s, j, k] += weighted * row[k]
+                total[j, k] += weighted * wide[k]

@@ -8,14 +8,7 @@ import scipy.linalg
 import scipy.stats
 from numpy.typing import NDArray
 
-from lispac.adjustment.conditions import (
-    BORESIGHT,
-    MISCLOSURE,
-    PLANE,
-    POSE,
-    linearise,
-    sum_by_sighting,
-)
+from lispac.adjustment.conditions import Groups, linearise, sum_by_group
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.result import (
     AdjustmentResult,
@@ -23,7 +16,7 @@ from lispac.adjustment.result import (
     SightingResidual,
     TargetResidual,
 )
-from lispac.adjustment.stochastic import StochasticModel, effect_factor
+from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
 from lispac.errors import NotConverged, RankDeficient
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
@@ -42,7 +35,7 @@ is known to a few degrees from looking at it."""
 @dataclass(frozen=True, eq=False)
 class _Step:
     correction: Array  # boresight (3), then 3 per plane
-    unit_effects: Array  # correction of the unit normal variables behind the POS effects
+    effects: Array  # correction of the POS error at its knots, shape (knots, 6)
     covariance: Array
     quadratic: float  # v' P v at the linearisation point
 
@@ -58,7 +51,7 @@ def adjust(
     """Find the boresight that makes each target's points, over all lines, one plane.
 
     Gauss-Helmert model with unit normals kept exactly: a plane moves by two turns of its normal
-    and its offset. The products summed over each sighting carry all the points say, so an
+    and its offset. The products summed over groups of points carry all the points say, so an
     iteration costs one pass over them and a small solve.
 
     Parameters
@@ -81,18 +74,18 @@ def adjust(
     fitted = fit_planes(observations, mounting)
     centres = _centres(observations, mounting)
     current = fitted if planes is None else planes / np.linalg.norm(planes[:, :3], axis=1)[:, None]
-    factor = effect_factor(observations, model) if model.pos_errors == "correlated" else None
+    knots = PosErrorKnots.of(observations, model) if model.pos_errors == "correlated" else None
+    groups = Groups.of(observations, knots)
     boresight = np.array(mounting.boresight, dtype=float)
-    unit_effects = np.zeros(0 if factor is None else factor.shape[2])
+    effects = np.zeros((0 if knots is None else len(knots.time), 6))
     for iteration in range(1, MAX_ITERATIONS + 1):
         progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
         tangents = _tangents(current, centres)
         step = _solve(
-            observations, mounting.with_boresight(boresight), current, tangents,
-            factor, unit_effects,
-        )  # fmt: skip
+            observations, mounting.with_boresight(boresight), current, tangents, groups, effects
+        )
         boresight = boresight + step.correction[:3]
-        unit_effects = unit_effects + step.unit_effects
+        effects = effects + step.effects
         current = _moved(current, tangents, step.correction[3:].reshape(-1, 3))
         if np.abs(step.correction).max() < CONVERGED:
             break
@@ -184,35 +177,70 @@ def _solve(
     mounting: Mounting,
     planes: Array,
     tangents: Array,
-    factor: Array | None,
-    unit_effects: Array,
+    groups: Groups,
+    effects: Array,
 ) -> _Step:
-    effects = (
-        np.zeros((len(observations.sightings), 6)) if factor is None else factor @ unit_effects
-    )
-    sums = sum_by_sighting(observations, mounting, planes, effects, pose_in_variance=factor is None)
-    parameters = 3 + 3 * len(planes)
-    unknowns = parameters + len(unit_effects)
-    normal = np.zeros((unknowns, unknowns))
-    right = np.zeros(unknowns)
-    quadratic = float(unit_effects @ unit_effects)
-    for s, (total, target) in enumerate(zip(sums, observations.target_of_sighting, strict=True)):
-        # This sighting's columns as functions of all unknowns
-        own = np.zeros((13, unknowns))
-        own[BORESIGHT, :3] = np.eye(3)
-        own[PLANE, 3 + 3 * target : 6 + 3 * target] = tangents[target]
-        if factor is not None:
-            own[POSE, parameters:] = factor[s]
-        normal += own.T @ total[:13, :13] @ own
-        right -= own.T @ total[:13, MISCLOSURE]
-        quadratic += total[MISCLOSURE, MISCLOSURE]
-    # The effects are unit normal variables: their prior adds one to the diagonal.
-    normal[range(parameters, unknowns), range(parameters, unknowns)] += 1
-    right[parameters:] -= unit_effects
-    covariance = _covariance(normal)
-    solution = scipy.linalg.solve(normal, right, assume_a="pos")
-    quadratic -= solution @ right
-    return _Step(solution[:parameters], solution[parameters:], covariance, float(quadratic))
+    sums = sum_by_group(observations, mounting, planes, groups, effects)
+    # The parameters behind the seven columns of boresight and plane
+    own = np.zeros((len(planes), 7, 3 + 3 * len(planes)))
+    own[:, :3, :3] = np.eye(3)
+    for k, tangent in enumerate(tangents):
+        own[k, 3:, 3 + 3 * k : 6 + 3 * k] = tangent
+    own = own[groups.target]
+    normal = np.einsum("gip,gij,gjq->pq", own, sums[:, :7, :7], own, optimize=True)
+    right = -np.einsum("gip,gi->p", own, sums[:, :7, -1])
+    quadratic = float(sums[:, -1, -1].sum())
+    if groups.knots is None:
+        covariance = _covariance(normal)
+        correction = scipy.linalg.solve(normal, right, assume_a="pos")
+        return _Step(correction, effects, covariance, quadratic - float(correction @ right))
+    # The POS error is eliminated first: its normal matrix is banded, for a group couples two
+    # neighbouring knots and so does the prior.
+    shared = np.einsum("gip,gij->gpj", own, sums[:, :7, 7:19])
+    band, mixed, pull = _pos_error_equations(groups.knots, groups.knot, sums, shared, effects)
+    factor = scipy.linalg.cholesky_banded(band, lower=True)
+    solved = scipy.linalg.cho_solve_banded((factor, True), np.column_stack([mixed.T, pull]))
+    reduced = normal - mixed @ solved[:, :-1]
+    reduced_right = right - mixed @ solved[:, -1]
+    covariance = _covariance(reduced)
+    correction = scipy.linalg.solve(reduced, reduced_right, assume_a="pos")
+    change = solved[:, -1] - solved[:, :-1] @ correction
+    quadratic += float((groups.knots.weighted(effects) * effects).sum())
+    quadratic -= float(correction @ right + change @ pull)
+    return _Step(correction, change.reshape(-1, 6), covariance, quadratic)
+
+
+def _pos_error_equations(
+    knots: PosErrorKnots,
+    knot_of_group: NDArray[np.int64],
+    sums: Array,
+    shared: Array,
+    effects: Array,
+) -> tuple[Array, Array, Array]:
+    """Normal equations of the POS error at its knots.
+
+    Returns
+    -------
+    band : ndarray of shape (12, knots * 6)
+        Lower diagonals of the normal matrix, as LAPACK wants them.
+    mixed : ndarray of shape (parameters, knots * 6)
+        The part of the normal matrix shared with boresight and planes.
+    pull : ndarray of shape (knots * 6,)
+        Right-hand side.
+    """
+    unknowns = effects.size
+    band = np.zeros((12, unknowns))
+    band[0] = knots.precision_diagonal.reshape(-1)
+    band[6, : unknowns - 6] = knots.precision_beside.reshape(-1)
+    mixed = np.zeros((shared.shape[1], unknowns))
+    pull = -knots.weighted(effects).reshape(-1)
+    for total, part, knot in zip(sums, shared, knot_of_group, strict=True):
+        first = 6 * knot
+        for j in range(12):
+            band[: 12 - j, first + j] += total[7 + j : 19, 7 + j]
+        mixed[:, first : first + 12] += part
+        pull[first : first + 12] -= total[7:19, -1]
+    return band, mixed, pull
 
 
 def _covariance(normal: Array) -> Array:

@@ -125,6 +125,8 @@ class Computing(QObject):
             if self._document.project is project:
                 self._document.edit("validation", validated)
                 self.validated.emit()
+                for reason in validated.not_compared.values():
+                    self._controller.noted.emit(reason)
                 self._controller.noted.emit(
                     f"Compared the lines on {len(validated.validation)} validation planes"
                 )

@@ -12,6 +12,7 @@ from lispac.gui.computing import Computing, PointCount
 from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
+from lispac.gui.life import ProjectLife
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.data import DataPanel
 from lispac.gui.panels.histograms import HistogramsPanel
@@ -62,6 +63,9 @@ class MainWindow(QMainWindow):
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
         self.computing = Computing(
             self.document, self.runner, self.scene, self.controller, viewport
+        )
+        self.life = ProjectLife(
+            self.document, self.controller, self.computing, self.dialogs, self.settings
         )
         self.actions_ = Actions(self, self.document.undo_stack)
         self._build()
@@ -134,9 +138,9 @@ class MainWindow(QMainWindow):
         data, targets, control = self.data, self.targets, self.controller
         data.line_shown.connect(self.viewport.set_line_visible)
         data.settings_edited.connect(control.change_settings)
-        data.new_asked.connect(self._new)
-        data.open_asked.connect(self._open)
-        data.demo_asked.connect(self._demo)
+        data.new_asked.connect(self.life.new)
+        data.open_asked.connect(self.life.open)
+        data.demo_asked.connect(self.life.demo)
         targets.accepted.connect(control.accept)
         targets.rejected.connect(control.reject)
         targets.renamed.connect(control.rename)
@@ -157,19 +161,19 @@ class MainWindow(QMainWindow):
         self.adjust.cancel_asked.connect(self.runner.cancel)
         self.validate.validate_asked.connect(self.computing.validate)
         self.validate.shown_changed.connect(self.computing.show)
-        self.report.report_asked.connect(self._export_report)
-        self.report.lines_asked.connect(self._export_lines)
+        self.report.report_asked.connect(self.life.export_report)
+        self.report.lines_asked.connect(self.life.export_lines)
         self.workflow.step_opened.connect(lambda _step: self._refresh())
 
     def _join_actions(self) -> None:
         actions = self.actions_
         for name, slot in {
-            "new": self._new,
-            "open": self._open,
-            "demo": self._demo,
+            "new": self.life.new,
+            "open": self.life.open,
+            "demo": self.life.demo,
             "save": self.controller.save,
-            "report": self._export_report,
-            "lines": self._export_lines,
+            "report": self.life.export_report,
+            "lines": self.life.export_lines,
             "quit": self.close,
             "seed_target": lambda: self._seed_as("target"),
             "seed_validation": lambda: self._seed_as("validation"),
@@ -200,6 +204,7 @@ class MainWindow(QMainWindow):
         self.document.modified.connect(lambda _modified: self._name_window())
         self.document.opened.connect(lambda: self.workflow.open(self._first_open_step()))
         self.runner.changed.connect(self._show_task)
+        self.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(lambda title: self._note(f"{title}: cancelled"))
         self.controller.refused.connect(self.dialogs.show_error)
@@ -314,52 +319,10 @@ class MainWindow(QMainWindow):
 
     def open_project(self, path: Path) -> None:
         """Open a project, after asking about changes to the present one."""
-        if self._may_leave():
-            self.controller.open(path)
-
-    def _new(self) -> None:
-        if self._may_leave():
-            request = self.dialogs.new_project()
-            if request is not None:
-                self.controller.create(request)
-
-    def _open(self) -> None:
-        if self._may_leave():
-            recent = self.settings.recent()
-            path = self.dialogs.project_to_open(recent[0].parent if recent else Path.home())
-            if path is not None:
-                self.controller.open(path)
-
-    def _demo(self) -> None:
-        if self._may_leave():
-            self.controller.open_demo()
+        self.life.open_project(path)
 
     def _list_recent(self) -> None:
-        menu = self.actions_.recent
-        menu.clear()
-        for folder in self.settings.recent():
-            action = menu.addAction(str(folder))
-            action.triggered.connect(lambda _=False, folder=folder: self.open_project(folder))
-        menu.setToolTipsVisible(True)
-        if menu.isEmpty():
-            menu.addAction("No project yet").setEnabled(False)
-        else:
-            menu.addSeparator()
-            menu.addAction("Forget these").triggered.connect(self.settings.forget_recent)
-
-    def _export_report(self) -> None:
-        project = self.document.project
-        if project is not None and self.report.report.isEnabled():
-            path = self.dialogs.report_file(project.folder / f"{project.name}.pdf")
-            if path is not None:
-                self.computing.export_report(path)
-
-    def _export_lines(self) -> None:
-        project = self.document.project
-        if project is not None:
-            folder = self.dialogs.lines_folder(project.folder)
-            if folder is not None:
-                self.computing.export_lines(folder)
+        self.life.list_recent(self.actions_.recent)
 
     def _seed_as(self, role: str) -> None:
         self.targets.set_role(role)
@@ -388,17 +351,8 @@ class MainWindow(QMainWindow):
 
     # -- the end -----------------------------------------------------------------------------
 
-    def _may_leave(self) -> bool:
-        project = self.document.project
-        if project is None or not self.document.is_modified:
-            return True
-        answer = self.dialogs.save_changes(project.name)
-        if answer == "save":
-            return self.controller.save()
-        return answer == "discard"
-
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self._may_leave():
+        if not self.life.may_leave():
             event.ignore()
             return
         self.settings.keep_layout(self.saveGeometry(), self.saveState())

@@ -130,10 +130,14 @@ def _validate(project: Project, survey: Survey | None) -> StepStatus:
     if project.validation:
         better = sum(c.after.rms < c.before.rms for c in project.validation)
         total = len(project.validation)
+        sentence = f"{better} of {total} {'plane' if total == 1 else 'planes'} closer than before"
+        left_out = project.not_compared
+        if left_out:
+            sentence += f", {len(left_out)} not compared"
         return StepStatus(
-            "done" if better == total else "warning",
-            f"{better} of {total} {'plane' if total == 1 else 'planes'} closer than before",
-            "The histograms stand below.",
+            "done" if better == total and not left_out else "warning",
+            sentence,
+            " ".join(["The histograms stand below.", *left_out.values()]),
             ready=project.result is not None and survey is not None,
         )
     if not planes:

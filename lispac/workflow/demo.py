@@ -19,8 +19,9 @@ from lispac.workflow.projects import create_project, save_project
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
-LIDAR_SIGMA = 0.0025
-"""Metres: the range noise of the simulated scanner; its angles are as good at 15 m or better."""
+LIDAR_SIGMA = 0.0018
+"""Metres on each axis: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005 deg
+at 15 m), averaged over the three axes."""
 
 RAW = "raw"
 

@@ -4,19 +4,22 @@ import threading
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
+from PySide6.QtWidgets import QApplication, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.new_project import NewProjectRequest
 from lispac.gui.dialogs.service import Answer, Dialogs
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
-from lispac.gui.viewport.base import Viewport
+from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.project import Project
+from lispac.workflow.demo import demo_seeds
 from lispac.workflow.survey import Survey
 
 WAIT_MS = 120_000
+Key, Left = Qt.Key, Qt.MouseButton.LeftButton
+Control = Qt.KeyboardModifier.ControlModifier
 
 
 class ScriptedDialogs(Dialogs):
@@ -92,3 +95,36 @@ class Driver:
         QCoreApplication.processEvents()
         assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == []
         assert [t.name for t in threading.enumerate() if t.name == "lispac-worker"] == []
+
+
+def press(driver: Driver, key: Qt.Key, modifier=Qt.KeyboardModifier.NoModifier) -> None:
+    driver.bot.keyClick(driver.window, key, modifier)
+
+
+def click(driver: Driver, widget: QWidget) -> None:
+    assert widget.isVisible()
+    assert widget.isEnabled()
+    driver.bot.mouseClick(widget, Left)
+
+
+def click_check(driver: Driver, table: QTableView, index: QModelIndex) -> None:
+    """Click the check box of a cell: its leftmost ten pixels."""
+    place = table.visualRect(index)
+    driver.bot.mouseClick(table.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y()))
+
+
+def seed(driver: Driver, name: str) -> None:
+    """What a Ctrl+click on the middle of a plane of the demo does."""
+    role, position = demo_seeds()[name]
+    driver.window.targets.set_role(role)
+    first = driver.window.document.survey.lines[0]
+    driver.viewport.signals.seed_clicked.emit(PickedPoint(first, position))
+    driver.rest()
+
+
+def sentence(driver: Driver, step: int) -> str:
+    return driver.window.workflow.headers[step].sentence.text()
+
+
+def open_step(driver: Driver, step: int) -> None:
+    click(driver, driver.window.workflow.headers[step])

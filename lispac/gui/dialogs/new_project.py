@@ -302,7 +302,8 @@ def _form() -> QFormLayout:
 
 def _rule(text: str) -> QLabel:
     made = widgets.label(text, "heading")
-    made.setStyleSheet(f"border-bottom: 1px solid {theme.BORDER}; padding: 4px 0 3px 0;")
+    made.setIndent(0)
+    made.setContentsMargins(0, 6, 0, 0)
     return made
 
 

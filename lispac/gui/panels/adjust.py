@@ -109,7 +109,7 @@ class AdjustPanel(QWidget):
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
         """Fill in the project's settings where they changed."""
-        self.estimate.setEnabled(status.ready and not busy)
+        self.estimate.allow(status.ready and not busy)
         self.advice.setText(status.advice)
         settings = None if project is None else project.settings
         if settings is None or settings == self._shown_settings:

@@ -34,5 +34,5 @@ class ReportPanel(QWidget):
     def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
         """What can be exported now."""
         self.advice.setText(status.advice)
-        self.report.setEnabled(status.ready and not busy)
-        self.lines.setEnabled(data_ready and not busy)
+        self.report.allow(status.ready and not busy)
+        self.lines.allow(data_ready and not busy)

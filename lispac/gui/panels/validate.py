@@ -54,7 +54,7 @@ class ValidatePanel(QWidget):
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
         """What can be done now."""
         self.advice.setText(status.advice)
-        self.run.setEnabled(status.ready and not busy)
+        self.run.allow(status.ready and not busy)
         self.after.setEnabled(project is not None and project.result is not None)
 
     def show_which(self, which: str) -> None:

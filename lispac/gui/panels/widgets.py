@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
+    QApplication,
     QDoubleSpinBox,
     QGridLayout,
     QLabel,
@@ -27,11 +28,29 @@ def label(text: str = "", role: str = "", *, wrap: bool = False, name: str = "")
     return made
 
 
-def button(
-    text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False
-) -> QPushButton:
+class Button(QPushButton):
+    """A push button that gets its focus back after it was disabled for a while."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._focus_went_to: QWidget | None = None
+
+    def allow(self, enabled: bool) -> None:
+        """Enable or disable."""
+        had_focus = self.hasFocus()
+        self.setEnabled(enabled)
+        if had_focus and not enabled:
+            self._focus_went_to = QApplication.focusWidget()
+        elif enabled and self._focus_went_to is not None:
+            # Where the user has gone elsewhere meanwhile, the focus stays there.
+            if QApplication.focusWidget() is self._focus_went_to:
+                self.setFocus()
+            self._focus_went_to = None
+
+
+def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False) -> Button:
     """A push button."""
-    made = QPushButton(text)
+    made = Button(text)
     made.setObjectName(name)
     made.setToolTip(tip)
     if primary:

@@ -1,0 +1,91 @@
+"""The life of a project in the window: new, open, recent, export, and the question on leaving."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QMenu
+
+from lispac.gui.computing import Computing
+from lispac.gui.controller import Controller
+from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.document import Document
+from lispac.gui.settings import AppSettings
+
+
+class ProjectLife(QObject):
+    """Asks for files and folders, and for leave where there is something to lose."""
+
+    def __init__(
+        self,
+        document: Document,
+        controller: Controller,
+        computing: Computing,
+        dialogs: Dialogs,
+        settings: AppSettings,
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._controller, self._computing = document, controller, computing
+        self._dialogs, self._settings = dialogs, settings
+
+    def may_leave(self) -> bool:
+        """Whether the present project may go; asks where it has changes."""
+        project = self._document.project
+        if project is None or not self._document.is_modified:
+            return True
+        answer = self._dialogs.save_changes(project.name)
+        if answer == "save":
+            return self._controller.save()
+        return answer == "discard"
+
+    def open_project(self, path: Path) -> None:
+        """Open a project, after asking about changes to the present one."""
+        if self.may_leave():
+            self._controller.open(path)
+
+    def new(self) -> None:
+        """Ask what a new project holds, and make it."""
+        if self.may_leave():
+            request = self._dialogs.new_project()
+            if request is not None:
+                self._controller.create(request)
+
+    def open(self) -> None:
+        """Ask for a project, and open it."""
+        if self.may_leave():
+            recent = self._settings.recent()
+            path = self._dialogs.project_to_open(recent[0].parent if recent else Path.home())
+            if path is not None:
+                self._controller.open(path)
+
+    def demo(self) -> None:
+        """Open the built-in survey."""
+        if self.may_leave():
+            self._controller.open_demo()
+
+    def list_recent(self, menu: QMenu) -> None:
+        """Fill the menu of recent projects."""
+        menu.clear()
+        for folder in self._settings.recent():
+            action = menu.addAction(str(folder))
+            action.triggered.connect(lambda _=False, folder=folder: self.open_project(folder))
+        if menu.isEmpty():
+            menu.addAction("No project yet").setEnabled(False)
+        else:
+            menu.addSeparator()
+            menu.addAction("Forget these").triggered.connect(self._settings.forget_recent)
+
+    def export_report(self) -> None:
+        """Ask where the report goes, and write it."""
+        project = self._document.project
+        if project is not None and project.result is not None:
+            path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
+            if path is not None:
+                self._computing.export_report(path)
+
+    def export_lines(self) -> None:
+        """Ask where the georeferenced lines go, and write them."""
+        project = self._document.project
+        if project is not None:
+            folder = self._dialogs.lines_folder(project.folder)
+            if folder is not None:
+                self._computing.export_lines(folder)

@@ -1,0 +1,128 @@
+"""A project in the window: opened, saved, closed, and the data it points at."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import ProjectError
+from lispac.workflow.projects import open_project
+from tests.gui.support import (
+    Control,
+    Demo,
+    Driver,
+    Key,
+    click,
+    click_check,
+    open_step,
+    press,
+    sentence,
+)
+
+# -- opening, saving, closing ------------------------------------------------------------------
+
+
+def test_a_project_opens_with_a_key_and_its_lines_are_drawn(driver: Driver, demo_copy: Path):
+    assert sentence(driver, 0) == "no project open"
+    driver.dialogs.path = demo_copy / "project.json"
+    press(driver, Key.Key_O, Control)
+    driver.rest()
+    assert driver.project.folder == demo_copy
+    assert list(driver.viewport.clouds) == [line.name for line in driver.project.lines]
+    assert len(set(driver.viewport.colours.values())) == 6
+    assert sentence(driver, 0).startswith("6 lines, 1.")
+    assert driver.window.settings.recent() == [demo_copy]
+    assert not driver.window.isWindowModified()
+
+
+def test_a_folder_without_a_project_is_refused_in_words(driver: Driver, tmp_path: Path):
+    driver.window.open_project(tmp_path)
+    driver.rest()
+    assert isinstance(driver.dialogs.errors[0], ProjectError)
+    assert driver.window.document.project is None
+
+
+@pytest.mark.parametrize(("answer", "closes", "saved"), [
+    ("cancel", False, 0), ("discard", True, 0), ("save", True, 1),
+])  # fmt: skip
+def test_closing_with_changes_asks(
+    driver: Driver, demo: Demo, demo_copy: Path, answer, closes, saved
+):
+    before = replace(demo.project, folder=demo_copy)
+    driver.window.document.open(before, demo.survey)
+    target = demo.picked.target("T1")
+    driver.window.document.edit("pick of T1", before.with_target(target))
+    assert driver.window.isWindowModified()
+    driver.dialogs.answer = answer
+    assert driver.window.close() is closes
+    assert driver.dialogs.asked == ["harbour"]
+    assert len(open_project(demo_copy).targets) == saved
+
+
+def test_saving_makes_the_project_clean_and_undo_makes_it_dirty_again(
+    driver: Driver, demo: Demo, demo_copy: Path
+):
+    before = replace(demo.project, folder=demo_copy)
+    driver.window.document.open(before, demo.survey)
+    driver.window.document.edit("pick", before.with_target(demo.picked.target("T1")))
+    press(driver, Key.Key_S, Control)
+    assert not driver.window.isWindowModified()
+    assert [t.name for t in open_project(demo_copy).targets] == ["T1"]
+    press(driver, Key.Key_Z, Control)
+    assert driver.window.isWindowModified()
+
+
+def test_closing_while_work_runs_stops_it(driver: Driver, demo_copy: Path):
+    driver.window.open_project(demo_copy)
+    assert driver.window.runner.busy
+    assert driver.window.close()
+    assert driver.window.runner.current is None
+    assert driver.viewport.closed
+    assert driver.window.document.project is None
+
+
+def test_a_cancelled_opening_keeps_the_project_that_is_open(opened: Driver, demo_copy: Path):
+    before = opened.project
+    opened.window.open_project(demo_copy)
+    click(opened, opened.window.task_bar.cancel)
+    opened.rest()
+    assert opened.project is before
+    assert opened.viewport.clouds
+
+
+def test_the_demo_is_opened_where_it_has_been_made(driver: Driver, demo_copy: Path):
+    driver.window.controller.open_demo(demo_copy)
+    driver.rest()
+    assert driver.project.truth_deg is not None
+
+
+# -- data ----------------------------------------------------------------------------------------
+
+
+def test_a_line_is_hidden_by_its_check_box(picked: Driver):
+    open_step(picked, 0)
+    table = picked.window.data.lines
+    click_check(picked, table, table.model().index(1, 0))
+    assert picked.viewport.hidden == {picked.project.lines[1].name}
+
+
+def test_a_new_lever_arm_places_the_lines_again_and_undo_puts_them_back(picked: Driver):
+    open_step(picked, 0)
+    panel = picked.window.data
+    line = picked.project.lines[0].name
+    before = picked.viewport.clouds[line][:100].copy()
+    field = panel.lever_arm.fields[2]
+    assert not panel.apply.isEnabled()
+    field.setFocus()
+    field.selectAll()
+    picked.bot.keyClicks(field, "3.173")
+    click(picked, panel.apply)
+    picked.rest()
+    assert picked.project.settings.lever_arm[2] == pytest.approx(3.173)
+    moved = np.linalg.norm(picked.viewport.clouds[line][:100] - before, axis=1)
+    assert moved == pytest.approx(np.ones(100), abs=1e-6)
+    press(picked, Key.Key_Z, Control)
+    picked.rest()
+    assert picked.viewport.clouds[line][:100] == pytest.approx(before, abs=1e-9)
+    assert field.value() == pytest.approx(2.173)
