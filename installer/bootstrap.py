@@ -65,7 +65,7 @@ def ensure_system(kind: str) -> None:
     """On Linux, has the missing system libraries installed or says how to."""
     if not sys.platform.startswith("linux"):
         return
-    missing = system_packages.missing_packages(with_virtual_screen=kind == "test")
+    missing = system_packages.missing_packages(for_tests=kind == "test")
     root, apt_get = system_packages.is_root(), shutil.which("apt-get")
     system_packages.ensure(missing, root=root, apt_get=apt_get, say=say)
 

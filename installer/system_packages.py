@@ -64,6 +64,7 @@ LIBRARIES: dict[str, tuple[str, ...]] = {
 }
 FONTS = ("fonts-dejavu-core",)
 VIRTUAL_SCREEN = ("xvfb",)
+PDF_READER = ("poppler-utils",)  # the tests read the report with pdftotext
 FONT_FOLDERS = ("/usr/share/fonts", "/usr/local/share/fonts")
 
 
@@ -105,7 +106,7 @@ def venv_works() -> bool:
 
 def missing_packages(
     *,
-    with_virtual_screen: bool,
+    for_tests: bool,
     loads: Callable[[str], bool] = library_loads,
     has_fonts: Callable[[], bool] = fonts_exist,
     which: Callable[[str], str | None] = shutil.which,
@@ -115,8 +116,10 @@ def missing_packages(
     missing = [Missing(so, package) for so, package in LIBRARIES.items() if not loads(so)]
     if not has_fonts():
         missing.append(Missing("a scalable font", FONTS))
-    if with_virtual_screen and which("Xvfb") is None:
+    if for_tests and which("Xvfb") is None:
         missing.append(Missing("the virtual screen Xvfb", VIRTUAL_SCREEN))
+    if for_tests and which("pdftotext") is None:
+        missing.append(Missing("the PDF reader pdftotext", PDF_READER))
     if not has_venv():
         version = f"{sys.version_info[0]}.{sys.version_info[1]}"
         missing.append(Missing("Python's venv module", (f"python{version}-venv", "python3-venv")))

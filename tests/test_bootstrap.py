@@ -210,7 +210,7 @@ def missing(**answers: object) -> list[Missing]:
         "which": lambda _name: "/usr/bin/Xvfb",
         "has_venv": lambda: True,
     }
-    return system_packages.missing_packages(with_virtual_screen=True, **{**system, **answers})
+    return system_packages.missing_packages(for_tests=True, **{**system, **answers})
 
 
 def test_complete_system_lacks_nothing() -> None:
@@ -225,12 +225,12 @@ def test_missing_library_names_its_package() -> None:
 def test_missing_fonts_screen_and_venv_are_noticed() -> None:
     found = missing(has_fonts=lambda: False, which=lambda _name: None, has_venv=lambda: False)
     packages = [need.package[-1] for need in found]
-    assert packages == ["fonts-dejavu-core", "xvfb", "python3-venv"]
+    assert packages == ["fonts-dejavu-core", "xvfb", "poppler-utils", "python3-venv"]
 
 
 def test_virtual_screen_is_only_asked_for_tests() -> None:
     found = system_packages.missing_packages(
-        with_virtual_screen=False,
+        for_tests=False,
         loads=lambda _soname: True,
         has_fonts=lambda: True,
         which=lambda _name: None,

@@ -23,9 +23,9 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-MAX_ITERATIONS = 30
-CONVERGED = 1e-11
-"""Largest change of an angle (rad) or a plane parameter (rad, m) in the last iteration."""
+MAX_ITERATIONS = 100
+ANGLES_SETTLED, PLANES_SETTLED = 1e-11, 1e-8
+"""Largest change of an angle (rad) and of a plane parameter (rad, m) in the last iteration."""
 
 WORST_SIGMA = np.radians(5.0)
 """An angle that the geometry cannot tell to better than this is not determined by it: the mounting
@@ -87,12 +87,13 @@ def adjust(
         boresight = boresight + step.correction[:3]
         effects = effects + step.effects
         current = _moved(current, tangents, step.correction[3:].reshape(-1, 3))
-        if np.abs(step.correction).max() < CONVERGED:
+        angles, turns = np.abs(step.correction[:3]).max(), np.abs(step.correction[3:]).max()
+        if angles < ANGLES_SETTLED and turns < PLANES_SETTLED:
             break
     else:
         raise NotConverged(
             f"The adjustment did not settle in {MAX_ITERATIONS} iterations (last change "
-            f"{np.degrees(np.abs(step.correction[:3]).max()):.4f} deg); check that each target is "
+            f"{np.degrees(angles):.1e} deg); check that each target is "
             "the same plane on every line, and the prior boresight."
         )
     # The last correction is below any figure shown, so what it was computed from describes the

@@ -113,9 +113,9 @@ class Controller(QObject):
         self._drop_candidate()
         self._document.open(project, survey)
         self._settings.add_recent(project.folder)
-        self.noted.emit(f"Opened {project.folder}")
         for note in survey.notes:
             self.noted.emit(note)
+        self.noted.emit(f"Opened {project.folder}")
 
     def _follow(self) -> None:
         """Keep data and running work in step with the project."""

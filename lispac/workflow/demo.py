@@ -20,8 +20,8 @@ from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
 LIDAR_SIGMA = 0.0018
-"""Metres on each axis: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005 deg
-at 15 m), averaged over the three axes."""
+"""Metres on each axis: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005
+deg at 15 m), averaged over the three axes."""
 
 RAW = "raw"
 
