@@ -20,9 +20,23 @@ from lispac.workflow.survey import Survey
 RESELECTIONS = 3
 """Each selection leaves about a third of the error that the smear of the one before it caused."""
 
+SELECTION_SPACING = 0.1
+"""Metres between the points that steer a selection: near a slow scanner a surface has hundreds of
+points where its far end has one, and these must not decide alone."""
 
-def observations_of(project: Project, survey: Survey) -> Observations:
+SETTLED = 0.1
+"""Share of its sigma by which an angle may move when no further selection is worth its time."""
+
+
+def observations_of(
+    project: Project, survey: Survey, *, subsample: float | None = None
+) -> Observations:
     """Thin the points of every used sighting and bring them into the adjustment's form.
+
+    Parameters
+    ----------
+    subsample : float, metres, optional
+        In place of the project's setting.
 
     Raises
     ------
@@ -31,6 +45,7 @@ def observations_of(project: Project, survey: Survey) -> Observations:
     """
     sightings: list[Sighting] = []
     indices = []
+    distance = project.settings.subsample if subsample is None else subsample
     for target in project.of_role("target"):
         used = target.used_sightings
         if not target.used:
@@ -43,7 +58,7 @@ def observations_of(project: Project, survey: Survey) -> Observations:
             )
         for sighting in used:
             points = survey.clouds[sighting.line][sighting.indices]
-            indices.append(sighting.indices[thin(points, project.settings.subsample)])
+            indices.append(sighting.indices[thin(points, distance)])
             sightings.append(Sighting(target.name, sighting.line))
     if not sightings:
         raise AdjustmentError(
@@ -106,12 +121,17 @@ def estimate(
         project = project.with_settings(settings)
     started = perf_counter()
     prior, selected = project.mounting("prior"), project
+    coarse = max(settings.subsample, SELECTION_SPACING)
     for k in range(reselections):
         step = part(progress, 0.9 * k / reselections, 0.9 * (k + 1) / reselections)
         step(0.0, f"Selecting the points again, round {k + 1} of {reselections}")
         # Points of another surface among the picks would be taken for POS errors by the correlated
         # model; this one leaves them to stand out.
-        result = adjust(observations_of(selected, survey), prior, StochasticModel("independent"))
+        thinned = observations_of(selected, survey, subsample=coarse)
+        result = adjust(thinned, prior, StochasticModel("independent"))
+        if k > 0 and (np.abs(result.boresight - before) < SETTLED * result.sigma).all():
+            break
+        before = result.boresight
         selected = reselect(selected.with_result(result), survey, progress=step)
     result = adjust(
         observations_of(selected, survey),
