@@ -65,7 +65,7 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     for name, (x, y, z, role) in seeds.items():
         picked = answer(capsys, "pick", project, "--seed", x, y, z, "--name", name, "--role", role)
         assert len(picked["lines"]) == 6, picked["missing"]
-    numbers = answer(capsys, "estimate", project)
+    numbers = answer(capsys, "estimate", project, "--pos-errors", "correlated")
     wanted = {
         "boresight_deg", "sigma_deg", "correlation", "variance_factor", "chi_square", "iterations",
         "points", "sightings", "planes", "elapsed_s",

@@ -122,6 +122,7 @@ def estimate(
     started = perf_counter()
     prior, selected = project.mounting("prior"), project
     coarse = max(settings.subsample, SELECTION_SPACING)
+    angles = prior.boresight
     for k in range(reselections):
         step = part(progress, 0.9 * k / reselections, 0.9 * (k + 1) / reselections)
         step(0.0, f"Selecting the points again, round {k + 1} of {reselections}")
@@ -129,9 +130,10 @@ def estimate(
         # model; this one leaves them to stand out.
         thinned = observations_of(selected, survey, subsample=coarse)
         result = adjust(thinned, prior, StochasticModel("independent"))
-        if k > 0 and (np.abs(result.boresight - before) < SETTLED * result.sigma).all():
+        moved = np.abs(result.boresight - angles)
+        if k > 0 and (moved < SETTLED * result.sigma).all():
             break
-        before = result.boresight
+        angles = result.boresight
         selected = reselect(selected.with_result(result), survey, progress=step)
     result = adjust(
         observations_of(selected, survey),

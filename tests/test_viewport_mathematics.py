@@ -1,0 +1,123 @@
+"""Camera, point budget and picking of the 3D viewport, without a window."""
+
+import numpy as np
+import pytest
+
+from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.decimation import in_view, robust_sample, sample_order, shares
+from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.gui.viewport.picking import pick
+from tests.view_scenes import SIZE, scene
+
+
+def random_camera(seed):
+    rng = np.random.default_rng(seed)
+    return Camera(rng.normal(size=3) * 10, rng.uniform(0, 6), rng.uniform(-1.5, 1.5), 30.0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_camera_axes_are_a_right_handed_frame_and_points_return(seed):
+    camera = random_camera(seed)
+    right, up, forward = camera.axes
+    np.testing.assert_allclose(camera.axes @ camera.axes.T, np.eye(3), atol=1e-14)
+    np.testing.assert_allclose(np.cross(right, up), -forward, atol=1e-14)
+    assert right[2] == 0.0  # the horizon is level
+    point = camera.point_at(123.0, 456.0, 17.0, SIZE)
+    np.testing.assert_allclose(camera.project(point, SIZE)[0], [123.0, 456.0, 17.0], atol=1e-9)
+    np.testing.assert_allclose(camera.project(camera.focal, SIZE)[0], [400.0, 300.0, 30.0])
+
+
+def test_looking_north_shows_east_on_the_right_and_top_view_shows_north_up():
+    north = Camera(np.zeros(3), 0.0, 0.0, 10.0)
+    east = north.project(np.array([0.0, -1.0, 0.0]), SIZE)[0]
+    assert east[0] > 400.0
+    top = Camera(np.zeros(3), 0.0, 0.5 * np.pi, 10.0)
+    assert top.project(np.array([1.0, 0.0, 0.0]), SIZE)[0, 1] < 300.0
+    assert top.project(np.array([0.0, 1.0, 0.0]), SIZE)[0, 0] < 400.0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_orbit_and_zoom_keep_their_point_at_its_pixel(seed):
+    camera = random_camera(seed)
+    point = camera.point_at(200.0, 150.0, 20.0, SIZE)
+    np.testing.assert_allclose(
+        camera.orbited(37.0, 0.0, point).project(point, SIZE)[0], [200.0, 150.0, 20.0], atol=1e-8
+    )
+    closer = camera.zoomed(0.5, point).project(point, SIZE)[0]
+    np.testing.assert_allclose(closer, [200.0, 150.0, 10.0], atol=1e-8)
+    shifted = camera.panned(30.0, -12.0, 20.0, SIZE).project(point, SIZE)[0]
+    np.testing.assert_allclose(shifted, [230.0, 138.0, 20.0], atol=1e-8)
+
+
+def test_elevation_stops_overhead():
+    camera = random_camera(0).orbited(0.0, 1e5, np.zeros(3))
+    assert camera.elevation == pytest.approx(0.5 * np.pi)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("size", [SIZE, Size(300, 900)])
+def test_fit_brings_all_points_into_view_without_waste(seed, size):
+    points = np.random.default_rng(seed).normal(size=(500, 3)) * [30.0, 10.0, 5.0] + 100.0
+    pixels = random_camera(seed).fitted(points, size).project(points, size)
+    spread = np.ptp(pixels[:, :2], axis=0) / [size.width, size.height]
+    assert pixels[:, :2].min() >= 0.0
+    assert np.all(pixels[:, :2].max(axis=0) <= [size.width, size.height])
+    assert 0.85 < spread.max() <= 1.0
+    assert len(in_view(points, random_camera(seed).fitted(points, size), size)) == len(points)
+
+
+def test_shares_follow_the_sizes_and_small_lines_still_show():
+    assert shares({"a": 10, "b": 20}, 100) == {"a": 10, "b": 20}
+    shared = shares({"a": 900_000, "b": 100_000, "c": 3}, 1000)
+    assert shared["a"] == pytest.approx(900, abs=1)
+    assert shared["b"] == pytest.approx(100, abs=1)
+    assert shared["c"] == 1
+    assert shares({"a": 0, "b": 500}, 10)["a"] == 0
+
+
+def test_sample_is_the_same_each_time_and_even():
+    order = sample_order(100_000, 10_000)
+    np.testing.assert_array_equal(order, sample_order(100_000, 10_000))
+    np.testing.assert_array_equal(order[:100], sample_order(100_000, 100))
+    assert len(np.unique(order)) == 10_000
+    counts = np.histogram(order, bins=10, range=(0, 100_000))[0]
+    assert counts.min() > 850
+
+
+def test_robust_sample_leaves_out_stray_echoes_only():
+    points = np.random.default_rng(0).uniform(-1, 1, size=(20_000, 3))
+    points[7] = [5000.0, 0.0, 0.0]
+    kept = robust_sample(points)
+    assert kept.max() < 1.5
+    assert len(kept) > 0.99 * len(points)
+
+
+def test_pick_takes_the_surface_in_front_and_what_is_exactly_under_the_cursor():
+    clouds, _ = scene()
+    camera = Camera(np.array([0.0, 15.0, 1.5]), -0.5 * np.pi, 0.0, 15.0)
+    hit = pick(clouds, camera, 400.0, 300.0, SIZE)
+    assert hit is not None
+    assert hit.line == "red"
+    assert hit.depth == pytest.approx(15.0)
+    # A point of the blue wall 5 pixels beside the edge of the red one is not stolen by that edge.
+    edge = camera.project(clouds["red"], SIZE)[:, 0].max()
+    beside = pick(clouds, camera, edge + 5.0, 300.0, SIZE)
+    assert beside is not None
+    assert beside.line == "blue"
+    assert pick(clouds, camera, 400.0, 595.0, SIZE) is None
+    assert pick({}, camera, 400.0, 300.0, SIZE) is None
+
+
+def test_nothing_behind_the_eye_is_picked():
+    camera = Camera(np.zeros(3), 0.0, 0.0, 10.0)
+    assert pick({"a": np.array([[-30.0, 0.0, 0.0]])}, camera, 400.0, 300.0, SIZE) is None
+
+
+@pytest.mark.parametrize(
+    ("scale", "text"),
+    [(0.1, "10 m"), (0.001, "10 cm"), (40.0, "5 km"), (0.0171, "2 m"), (0.00001, "1 mm")],
+)
+def test_scale_bar_has_a_round_length(scale, text):
+    metres = scale_length(scale)
+    assert length_text(metres) == text
+    assert 50.0 <= metres / scale <= 150.001
