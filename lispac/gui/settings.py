@@ -2,13 +2,13 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSettings
+from PySide6.QtCore import QByteArray, QSettings, QStandardPaths
 
 MOST_RECENT = 8
 
 
 class AppSettings:
-    """Recent projects, layout and looks, kept in the place the system has for that.
+    """Recent projects, layout and looks, kept in the user's cache folder.
 
     Parameters
     ----------
@@ -17,10 +17,13 @@ class AppSettings:
     """
 
     def __init__(self, file: Path | None = None) -> None:
-        if file is None:
-            self._store = QSettings("LISPAC", "LISPAC")
-        else:
-            self._store = QSettings(str(file), QSettings.Format.IniFormat)
+        # The cache folder is the one place outside the project folders the program writes to;
+        # what is kept here is convenient but can be lost.
+        cache = QStandardPaths.writableLocation(
+            QStandardPaths.StandardLocation.GenericCacheLocation
+        )
+        path = Path(cache) / "lispac" / "window.ini" if file is None else file
+        self._store = QSettings(str(path), QSettings.Format.IniFormat)
 
     def recent(self) -> list[Path]:
         """Project folders opened last, the newest first."""
