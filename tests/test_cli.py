@@ -50,7 +50,7 @@ def new_words(project: Path, raw: Path, *lines: Path) -> list[object]:
         "new", project, "--trajectory", raw / "trajectory.sbet",
         "--trajectory-accuracy", raw / "smrmsg.out",
         "--lever-arm", -0.242, 0.061, 2.173, "--origin", 45.5189, -73.5390, -25.6,
-        "--lidar-sigma", 0.0025, *(lines or sorted(raw.glob("*.laz"))),
+        "--lidar-sigma", 0.0017, *(lines or sorted(raw.glob("*.laz"))),
     ]  # fmt: skip
 
 

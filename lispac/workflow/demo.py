@@ -19,9 +19,9 @@ from lispac.workflow.projects import create_project, save_project
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
-LIDAR_SIGMA = 0.0018
-"""Metres on each axis: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005
-deg at 15 m), averaged over the three axes."""
+LIDAR_SIGMA = 0.0017
+"""Metres: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005 deg at 15 m),
+seen along the normals of the two boards and averaged over the six lines."""
 
 RAW = "raw"
 
