@@ -17,7 +17,7 @@ from lispac.io.sbet import read_sbet
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.targets.across_lines import find_in_lines, find_merged
+from lispac.targets.across_lines import find_in_lines
 from lispac.targets.finder import FinderSettings, find_plane
 
 SETTINGS = FinderSettings()
@@ -235,16 +235,6 @@ def test_the_search_reports_progress_and_can_be_cancelled():
         find_in_lines(clouds, CENTRE, SETTINGS, first_line="L1", progress=cancel)
 
 
-def test_lines_that_lie_on_one_another_may_be_searched_as_one():
-    clouds, truths = moved_lines(shift=0.003, tilt_deg=0.02)
-    clouds["away"] = clouds["L1"] + [50.0, 0, 0]
-    found, missing = find_merged(clouds, CENTRE, SETTINGS)
-    assert set(found) == set(truths)
-    assert "Only 0 points" in missing["away"]
-    for name, patch in found.items():
-        assert min(precision_and_recall(patch.indices, truths[name])) > 0.95, name
-
-
 class SharedSurvey:
     """A reference survey and its clouds for any boresight."""
 
@@ -340,9 +330,8 @@ def test_real_natural_planes_are_found_in_both_lines(shared_data, name):
     right = total = 0
     for key, seed in seeds.items():
         clicked = int(np.argmin(np.linalg.norm(prior["line1"] - seed, axis=1)))
-        merged, missing = find_merged(after, after["line1"][clicked], settings)
-        assert missing == {}
-        for line, patch in merged.items():
+        found, _ = find_in_lines(after, after["line1"][clicked], settings, first_line="line1")
+        for line, patch in found.items():
             label = labels[line][patch.indices]
             share = np.mean(label == int(key[1:]) - 1)
             print(f"{name} {key} {line}: {len(label)} points, {share:.2f} of them labelled so")

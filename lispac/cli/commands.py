@@ -108,11 +108,19 @@ def pick(arguments: Namespace) -> None:
     )
     projects.save_project(project)
     target = project.target(arguments.name)
+    usual = picking.DEFAULT_RADII[target.role][0]
+    if arguments.radius is None and target.radius > usual:
+        print(
+            f"note: {target.name}: fewer than two lines have a plane within {usual:g} m of the "
+            f"seed; sought within {target.radius:g} m",
+            file=sys.stderr,
+        )
     if arguments.json:
         _print_json(
             {
                 "name": target.name,
                 "role": target.role,
+                "radius_m": target.radius,
                 "lines": {
                     s.line: {"points": len(s.indices), "rms_m": s.rms} for s in target.sightings
                 },

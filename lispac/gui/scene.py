@@ -120,6 +120,12 @@ class Scene(QObject):
 
     def _draw_clouds(self) -> None:
         clouds = self.clouds
+        survey = self._document.survey
+        if survey is not None:
+            # Standard views look from the water, where the vessel was while it scanned.
+            times = np.array([np.median(scan.time) for scan in survey.scans.values()])
+            north, west, up = survey.trajectory.at(times).position.mean(axis=0)
+            self._viewport.set_station((float(north), float(west), float(up)))
         self._viewport.show_clouds(clouds, theme.line_colours(list(clouds)))
 
     def _draw_targets(self) -> None:

@@ -27,7 +27,6 @@ from lispac.targets.finder import (
     extract,
     find_plane,
     neighbourhood,
-    patch_of,
 )
 from lispac.targets.shift import Shift, find_shifts
 
@@ -307,58 +306,3 @@ def _match(
         raise PlaneNotFound(f"The plane found is {larger:.1f} times as large as the target.")
     likeness = coverage * min(1.0, 1.5 / larger) * np.cos(np.radians(2.0 * tilt))
     return _Match(patch, shift.score * float(likeness))
-
-
-def find_merged(
-    clouds: Mapping[str, Array],
-    seed: Array,
-    settings: FinderSettings,
-    *,
-    indices: Mapping[str, PointGrid] | None = None,
-) -> tuple[dict[str, PlanePatch], dict[str, str]]:
-    """Find the target in all lines at once, as one plane of the merged cloud.
-
-    For clouds georeferenced with a boresight that is already nearly right: then all lines lie
-    on one another, and one plane through them is surer than one for each, above all on natural
-    surfaces, which are never quite flat and of which each line sees another part.
-
-    Parameters
-    ----------
-    clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
-    seed : ndarray of shape (3,), metres
-    settings : FinderSettings
-    indices : mapping of line name to PointGrid, optional
-
-    Returns
-    -------
-    found : dict of line name to PlanePatch
-        Each with the plane fitted to its own points; normals face the same side.
-    missing : dict of line name to str
-
-    Raises
-    ------
-    PlaneNotFound
-        The merged cloud has no plane at the seed.
-    """
-    seed = checked_seed(seed)
-    grids = indices or {}
-    near = {
-        name: _near(cloud, grids.get(name), seed, settings.radius) for name, cloud in clouds.items()
-    }
-    names = list(clouds)
-    merged = np.concatenate([clouds[name][near[name]] for name in names])
-    source = np.repeat(np.arange(len(names)), [len(near[name]) for name in names])
-    patch = find_plane(merged, seed, settings)
-    own = np.concatenate([near[name] for name in names])
-    found: dict[str, PlanePatch] = {}
-    missing: dict[str, str] = {}
-    for number, name in enumerate(names):
-        mine = np.sort(own[patch.indices[source[patch.indices] == number]])
-        if len(mine) < settings.min_points:
-            missing[name] = (
-                f"Only {len(mine)} points of this line lie on the target, fewer than "
-                f"{settings.min_points}."
-            )
-            continue
-        found[name] = patch_of(clouds[name], mine, patch.plane.normal)
-    return found, missing

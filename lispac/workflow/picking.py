@@ -10,12 +10,15 @@ from lispac.errors import PlaneNotFound, ProjectError
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Target, Triple
 from lispac.targets.across_lines import find_in_lines
-from lispac.targets.finder import FinderSettings, find_plane
+from lispac.targets.finder import FinderSettings, PlanePatch, find_plane
 from lispac.workflow.survey import Survey
 
-DEFAULT_RADIUS: dict[Role, float] = {"target": 2.0, "validation": 4.0}
-"""Metres about the seed: a board fits into the first; a validation plane is a piece of a wall or of
-a tower, where more points tell more and something in front may hide the seed from a line."""
+DEFAULT_RADII: dict[Role, tuple[float, ...]] = {"target": (2.0,), "validation": (4.0, 10.0, 20.0)}
+"""Metres about the seed, tried in turn until two lines have the plane.
+
+A board fits into two metres. A validation plane is a piece of a wall or a tower, where more points
+tell more, and the place given for its middle may be hidden from the lines or out of their reach.
+"""
 
 
 def find(
@@ -43,15 +46,15 @@ def find(
     threshold : float, metres, optional
         RANSAC distance threshold.
     radius : float, metres, optional
-        Search radius about the seed.
+        Search radius about the seed; `DEFAULT_RADII` where not given.
 
     Raises
     ------
     PlaneNotFound
     """
+    radii = DEFAULT_RADII[role] if radius is None else (radius,)
     settings = FinderSettings(
-        threshold=project.settings.threshold if threshold is None else threshold,
-        radius=DEFAULT_RADIUS[role] if radius is None else radius,
+        threshold=project.settings.threshold if threshold is None else threshold, radius=radii[0]
     )
     centre = np.asarray(seed, dtype=float)
     place: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
@@ -63,18 +66,11 @@ def find(
         patch = find_plane(survey.clouds[line], centre, settings)
         sighting = PickedSighting(line, patch.indices, patch.rms)
         return _with_sighting(project, name, role, place, settings, sighting)
-    found, missing = find_in_lines(
-        survey.clouds, centre, settings, first_line=first_line, progress=progress
-    )
-    if not found:
-        raise PlaneNotFound(
-            f"{name}: no plane was found at {centre[0]:.2f}, {centre[1]:.2f}, {centre[2]:.2f} m in "
-            f"any line ({next(iter(missing.values()), 'no lines')}); set the seed on the target."
-        )
+    found, missing, radius = _in_lines(survey, centre, settings, radii, first_line, progress)
     sightings = tuple(
         PickedSighting(n, found[n].indices, found[n].rms) for n in survey.lines if n in found
     )
-    return Target(name, role, place, settings.threshold, settings.radius, sightings, missing)
+    return Target(name, role, place, settings.threshold, radius, sightings, missing)
 
 
 def pick(
@@ -107,6 +103,41 @@ def next_name(project: Project, role: Role) -> str:
     taken = {target.name for target in project.targets}
     letter = "T" if role == "target" else "V"
     return next(f"{letter}{k}" for k in itertools.count(1) if f"{letter}{k}" not in taken)
+
+
+def _in_lines(
+    survey: Survey,
+    seed: NDArray[np.float64],
+    settings: FinderSettings,
+    radii: tuple[float, ...],
+    first_line: str | None,
+    progress: Progress,
+) -> tuple[dict[str, PlanePatch], dict[str, str], float]:
+    """Patches, reasons and radius of the first radius that two lines answer to.
+
+    Where none does, those of the radius that most lines answer to, the smallest of these.
+    """
+    best: tuple[dict[str, PlanePatch], dict[str, str], float] | None = None
+    refusal: PlaneNotFound | None = None
+    for radius in radii:
+        try:
+            found, missing = find_in_lines(
+                survey.clouds,
+                seed,
+                replace(settings, radius=radius),
+                first_line=first_line,
+                progress=progress,
+            )
+        except PlaneNotFound as error:
+            refusal = refusal or error
+            continue
+        if best is None or len(found) > len(best[0]):
+            best = (found, missing, radius)
+        if len(found) >= 2:
+            break
+    if best is None:
+        raise refusal or PlaneNotFound("There is no line to seek a plane in.")
+    return best
 
 
 def _with_sighting(
