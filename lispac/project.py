@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.stochastic import PosErrors
-from lispac.errors import ProjectError
+from lispac.adjustment.stochastic import POS_ERRORS, PosErrors
+from lispac.errors import InputError, ProjectError
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison import PlaneComparison
 
 Role = Literal["target", "validation"]
+ROLES: tuple[Role, ...] = ("target", "validation")
 Triple = tuple[float, float, float]
 
 DEFAULT_THRESHOLD = 0.01
@@ -70,6 +71,40 @@ class Settings:
         """Default RANSAC threshold: the thesis's, or 3 LiDAR sigma where that is larger."""
         return max(DEFAULT_THRESHOLD, 3 * self.lidar_sigma)
 
+    def require_sound(self) -> None:
+        """Refuse settings that make no sense.
+
+        Raises
+        ------
+        InputError
+        """
+        numbers = {
+            "lever arm": self.lever_arm,
+            "boresight": self.boresight_deg,
+            "origin": self.origin_deg_m or (0.0,),
+            "position sigma": self.position_sigma,
+            "attitude sigma": self.attitude_sigma_deg,
+            "LiDAR sigma": (self.lidar_sigma,),
+            "subsampling distance": (self.subsample,),
+        }
+        for name, values in numbers.items():
+            if not np.isfinite(values).all():
+                raise InputError(f"The {name} is not a number; correct it.")
+        if min(*self.position_sigma, *self.attitude_sigma_deg, self.subsample) < 0:
+            raise InputError("A sigma or the subsampling distance is negative; correct it.")
+        if self.pos_errors not in POS_ERRORS:
+            raise InputError(f"There is no model of POS errors named {self.pos_errors}.")
+        if self.lidar_sigma <= 0:
+            raise InputError("The LiDAR sigma must be larger than zero; correct it.")
+        if np.abs(self.boresight_deg).max() > 360:
+            raise InputError("A prior boresight angle is beyond 360 deg; give degrees.")
+        if np.linalg.norm(self.lever_arm) > 100:
+            raise InputError("The lever arm is longer than 100 m; give metres.")
+        if self.origin_deg_m is not None and abs(self.origin_deg_m[0]) > 90:
+            raise InputError(
+                "The origin's latitude is beyond 90 deg; give LAT LON HEIGHT in degrees."
+            )
+
 
 @dataclass(frozen=True, eq=False)
 class PickedSighting:
@@ -78,7 +113,9 @@ class PickedSighting:
     Attributes
     ----------
     indices : ndarray of shape (n,), int64
-        Into the points of the line's file.
+        Into the line's points: those of its file that lie within the trajectory.
+    fingerprint : str
+        `Scan.fingerprint` of these points; a line read otherwise later is refused.
     rms : float, metres
         Of the points about their own plane.
     used : bool
@@ -89,6 +126,7 @@ class PickedSighting:
     indices: NDArray[np.int64]
     rms: float
     used: bool = True
+    fingerprint: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,6 +156,25 @@ class Target:
     def used_sightings(self) -> tuple[PickedSighting, ...]:
         """Sightings that take part."""
         return tuple(s for s in self.sightings if s.used) if self.used else ()
+
+
+LONGEST_NAME = 40
+
+
+def require_name(name: str) -> None:
+    """Refuse a name of a target that cannot stand in a table or a file name.
+
+    Raises
+    ------
+    ProjectError
+    """
+    if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
+        raise ProjectError(
+            f"A target's name needs 1 to {LONGEST_NAME} printable characters; "
+            f"{name[:LONGEST_NAME]!r} does not do."
+        )
+    if any(character in name for character in "/\\:"):
+        raise ProjectError(f"{name}: a target's name cannot hold a slash or a colon.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,7 +231,14 @@ class Project:
         raise ProjectError(f"{self.name}: there is no target or validation plane named {name}.")
 
     def with_target(self, target: Target) -> "Project":
-        """Add a target, or put it in the place of the one of the same name."""
+        """Add a target, or put it in the place of the one of the same name.
+
+        Raises
+        ------
+        ProjectError
+            Where its name cannot stand in a table or a file name.
+        """
+        require_name(target.name)
         kept = list(self.targets)
         names = [other.name for other in kept]
         old = kept[names.index(target.name)] if target.name in names else None

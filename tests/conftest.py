@@ -1,8 +1,14 @@
 """Fixtures every test may use."""
 
+import shutil
 from pathlib import Path
 
 import pytest
+
+from lispac.project import Project
+from lispac.workflow.demo import run_demo
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import Survey
 
 
 @pytest.fixture(scope="session")
@@ -12,3 +18,17 @@ def shared_data() -> Path:
     if not folder.is_dir():
         pytest.skip("the reference surveys are not beside this checkout")
     return folder
+
+
+@pytest.fixture(scope="session")
+def calibrated(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, Survey]:
+    """The built-in survey, calibrated and validated; not to be changed on disk."""
+    return run_demo(tmp_path_factory.mktemp("survey") / "demo")
+
+
+@pytest.fixture
+def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
+    """A copy of the calibrated project, to do with as one likes."""
+    folder = tmp_path / "copy"
+    shutil.copytree(calibrated[0].folder, folder)
+    return open_project(folder)

@@ -162,6 +162,19 @@ def test_wrong_usage(capsys: pytest.CaptureFixture[str], words: list[str]) -> No
     assert err
 
 
+def test_numbers_with_an_exponent_are_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+    message = refused(
+        capsys, "estimate", "--planes", "none.txt", "--lever-arm", "-1e-3", "-.5E-2", "1e-3"
+    )
+    assert "no such plane file" in message
+
+
+def test_a_plane_file_given_twice_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    code, _, err = run(capsys, "estimate", "--planes", "a", "./a", "--lever-arm", 0, 0, 0)
+    assert code == 2
+    assert "given twice" in err
+
+
 def test_no_project_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     for command in ("estimate", "validate"):
         assert "there is no project here" in refused(capsys, command, tmp_path / "none")

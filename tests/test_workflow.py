@@ -1,7 +1,6 @@
 """The steps from picks to validation on the built-in survey, whose truth is known."""
 
 import json
-import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,28 +11,16 @@ import pytest
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
-from lispac.errors import AdjustmentError, InputError, LispacError, PlaneNotFound, ProjectError
+from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
-from lispac.project import LineSource, PickedSighting, Project, Settings
+from lispac.project import Project
 from lispac.simulation.survey import port_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
-from lispac.workflow import calibration, export, picking, projects
-from lispac.workflow.demo import demo_seeds, make_demo, run_demo
+from lispac.workflow import calibration, export, picking
+from lispac.workflow.demo import demo_seeds
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
-
-
-@pytest.fixture(scope="module")
-def calibrated(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, Survey]:
-    return run_demo(tmp_path_factory.mktemp("survey") / "demo")
-
-
-@pytest.fixture
-def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
-    folder = tmp_path / "copy"
-    shutil.copytree(calibrated[0].folder, folder)
-    return projects.open_project(folder)
 
 
 def test_noise_free_survey_gives_the_boresight_back() -> None:
@@ -173,49 +160,6 @@ def test_one_line_can_have_a_seed_of_its_own(calibrated: tuple[Project, Survey])
     assert len(shared) > 0.95 * len(own.indices)
 
 
-def test_seed_in_empty_space_changes_nothing(copy: Project) -> None:
-    survey = load_survey(copy)
-    before = (copy.folder / "project.json").read_bytes()
-    with pytest.raises(PlaneNotFound):
-        picking.pick(copy, survey, (500.0, 500.0, 500.0), name="T9")
-    assert (copy.folder / "project.json").read_bytes() == before
-
-
-def test_unknown_line_is_named(calibrated: tuple[Project, Survey]) -> None:
-    project, survey = calibrated
-    with pytest.raises(ProjectError, match="there is no line L9"):
-        picking.pick(project, survey, (0, 0, 0), name="T9", line="L9")
-
-
-def test_target_on_one_line_only_is_refused(calibrated: tuple[Project, Survey]) -> None:
-    project, survey = calibrated
-    target = project.target("T1")
-    single = project.with_target(replace(target, sightings=target.sightings[:1]))
-    with pytest.raises(AdjustmentError, match=f"on line {target.sightings[0].line} only"):
-        calibration.estimate(single, survey)
-
-
-def test_fewer_than_three_points_are_refused(calibrated: tuple[Project, Survey]) -> None:
-    project, survey = calibrated
-    target = project.target("T1")
-    few = PickedSighting(target.sightings[0].line, target.sightings[0].indices[:2], 0.0)
-    with pytest.raises(AdjustmentError, match="at least three"):
-        calibration.estimate(
-            project.with_target(replace(target, sightings=(few, *target.sightings[1:]))), survey
-        )
-
-
-def test_nothing_picked_is_refused(calibrated: tuple[Project, Survey]) -> None:
-    project, survey = calibrated
-    with pytest.raises(AdjustmentError, match="pick planar targets first"):
-        calibration.estimate(replace(project, targets=()), survey)
-    with pytest.raises(ProjectError, match="estimate first"):
-        validate(replace(project, result=None), survey)
-    only_targets = replace(project, targets=project.of_role("target"))
-    with pytest.raises(ProjectError, match="no validation plane"):
-        validate(only_targets, survey)
-
-
 def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     calibrated: tuple[Project, Survey],
 ) -> None:
@@ -225,90 +169,6 @@ def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     validated = validate(project.with_target(lonely), survey)
     assert [c.name for c in validated.validation] == ["V2", "V3", "V4", "V5"]
     assert "one line only" in validated.not_compared["V1"]
-
-
-def test_moved_files_are_named_and_the_project_still_opens(copy: Project) -> None:
-    before = (copy.folder / "project.json").read_bytes()
-    (copy.folder / "raw").rename(copy.folder / "elsewhere")
-    moved = projects.open_project(copy.folder)
-    with pytest.raises(InputError, match=r"trajectory\.sbet: there is no such SBET file"):
-        load_survey(moved)
-    assert (copy.folder / "project.json").read_bytes() == before
-
-
-def test_missing_sighting_file_is_named(copy: Project) -> None:
-    next((copy.folder / "sightings").glob("T1-*.npz")).unlink()
-    with pytest.raises(ProjectError, match="points of target T1 are missing"):
-        projects.open_project(copy.folder)
-
-
-@pytest.mark.parametrize("damage", ["{", "[]", "{}", '{"schema_version": 99}', "\x00"])
-def test_damaged_project_file_is_refused(tmp_path: Path, damage: str) -> None:
-    (tmp_path / "project.json").write_text(damage)
-    with pytest.raises(ProjectError):
-        projects.open_project(tmp_path)
-
-
-def test_a_line_outside_the_trajectory_is_refused(copy: Project) -> None:
-    path = copy.lines[1].path
-    las = laspy.read(path)
-    las.gps_time = np.asarray(las.gps_time) + 86_400
-    las.write(path)
-    with pytest.raises(InputError, match=rf"{path.name}: its points .* lie outside the trajectory"):
-        load_survey(copy)
-
-
-def test_points_partly_outside_are_left_out_and_said(copy: Project) -> None:
-    path = copy.lines[1].path
-    las = laspy.read(path)
-    time = np.asarray(las.gps_time).copy()
-    time[:10] += 86_400
-    las.gps_time = time
-    las.write(path)
-    survey = load_survey(copy)
-    assert len(survey.scans[copy.lines[1].name]) == len(time) - 10
-    assert any("10 points outside" in note for note in survey.notes)
-
-
-def test_a_project_folder_is_not_overwritten(copy: Project) -> None:
-    with pytest.raises(ProjectError, match="there is a project here already"):
-        projects.create_project(
-            copy.folder, trajectory=copy.trajectory, lines=copy.lines, settings=copy.settings
-        )
-    other = copy.folder.parent / "mine"
-    projects.create_project(
-        other, trajectory=copy.trajectory, lines=copy.lines, settings=copy.settings
-    )
-    with pytest.raises(ProjectError, match="holds another project"):
-        make_demo(other)
-
-
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        ({"lidar_sigma": 0.0}, "LiDAR sigma"),
-        ({"lever_arm": (500.0, 0.0, 0.0)}, "give metres"),
-        ({"lever_arm": (float("nan"), 0.0, 0.0)}, "lever arm is not a number"),
-        ({"boresight_deg": (400.0, 0.0, 0.0)}, "beyond 360"),
-        ({"origin_deg_m": (95.0, 0.0, 0.0)}, "latitude"),
-        ({"position_sigma": (-0.01, 0.01, 0.01)}, "negative"),
-    ],
-)
-def test_settings_that_make_no_sense_are_refused(change: dict[str, object], said: str) -> None:
-    settings = replace(Settings(lever_arm=(0.0, 0.0, 0.0)), **change)  # type: ignore[arg-type]
-    with pytest.raises(InputError, match=said):
-        projects.check_settings(settings)
-
-
-def test_two_lines_of_one_name_are_refused(copy: Project, tmp_path: Path) -> None:
-    line = copy.lines[0]
-    with pytest.raises(InputError, match="Two lines are named"):
-        projects.create_project(
-            tmp_path / "twins",
-            trajectory=copy.trajectory,
-            lines=[line, LineSource(line.name, copy.lines[1].path)],
-            settings=copy.settings,
-        )
 
 
 def test_georeferenced_lines_are_where_the_project_puts_them(

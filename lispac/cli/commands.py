@@ -21,7 +21,6 @@ from lispac.project import LineSource, Project, Settings
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow import calibration, export, picking, projects
 from lispac.workflow import demo as demo_survey
-from lispac.workflow.projects import check_settings
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate as compare
 
@@ -67,21 +66,16 @@ def new(arguments: Namespace) -> None:
         ),
         **triples,
     )
-    check_settings(settings)
     lines = [LineSource(name, path, columns) for name, path in _named(arguments.lines)]
-    project = Project(
-        arguments.project.absolute(), arguments.trajectory, tuple(lines), settings,
-        arguments.trajectory_accuracy,
-    )  # fmt: skip
     with ConsoleProgress() as progress:
-        survey = load_survey(project, progress=progress)
-    project = projects.create_project(
-        arguments.project,
-        trajectory=arguments.trajectory,
-        lines=lines,
-        settings=settings,
-        accuracy=arguments.trajectory_accuracy,
-    )
+        project, survey = projects.new_project(
+            arguments.project,
+            trajectory=arguments.trajectory,
+            lines=lines,
+            settings=settings,
+            accuracy=arguments.trajectory_accuracy,
+            progress=progress,
+        )
     _notes(survey)
     points = {name: len(scan) for name, scan in survey.scans.items()}
     if arguments.json:
@@ -96,16 +90,18 @@ def new(arguments: Namespace) -> None:
 def pick(arguments: Namespace) -> None:
     """Find a plane in every line and save it."""
     project, survey = _open(arguments.project)
-    project = picking.pick(
-        project,
-        survey,
-        tuple(arguments.seed),
-        name=arguments.name,
-        role=arguments.role,
-        line=arguments.line,
-        threshold=arguments.threshold,
-        radius=arguments.radius,
-    )
+    with ConsoleProgress() as progress:
+        project = picking.pick(
+            project,
+            survey,
+            tuple(arguments.seed),
+            name=arguments.name,
+            role=arguments.role,
+            line=arguments.line,
+            threshold=arguments.threshold,
+            radius=arguments.radius,
+            progress=progress,
+        )
     projects.save_project(project)
     target = project.target(arguments.name)
     usual = picking.DEFAULT_RADII[target.role][0]
@@ -227,6 +223,8 @@ def _estimate_planes(arguments: Namespace) -> AdjustmentResult:
     sigma = DEFAULT_LIDAR_SIGMA if arguments.lidar_sigma is None else arguments.lidar_sigma
     if arguments.subsample:
         raise UsageError("estimate: --subsample goes with a project; plane files are thinned.")
+    if len({path.resolve() for path in arguments.planes}) < len(arguments.planes):
+        raise UsageError("estimate: a plane file is given twice; its points would count double.")
     observations, planes = read_plane_files(arguments.planes, sigma)
     mounting = Mounting(
         np.array(arguments.lever_arm), np.radians(arguments.boresight or (0.0, 0.0, 0.0))
@@ -300,6 +298,8 @@ def _print_result(result: AdjustmentResult) -> None:
         f"variance factor {result.variance_factor:.3f}, chi-square {chi_square.statistic:.1f} "
         f"({chi_square.lower:.1f} to {chi_square.upper:.1f}: {verdict})"
     )
+    if result.model.pos_errors == "independent":
+        print("POS errors are taken as independent (thesis mode): the sigmas are too small")
     print(
         f"RMS to the joint planes {result.rms_before * 1000:.1f} mm before, "
         f"{result.rms_after * 1000:.1f} mm after"

@@ -3,19 +3,19 @@
 import sys
 from collections.abc import Sequence
 
-from lispac.cli.parser import build_parser
+from lispac.cli.console import UsageError
+from lispac.cli.parser import build_parser, plain_numbers
 from lispac.errors import Cancelled, LispacError
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; errors the user can act on become one line on stderr."""
     parser = build_parser()
-    arguments = parser.parse_args(argv)
-    # Imported after parsing: --version and --help answer without NumPy and Numba.
-    from lispac.cli import commands
-    from lispac.cli.console import UsageError
-
+    arguments = parser.parse_args(plain_numbers(sys.argv[1:] if argv is None else argv))
     try:
+        # Imported after parsing: --version and --help answer without NumPy and Numba.
+        from lispac.cli import commands
+
         getattr(commands, arguments.command)(arguments)
     except UsageError as error:
         print(f"lispac: {error}", file=sys.stderr)
@@ -24,7 +24,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"lispac: {error}", file=sys.stderr)
         return 1
     except (KeyboardInterrupt, Cancelled):
-        print("lispac: stopped; nothing was changed.", file=sys.stderr)
+        print("lispac: stopped.", file=sys.stderr)
         return 1
     except BrokenPipeError:
         return 1

@@ -2,9 +2,20 @@
 
 import argparse
 import math
+import re
+from collections.abc import Sequence
+from decimal import Decimal
 from pathlib import Path
 
 from lispac import __version__
+
+
+def plain_numbers(words: Sequence[str]) -> list[str]:
+    """Write ``-1e-3`` as ``-0.001``: argparse takes the first for an option."""
+    return [
+        f"{Decimal(word):f}" if re.fullmatch(r"-\d*\.?\d+[eE][+-]?\d+", word) else word
+        for word in words
+    ]
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -94,12 +105,18 @@ def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
 def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
     estimate = _command(commands, "estimate", "adjust the boresight of a project or of plane files")
     estimate.add_argument("project", type=Path, nargs="?", metavar="PROJECT")
-    estimate.add_argument("--subsample", type=_not_negative, metavar="METRES", help="0 keeps all")
+    estimate.add_argument(
+        "--subsample",
+        type=_not_negative,
+        metavar="METRES",
+        help="distance between the points kept (default 0.10; 0 keeps all)",
+    )
     estimate.add_argument(
         "--pos-errors",
         choices=("independent", "correlated"),
-        help="POS errors shared by the points of a sighting (correlated) or not (independent: "
-        "thesis mode, the default for plane files)",
+        help="whether each point has a POS error of its own (independent: thesis mode, the "
+        "default, whose sigmas are too small) or neighbouring points share it (correlated: for "
+        "boards)",
     )
     estimate.add_argument("--planes", type=Path, nargs="+", metavar="FILE", help="25-column files")
     _triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes (m)")
@@ -145,7 +162,10 @@ def _triple(
 
 
 def _finite(text: str) -> float:
-    value = float(text)
+    try:
+        value = float(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(f"{text} is not a number") from error
     if not math.isfinite(value):
         raise argparse.ArgumentTypeError(f"{text} is not a finite number")
     return value

@@ -1,6 +1,7 @@
 """The program with a window: ``lispac-gui [PROJECT]``."""
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -23,6 +24,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--version", action="version", version=f"LISPAC {lispac.__version__}")
     arguments = parser.parse_args(argv)
 
+    if _no_screen():
+        print("lispac-gui: there is no screen to open a window on; use lispac.", file=sys.stderr)
+        return 1
     application = QApplication.instance() or QApplication(sys.argv[:1])
     application.setApplicationName("LISPAC")
     application.setApplicationVersion(lispac.__version__)
@@ -52,6 +56,12 @@ def main(argv: Sequence[str] | None = None) -> int:
         return application.exec()
     finally:
         sys.excepthook = sys.__excepthook__
+
+
+def _no_screen() -> bool:
+    """Qt would abort the process."""
+    named = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    return sys.platform.startswith("linux") and not any(os.environ.get(name) for name in named)
 
 
 if __name__ == "__main__":

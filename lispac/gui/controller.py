@@ -63,16 +63,16 @@ class Controller(QObject):
         """Make a project and open it."""
 
         def work(progress: Progress) -> Opened:
-            from lispac.workflow.projects import create_project
+            from lispac.workflow.projects import new_project
 
-            project = create_project(
+            return new_project(
                 request.folder,
                 trajectory=request.trajectory,
                 lines=request.lines,
                 settings=request.settings,
                 accuracy=request.accuracy,
+                progress=progress,
             )
-            return project, load_survey(project, progress=progress)
 
         self._runner.run(f"Making {request.folder.name}", work, self._opened)
 
@@ -241,12 +241,11 @@ class Controller(QObject):
 
     def change_settings(self, settings: Settings) -> None:
         """Take over edited settings."""
-        from lispac.workflow.projects import check_settings
 
         if self._project is None:
             return
         try:
-            check_settings(settings)
+            settings.require_sound()
         except LispacError as error:
             self.refused.emit(error)
             return

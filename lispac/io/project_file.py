@@ -26,10 +26,19 @@ from lispac.adjustment.result import (
     SightingResidual,
     TargetResidual,
 )
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.errors import ProjectError
+from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
+from lispac.errors import InputError, ProjectError
 from lispac.io.files import written_whole
-from lispac.project import LineSource, PickedSighting, Project, Settings, Target, Triple
+from lispac.project import (
+    ROLES,
+    LineSource,
+    PickedSighting,
+    Project,
+    Settings,
+    Target,
+    Triple,
+    require_name,
+)
 from lispac.validation.comparison import PlaneComparison
 
 FILE_NAME = "project.json"
@@ -70,12 +79,33 @@ def read_project(folder: Path) -> Project:
             raise ProjectError(
                 f"{path}: made by a newer version of the program (schema {version}); update it."
             )
-        return _decode(path.parent.resolve(), content)
+        project = _decode(path.parent.resolve(), content)
+        _require_consistent(project)
+    except InputError as error:
+        raise ProjectError(f"{path}: {error}") from error
     except (OSError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile) as error:
         raise ProjectError(
             f"{path}: the project file is damaged ({type(error).__name__}: {error}); "
             "restore it from a copy."
         ) from error
+    return project
+
+
+def _require_consistent(project: Project) -> None:
+    """Refuse values that only an edit by hand can have brought in."""
+    project.settings.require_sound()
+    lines = {line.name for line in project.lines}
+    for target in project.targets:
+        require_name(target.name)
+        if target.role not in ROLES:
+            raise ValueError(f"{target.name} has the role {target.role!r}")
+        if not (np.isfinite(target.seed).all() and target.threshold > 0 and target.radius > 0):
+            raise ValueError(f"seed, threshold or radius of {target.name}")
+        for sighting in target.sightings:
+            if sighting.line not in lines:
+                raise ValueError(f"{target.name} is on a line {sighting.line} that is not listed")
+    if project.result is not None and project.result.model.pos_errors not in POS_ERRORS:
+        raise ValueError(f"model {project.result.model.pos_errors!r}")
 
 
 def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
@@ -103,7 +133,13 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
                 "missing": dict(target.missing),
                 "indices": index_files[target.name],
                 "sightings": [
-                    {"line": s.line, "points": len(s.indices), "rms": s.rms, "used": s.used}
+                    {
+                        "line": s.line,
+                        "points": len(s.indices),
+                        "rms": s.rms,
+                        "used": s.used,
+                        "fingerprint": s.fingerprint,
+                    }
                     for s in target.sightings
                 ],
             }
@@ -147,7 +183,9 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
         )
     with np.load(path) as indices:
         sightings = tuple(
-            PickedSighting(item["line"], indices[f"line{k}"], item["rms"], item["used"])
+            PickedSighting(
+                item["line"], indices[f"line{k}"], item["rms"], item["used"], item["fingerprint"]
+            )
             for k, item in enumerate(content["sightings"])
         )
     return Target(

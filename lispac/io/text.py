@@ -37,6 +37,11 @@ def read_text_scan(path: Path, columns: Sequence[str]) -> Scan:
             f"{path}: the column names given ({', '.join(names) or 'none'}) lack "
             f"{', '.join(missing)}; name every column of the file from the left."
         )
+    twice = sorted(
+        {name for name in names if name in (*REQUIRED, "intensity") and names.count(name) > 1}
+    )
+    if twice:
+        raise InputError(f"{path}: two columns are named {', '.join(twice)}; name each once.")
     wanted = [name for name in (*REQUIRED, "intensity") if name in names]
     indices = [names.index(name) for name in wanted]
     rows: list[list[float]] = []

@@ -1,6 +1,7 @@
 """The trajectory: where the POS was and how it was turned, and how well that is known."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,9 @@ from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
 
 Array = NDArray[np.float64]
+
+LONGEST_GAP = 1.5
+"""Seconds between two states that a straight line may bridge; text exports come at 1 Hz."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,9 +113,18 @@ class LocalTrajectory:
         attitude = angles_of(rotation_local_level @ rotation_level_body)
         return cls(frame, trajectory.time, position, np.unwrap(attitude, axis=0))
 
+    @cached_property
+    def has_gaps(self) -> bool:
+        """Whether two states are farther apart than may be bridged."""
+        return bool((np.diff(self.time) > LONGEST_GAP).any())
+
     def covers(self, time: Array) -> NDArray[np.bool_]:
-        """Which of ``time`` lie inside the trajectory."""
-        return np.asarray((time >= self.time[0]) & (time <= self.time[-1]))
+        """Which of ``time`` lie inside the trajectory and not in a gap of it."""
+        inside = (time >= self.time[0]) & (time <= self.time[-1])
+        if self.has_gaps:
+            before = np.clip(np.searchsorted(self.time, time) - 1, 0, len(self.time) - 2)
+            inside &= np.diff(self.time)[before] <= LONGEST_GAP
+        return np.asarray(inside)
 
     def at(self, time: Array) -> Poses:
         """Linear interpolation to ``time`` (thesis B.1).

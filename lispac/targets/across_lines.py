@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound
-from lispac.geometry.neighbours import PointGrid, points_within
+from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
 from lispac.geometry.planes import in_plane_axes
 from lispac.progress import Progress, no_progress
 from lispac.targets import outline
@@ -123,11 +123,11 @@ def find_in_lines(
             else:
                 reasons[name] = answer
     if not patches:
-        if len(set(reasons.values())) == 1:
-            raise PlaneNotFound(next(iter(reasons.values())))
+        # One sentence, of the line that comes nearest: a list of all of them helps nobody.
+        nearest_line = min(clouds, key=lambda name: nearest_point(clouds[name], seed)[1])
         raise PlaneNotFound(
-            "No line has a plane at the seed. "
-            + " ".join(f"{name}: {reason}" for name, reason in reasons.items())
+            f"No line has a plane at the seed ({nearest_line}: {reasons[nearest_line]}) "
+            "Set the seed on the target, or enlarge the radius."
         )
     clicked = _clicked_line(clouds, grids, seed)
     if clicked in patches:

@@ -13,7 +13,6 @@ from lispac.errors import AdjustmentError
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.targets.thinning import thin
-from lispac.workflow.projects import check_settings
 from lispac.workflow.reselection import reselect
 from lispac.workflow.survey import Survey
 
@@ -116,7 +115,7 @@ def estimate(
         settings = replace(settings, subsample=subsample)
     if pos_errors is not None:
         settings = replace(settings, pos_errors=pos_errors)
-    check_settings(settings)
+    settings.require_sound()
     if settings != project.settings:
         project = project.with_settings(settings)
     started = perf_counter()

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import ProjectError
+from lispac.io.files import written_whole
 from lispac.io.las import write_points
 from lispac.io.project_file import FILE_NAME
 from lispac.io.sbet import write_sbet, write_smrmsg
@@ -23,30 +24,30 @@ LIDAR_SIGMA = 0.0017
 """Metres: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005 deg at 15 m),
 seen along the normals of the two boards and averaged over the six lines."""
 
-RAW = "raw"
+RAW, MARKER = "raw", "demo"
 
 
 def make_demo(folder: Path, *, progress: Progress = no_progress) -> Project:
     """Simulate the built-in survey and write it as a new project: raw files, nothing picked.
 
-    An earlier demo in the folder is replaced; anything else there is left alone.
+    An earlier demo in the folder is replaced, once the new survey is simulated.
 
     Raises
     ------
     ProjectError
-        Where the folder holds a project that is not a demo.
+        Where the folder holds anything but a demo.
     """
     folder = Path(folder).absolute()
-    project_file = folder / FILE_NAME
-    if project_file.exists():
-        if not (folder / RAW / "demo").is_file():
-            raise ProjectError(
-                f"{folder}: this folder holds another project; choose a new one for the demo."
-            )
-        project_file.unlink()
-        shutil.rmtree(folder / "sightings", ignore_errors=True)
-    survey = port_survey(progress=part(progress, 0.0, 0.7))
     raw = folder / RAW
+    if folder.exists() and not folder.is_dir():
+        raise ProjectError(f"{folder}: this is a file; choose a folder for the demo.")
+    if folder.exists() and any(folder.iterdir()) and not (raw / MARKER).is_file():
+        raise ProjectError(f"{folder}: this folder holds other files; choose a new one.")
+    survey = port_survey(progress=part(progress, 0.0, 0.7))
+    with written_whole(raw / MARKER) as marker:
+        marker.write_text("Built-in survey; remade by every run of the demo.\n")
+    (folder / FILE_NAME).unlink(missing_ok=True)
+    shutil.rmtree(folder / "sightings", ignore_errors=True)
     trajectory, accuracy = raw / "trajectory.sbet", raw / "smrmsg.out"
     _write_trajectory(survey, trajectory, accuracy)
     lines = []
@@ -55,7 +56,6 @@ def make_demo(folder: Path, *, progress: Progress = no_progress) -> Project:
         path = raw / f"{line.name}.laz"
         write_points(path, line.points_lidar, line.time, line.intensity.astype(float))
         lines.append(LineSource(line.name, path))
-    (raw / "demo").write_text("Built-in survey; remade by every run of the demo.\n")
     latitude, longitude, height = survey.origin
     return create_project(
         folder,

@@ -64,12 +64,10 @@ def find(
                 f"{project.name}: there is no line {line}; the lines are {', '.join(survey.lines)}."
             )
         patch = find_plane(survey.clouds[line], centre, settings)
-        sighting = PickedSighting(line, patch.indices, patch.rms)
+        sighting = _sighting(survey, line, patch)
         return _with_sighting(project, name, role, place, settings, sighting)
     found, missing, radius = _in_lines(survey, centre, settings, radii, first_line, progress)
-    sightings = tuple(
-        PickedSighting(n, found[n].indices, found[n].rms) for n in survey.lines if n in found
-    )
+    sightings = tuple(_sighting(survey, n, found[n]) for n in survey.lines if n in found)
     return Target(name, role, place, settings.threshold, radius, sightings, missing)
 
 
@@ -103,6 +101,11 @@ def next_name(project: Project, role: Role) -> str:
     taken = {target.name for target in project.targets}
     letter = "T" if role == "target" else "V"
     return next(f"{letter}{k}" for k in itertools.count(1) if f"{letter}{k}" not in taken)
+
+
+def _sighting(survey: Survey, line: str, patch: PlanePatch) -> PickedSighting:
+    fingerprint = survey.scans[line].fingerprint
+    return PickedSighting(line, patch.indices, patch.rms, fingerprint=fingerprint)
 
 
 def _in_lines(
@@ -149,6 +152,11 @@ def _with_sighting(
     sighting: PickedSighting,
 ) -> Target:
     known = next((target for target in project.targets if target.name == name), None)
+    if known is not None and known.role != role:
+        raise ProjectError(
+            f"{project.name}: {name} is a {known.role} already; pick it in the same role, or give "
+            "another name."
+        )
     if known is None:
         return Target(name, role, seed, settings.threshold, settings.radius, (sighting,), {})
     order = [line.name for line in project.lines]

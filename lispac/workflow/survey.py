@@ -21,6 +21,9 @@ from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
+FARTHEST_ORIGIN = 100_000.0
+"""Metres; beyond, a plane tangent at the origin is no frame for the site."""
+
 
 @dataclass(frozen=True, eq=False)
 class Survey:
@@ -80,6 +83,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     progress(0.0, f"Reading {project.trajectory.name}")
     raw = read_sbet(project.trajectory)
     trajectory = LocalTrajectory.of(raw, _frame(project) or raw.mean_frame())
+    _require_near(trajectory, project)
     notes = list(raw.assumptions)
     if project.accuracy is not None:
         accuracy = read_smrmsg(project.accuracy)
@@ -106,6 +110,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         clouds[line.name] = georeference(scan.points_lidar, scan.time, trajectory, mounting)
         scans[line.name] = scan
         heading[line.name] = _median_heading(trajectory, scan)
+        _require_picked_on(project, line, scan)
     progress(1.0, "Survey loaded")
     return Survey(trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)))
 
@@ -129,6 +134,25 @@ def _frame(project: Project) -> LocalFrame | None:
     return LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
 
 
+def _require_near(trajectory: LocalTrajectory, project: Project) -> None:
+    distance = float(np.linalg.norm(trajectory.position[0]))
+    if distance > FARTHEST_ORIGIN:
+        raise InputError(
+            f"{project.name}: the origin is {distance / 1000:,.0f} km from the trajectory; give "
+            "its latitude and longitude in degrees, or leave it out."
+        )
+
+
+def _require_picked_on(project: Project, line: LineSource, scan: Scan) -> None:
+    for target in project.targets:
+        sighting = target.sighting(line.name)
+        if sighting is not None and sighting.fingerprint not in ("", scan.fingerprint):
+            raise InputError(
+                f"{line.path}: these are not the points {target.name} was picked on (or the "
+                "trajectory covers others of them now); bring the file back, or make a new project."
+            )
+
+
 def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, path: Path) -> None:
     if accuracy.time[-1] < trajectory.time[0] or accuracy.time[0] > trajectory.time[-1]:
         raise InputError(
@@ -140,7 +164,7 @@ def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, 
 
 def _inside(scan: Scan, trajectory: LocalTrajectory, path: Path) -> tuple[Scan, tuple[str, ...]]:
     inside = trajectory.covers(scan.time)
-    if inside.all():
+    if inside.all() and not trajectory.has_gaps:
         return scan, ()
     if not inside.any():
         raise InputError(
@@ -155,7 +179,12 @@ def _inside(scan: Scan, trajectory: LocalTrajectory, path: Path) -> tuple[Scan, 
         scan.assumptions,
     )
     lost = len(scan) - len(kept)
-    return kept, (f"{path.name}: {lost:,} points outside the trajectory's time are left out",)
+    if lost == 0:
+        return scan, ()
+    return kept, (
+        f"{path.name}: {lost:,} points outside the trajectory's time, or in a gap of it, are left "
+        "out",
+    )
 
 
 def _median_heading(trajectory: LocalTrajectory, scan: Scan) -> float:

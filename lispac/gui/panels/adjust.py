@@ -22,14 +22,14 @@ MODELS: tuple[tuple[PosErrors, str, str], ...] = (
     (
         "correlated",
         "Correlated in time",
-        "All points of a sighting share one POS error, neighbouring sightings most of it. "
-        "The sigmas are honest; use this one.",
+        "The POS error drifts slowly, so neighbouring points share it. For boards and other "
+        "truly flat targets: more accurate, and sigmas that hold.",
     ),
     (
         "independent",
         "Independent for each point",
-        "Every point has a POS error of its own, as in the thesis. The sigmas come out several "
-        "times too small; for comparison.",
+        "Every point has a POS error of its own, as in the thesis. Safer on rough natural "
+        "surfaces, but the sigmas come out several times too small.",
     ),
 )
 

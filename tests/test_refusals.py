@@ -1,0 +1,222 @@
+"""What the workflow refuses, in which words, and that nothing is lost by it."""
+
+import json
+import shutil
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.errors import AdjustmentError, InputError, PlaneNotFound, ProjectError
+from lispac.project import LineSource, PickedSighting, Project, Settings
+from lispac.workflow import calibration, picking, projects
+from lispac.workflow.demo import make_demo
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.validation import validate
+
+
+def test_seed_in_empty_space_changes_nothing(copy: Project) -> None:
+    survey = load_survey(copy)
+    before = (copy.folder / "project.json").read_bytes()
+    with pytest.raises(PlaneNotFound):
+        picking.pick(copy, survey, (500.0, 500.0, 500.0), name="T9")
+    assert (copy.folder / "project.json").read_bytes() == before
+
+
+def test_unknown_line_is_named(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    with pytest.raises(ProjectError, match="there is no line L9"):
+        picking.pick(project, survey, (0, 0, 0), name="T9", line="L9")
+
+
+def test_target_on_one_line_only_is_refused(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    target = project.target("T1")
+    single = project.with_target(replace(target, sightings=target.sightings[:1]))
+    with pytest.raises(AdjustmentError, match=f"on line {target.sightings[0].line} only"):
+        calibration.estimate(single, survey)
+
+
+def test_fewer_than_three_points_are_refused(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    target = project.target("T1")
+    few = PickedSighting(target.sightings[0].line, target.sightings[0].indices[:2], 0.0)
+    with pytest.raises(AdjustmentError, match="at least three"):
+        calibration.estimate(
+            project.with_target(replace(target, sightings=(few, *target.sightings[1:]))), survey
+        )
+
+
+def test_nothing_picked_is_refused(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    with pytest.raises(AdjustmentError, match="pick planar targets first"):
+        calibration.estimate(replace(project, targets=()), survey)
+    with pytest.raises(ProjectError, match="estimate first"):
+        validate(replace(project, result=None), survey)
+    only_targets = replace(project, targets=project.of_role("target"))
+    with pytest.raises(ProjectError, match="no validation plane"):
+        validate(only_targets, survey)
+
+
+def test_moved_files_are_named_and_the_project_still_opens(copy: Project) -> None:
+    before = (copy.folder / "project.json").read_bytes()
+    (copy.folder / "raw").rename(copy.folder / "elsewhere")
+    moved = projects.open_project(copy.folder)
+    with pytest.raises(InputError, match=r"trajectory\.sbet: there is no such SBET file"):
+        load_survey(moved)
+    assert (copy.folder / "project.json").read_bytes() == before
+
+
+def test_missing_sighting_file_is_named(copy: Project) -> None:
+    next((copy.folder / "sightings").glob("T1-*.npz")).unlink()
+    with pytest.raises(ProjectError, match="points of target T1 are missing"):
+        projects.open_project(copy.folder)
+
+
+@pytest.mark.parametrize("damage", ["{", "[]", "{}", '{"schema_version": 99}', "\x00"])
+def test_damaged_project_file_is_refused(tmp_path: Path, damage: str) -> None:
+    (tmp_path / "project.json").write_text(damage)
+    with pytest.raises(ProjectError):
+        projects.open_project(tmp_path)
+
+
+def test_another_file_under_the_same_name_is_refused(copy: Project) -> None:
+    """Indices mean nothing in other points: shorter, or of another line."""
+    first, second = copy.lines[0].path, copy.lines[1].path
+    shutil.copyfile(second, first)
+    with pytest.raises(InputError, match=f"{first.name}: these are not the points T1"):
+        load_survey(projects.open_project(copy.folder))
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        (("settings", "lidar_sigma"), float("nan")),
+        (("settings", "lidar_sigma"), "a"),
+        (("settings", "pos_errors"), "foo"),
+        (("result", "model", "pos_errors"), "foo"),
+        (("targets", 0, "role"), "x"),
+        (("targets", 0, "radius"), "q"),
+        (("targets", 0, "sightings", 0, "line"), "gone"),
+    ],
+)
+def test_values_that_make_no_sense_are_refused(
+    copy: Project, path: tuple[Any, ...], value: Any
+) -> None:
+    file = copy.folder / "project.json"
+    content = json.loads(file.read_text())
+    place = content
+    for key in path[:-1]:
+        place = place[key]
+    place[path[-1]] = value
+    file.write_text(json.dumps(content))
+    with pytest.raises(ProjectError, match=r"project\.json: "):
+        projects.open_project(copy.folder)
+
+
+@pytest.mark.parametrize("name", ["", "  ", "a\nb", "../x", "N" * 300])
+def test_odd_names_are_refused(calibrated: tuple[Project, Survey], name: str) -> None:
+    project, _ = calibrated
+    with pytest.raises(ProjectError, match="name"):
+        project.with_target(replace(project.target("T1"), name=name))
+
+
+def test_points_in_a_gap_of_the_trajectory_are_left_out_and_said(copy: Project) -> None:
+    records = np.fromfile(copy.trajectory).reshape(-1, 17)
+    scan = load_survey(copy).scans[copy.lines[0].name]
+    middle = float(np.median(scan.time))
+    records = records[np.abs(records[:, 0] - middle) > 3]
+    records.tofile(copy.trajectory)
+    left, right = records[records[:, 0] < middle, 0].max(), records[records[:, 0] > middle, 0].min()
+    survey = load_survey(replace(copy, targets=()))
+    kept = survey.scans[copy.lines[0].name]
+    assert len(kept) == np.count_nonzero((scan.time <= left) | (scan.time > right))
+    assert any("in a gap" in note for note in survey.notes)
+
+
+def test_an_origin_elsewhere_is_refused(copy: Project) -> None:
+    far = replace(copy, settings=replace(copy.settings, origin_deg_m=(10.0, 10.0, 0.0)))
+    with pytest.raises(InputError, match="km from the trajectory"):
+        load_survey(far)
+
+
+def test_the_demo_leaves_other_files_alone(tmp_path: Path) -> None:
+    (tmp_path / "raw").mkdir()
+    (tmp_path / "raw" / "L1_000.laz").write_text("mine")
+    with pytest.raises(ProjectError, match="holds other files"):
+        make_demo(tmp_path)
+    assert (tmp_path / "raw" / "L1_000.laz").read_text() == "mine"
+
+
+def test_one_line_is_not_picked_in_another_role(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    line = survey.lines[0]
+    with pytest.raises(ProjectError, match="T1 is a target already"):
+        picking.pick(
+            project, survey, project.target("T1").seed, name="T1", line=line, role="validation"
+        )
+
+
+def test_a_line_outside_the_trajectory_is_refused(copy: Project) -> None:
+    path = copy.lines[1].path
+    las = laspy.read(path)
+    las.gps_time = np.asarray(las.gps_time) + 86_400
+    las.write(path)
+    with pytest.raises(InputError, match=rf"{path.name}: its points .* lie outside the trajectory"):
+        load_survey(copy)
+
+
+def test_points_partly_outside_are_left_out_and_said(copy: Project) -> None:
+    path = copy.lines[1].path
+    las = laspy.read(path)
+    time = np.asarray(las.gps_time).copy()
+    time[:10] += 86_400
+    las.gps_time = time
+    las.write(path)
+    survey = load_survey(replace(copy, targets=()))
+    assert len(survey.scans[copy.lines[1].name]) == len(time) - 10
+    assert any("10 points outside" in note for note in survey.notes)
+
+
+def test_a_project_folder_is_not_overwritten(copy: Project) -> None:
+    with pytest.raises(ProjectError, match="there is a project here already"):
+        projects.create_project(
+            copy.folder, trajectory=copy.trajectory, lines=copy.lines, settings=copy.settings
+        )
+    other = copy.folder.parent / "mine"
+    projects.create_project(
+        other, trajectory=copy.trajectory, lines=copy.lines, settings=copy.settings
+    )
+    with pytest.raises(ProjectError, match="holds other files"):
+        make_demo(other)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"lidar_sigma": 0.0}, "LiDAR sigma"),
+        ({"lever_arm": (500.0, 0.0, 0.0)}, "give metres"),
+        ({"lever_arm": (float("nan"), 0.0, 0.0)}, "lever arm is not a number"),
+        ({"boresight_deg": (400.0, 0.0, 0.0)}, "beyond 360"),
+        ({"origin_deg_m": (95.0, 0.0, 0.0)}, "latitude"),
+        ({"position_sigma": (-0.01, 0.01, 0.01)}, "negative"),
+    ],
+)
+def test_settings_that_make_no_sense_are_refused(change: dict[str, object], said: str) -> None:
+    settings = replace(Settings(lever_arm=(0.0, 0.0, 0.0)), **change)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=said):
+        settings.require_sound()
+
+
+def test_two_lines_of_one_name_are_refused(copy: Project, tmp_path: Path) -> None:
+    line = copy.lines[0]
+    with pytest.raises(InputError, match="Two lines are named"):
+        projects.create_project(
+            tmp_path / "twins",
+            trajectory=copy.trajectory,
+            lines=[line, LineSource(line.name, copy.lines[1].path)],
+            settings=copy.settings,
+        )
