@@ -168,7 +168,10 @@ def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     lonely = replace(plane, sightings=plane.sightings[:1])
     validated = validate(project.with_target(lonely), survey)
     assert [c.name for c in validated.validation] == ["V2", "V3", "V4", "V5"]
-    assert "one line only" in validated.not_compared["V1"]
+    reason = validated.not_compared["V1"]
+    assert "one line only" in reason
+    said = [caution.text for caution in export.content_of(validated, survey).cautions]
+    assert reason in said
 
 
 def test_georeferenced_lines_are_where_the_project_puts_them(

@@ -142,6 +142,8 @@ def _validation(content: ReportContent) -> Iterator[Caution]:
             "not_validated",
             "Not validated: no plane outside the adjustment has been compared between the lines.",
         )
+    for reason in content.not_compared:
+        yield _mild("not_compared", reason)
     for plane in content.validation:
         if plane.after.rms_m > plane.before.rms_m:
             yield _worse(plane)

@@ -108,6 +108,7 @@ def report_content(
         angles=_angles(project),
         adjustment=_adjustment(project.result, headings_deg) if project.result else None,
         validation=tuple(_validation_plane(plane) for plane in project.validation),
+        not_compared=tuple(project.not_compared.values()),
         planes=tuple(_picked(target) for target in project.targets),
         lines=lines,
         settings=_settings(project),

@@ -201,6 +201,7 @@ class ReportContent:
     angles: tuple[Angle, ...]
     adjustment: Adjustment | None
     validation: tuple[ValidationPlane, ...]
+    not_compared: tuple[str, ...]
     planes: tuple[PickedPlane, ...]
     lines: tuple[Line, ...]
     settings: SettingsUsed
