@@ -118,7 +118,7 @@ class MainWindow(QMainWindow):
                 [docks["Workflow"], docks["Results"]], [350, 400], Qt.Orientation.Horizontal
             )
             self.resizeDocks(
-                [docks["Targets by lines"]], [self.height() // 4], Qt.Orientation.Vertical
+                [docks["Targets by lines"]], [3 * self.height() // 10], Qt.Orientation.Vertical
             )
         else:
             self.restoreGeometry(kept[0])

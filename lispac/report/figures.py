@@ -210,7 +210,7 @@ def _histogram(
     _dress(axes, "Distance between lines (mm); the last bin holds all beyond", "Points")
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:,.0f}")
     axes.set_title(f"{_label(name)}, {pooled_from}", fontsize=TEXT + 1, color=INK, loc="left")
-    axes.legend(loc="upper right", fontsize=SMALL, frameon=False, labelcolor=INK)
+    axes.legend(loc="upper right", fontsize=TEXT, frameon=False, labelcolor=INK)
     return figure
 
 
