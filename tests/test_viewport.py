@@ -25,19 +25,32 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
-def viewport(qtbot):
+def shown(qtbot):
+    """Show viewports, each with the budget asked for, and take them away at the end."""
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
     from lispac.gui.viewport.vtk import VtkViewport
 
-    view = VtkViewport()
-    view.widget.resize(800, 600)
-    view.widget.show()
-    qtbot.waitExposed(view.widget)
-    yield view
-    view.close()
-    view.widget.close()
-    view.widget.deleteLater()
+    views = []
+
+    def show(budget=None):
+        view = VtkViewport(budget=budget)
+        views.append(view)
+        view.widget.resize(800, 600)
+        view.widget.show()
+        qtbot.waitExposed(view.widget)
+        return view
+
+    yield show
+    for view in views:
+        view.close()
+        view.widget.close()
+        view.widget.deleteLater()
+
+
+@pytest.fixture
+def viewport(shown):
+    return shown()
 
 
 def pixel(viewport, point):
@@ -181,15 +194,8 @@ def test_markers_show_even_behind_a_wall(viewport, tmp_path):
     assert count(shown, YELLOW) > count(without, YELLOW) + 20
 
 
-def test_over_budget_the_moving_picture_is_coarse_and_the_resting_one_whole_again(qtbot, tmp_path):
-    if QGuiApplication.platformName() in ("offscreen", "minimal"):
-        pytest.skip("OpenGL needs a screen, a virtual one will do")
-    from lispac.gui.viewport.vtk import VtkViewport
-
-    view = VtkViewport(budget=Budget(resting=4000, moving=500))
-    view.widget.resize(800, 600)
-    view.widget.show()
-    qtbot.waitExposed(view.widget)
+def test_over_budget_the_moving_picture_is_coarse_and_the_resting_one_whole_again(shown, tmp_path):
+    view = shown(Budget(resting=4000, moving=500))
     cloud = wall(25.0, (-9.0, 9.0), (0.0, 9.0))
     view.show_clouds({"blue": cloud}, {"blue": BLUE})
     part = cloud[(np.abs(cloud[:, 0]) < 1.0) & (cloud[:, 2] < 2.0)]
@@ -199,8 +205,6 @@ def test_over_budget_the_moving_picture_is_coarse_and_the_resting_one_whole_agai
     assert 2000 < far <= 4 * 4000
     # Close up all points of the part are drawn, though only a quarter of the cloud is allowed.
     assert count(near, BLUE) > 0.95 * 4 * len(part)
-    view.close()
-    view.widget.close()
 
 
 def test_empty_view_says_what_to_do_and_comes_back_after_clear(viewport, tmp_path):
