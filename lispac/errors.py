@@ -17,8 +17,16 @@ class ProjectError(LispacError):
     """A project folder that cannot be opened or written, or lacks what a step needs."""
 
 
-class PlaneNotFound(LispacError):
+class TargetNotFound(LispacError):
+    """No target was found where the seed was set."""
+
+
+class PlaneNotFound(TargetNotFound):
     """No plane was found where the seed was set."""
+
+
+class SphereNotFound(TargetNotFound):
+    """No sphere was found where the seed was set, or the points do not determine one."""
 
 
 class NotComparable(LispacError):

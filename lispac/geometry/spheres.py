@@ -1,0 +1,265 @@
+"""Spheres: the value, the least-squares fit, and the share of the surface that points span."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+
+from lispac.errors import SphereNotFound
+from lispac.geometry.planes import LINE_SHARE
+
+Array = NDArray[np.float64]
+
+# Steps of the geometric fit; a well-determined cap settles in four to ten.
+MOST_STEPS = 100
+# A step this small beside the size of the cap ends the fit, and so does a radius so many times the
+# size of the cap: that is a plane.
+SETTLED, FLAT = 1e-12, 1e5
+LEAST_DAMPING = 1e-10
+# The radius must be known to a third of itself (three sigma above nothing), and a known radius must
+# fit on one side of the points better than on the other by three sigma.
+SIGNIFICANT = 3.0
+# Smallest eigenvalue of the normal matrix per point, at which rounding takes over.
+SINGULAR = 1e-13
+# Mean square of residuals, in sizes of the cap, that are nothing but rounding.
+ROUNDING = 1e-18
+
+
+@dataclass(frozen=True, eq=False)
+class Sphere:
+    """The points X with ``|X - centre| = radius``.
+
+    Attributes
+    ----------
+    centre : ndarray of shape (3,), metres
+    radius : float, metres
+    """
+
+    centre: Array
+    radius: float
+
+    def distances(self, points: Array) -> Array:
+        """Signed distance of each point from the surface, positive outside.
+
+        Parameters
+        ----------
+        points : ndarray of shape (..., 3), metres, in the sphere's frame
+
+        Returns
+        -------
+        ndarray of shape (...), metres
+        """
+        signed: Array = np.linalg.norm(points - self.centre, axis=-1) - self.radius
+        return signed
+
+    def directions(self, points: Array) -> Array:
+        """Unit vectors from the centre to points (n, 3)."""
+        from_centre = points - self.centre
+        length = np.linalg.norm(from_centre, axis=1, keepdims=True)
+        unit: Array = from_centre / np.where(length > 0.0, length, 1.0)
+        return unit
+
+
+def fit_sphere(
+    points: Array,
+    radius: float | None = None,
+    weights: Array | None = None,
+    start: Sphere | None = None,
+) -> Sphere:
+    """Fit a sphere by least squares of the distances from its surface.
+
+    A cap is enough: a scanner sees at most half of a ball.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    radius : float, metres, optional
+        The known radius; sought too when left out.
+    weights : ndarray of shape (n,), optional
+        Not negative; all alike when left out.
+    start : Sphere, optional
+        Where to begin. Without it the fit begins with the algebraic sphere and, for a known
+        radius, from both sides of the points, of which the better one is taken.
+
+    Raises
+    ------
+    SphereNotFound
+        Fewer than four points, points in one plane, a cap too flat for its noise to tell the
+        radius, or, with a known radius, the side the centre is on.
+    """
+    if radius is not None and not (np.isfinite(radius) and radius > 0.0):
+        raise SphereNotFound(f"A sphere cannot have a radius of {radius} m.")
+    weights = np.ones(len(points)) if weights is None else weights
+    used = weights > 0.0
+    points, weights = points[used], weights[used]
+    if len(points) < 4:
+        raise SphereNotFound(f"A sphere needs at least four points, here there are {len(points)}.")
+    # Centring first: at UTM northings the squares would lose the millimetres.
+    mean = weights @ points / weights.sum()
+    local = points - mean
+    if not np.all(np.isfinite(local)):
+        raise SphereNotFound("A sphere cannot be fitted to points with missing coordinates.")
+    weights = weights / weights.mean()
+    spread, axes = np.linalg.eigh((local * weights[:, None]).T @ local / len(local))
+    if spread[0] <= spread[2] * LINE_SHARE**2:
+        raise SphereNotFound("The points lie in one plane and do not determine a sphere.")
+    # In units of the cap's own size all tolerances are plain numbers.
+    size = float(np.sqrt(spread.sum()))
+    scaled = np.ascontiguousarray(local / size)
+    given = None if start is None else (start.centre - mean) / size
+    if radius is None:
+        first = _algebraic(scaled, weights)
+        if start is not None and given is not None:
+            first = Sphere(given, start.radius / size)
+        sphere = _free(scaled, weights, first)
+        return Sphere(mean + size * sphere.centre, size * sphere.radius)
+    if given is None:
+        lift = np.sqrt(max((radius / size) ** 2 - 1.0, (0.1 * radius / size) ** 2))
+        thin = np.ascontiguousarray(axes[:, 0])
+        centres = [_algebraic(scaled, weights).centre, lift * thin, -lift * thin]
+    else:
+        centres = [given]
+    sphere = _known(scaled, weights, [Sphere(centre, radius / size) for centre in centres])
+    return Sphere(mean + size * sphere.centre, radius)
+
+
+def rms_from_sphere(sphere: Sphere, points: Array) -> float:
+    """Root mean square distance of points (n, 3) from the surface, metres."""
+    return float(np.sqrt(np.mean(sphere.distances(points) ** 2)))
+
+
+def cap_axis(directions: Array) -> Array:
+    """Middle of the directions (n, 3) in which a sphere was seen, unit vector."""
+    total = directions.sum(axis=0)
+    length = float(np.linalg.norm(total))
+    axis: Array = total / length if length > 0.0 else np.array([0.0, 0.0, 1.0])
+    return axis
+
+
+def share_seen(sphere: Sphere, points: Array) -> float:
+    """Share of the whole surface that points (n, 3) span, 0.5 for a full half.
+
+    It is the area inside their outline, drawn in Lambert's equal-area projection about the middle
+    of the cap, so it depends neither on how dense the points are nor on where.
+    """
+    directions = sphere.directions(points)
+    axis = cap_axis(directions)
+    across = np.linalg.svd(axis[None, :])[2][1:]
+    cosine = np.clip(directions @ axis, -1.0, 1.0)
+    placed = directions @ across.T * np.sqrt(2.0 / np.maximum(1.0 + cosine, 1e-12))[:, None]
+    try:
+        return float(ConvexHull(placed).volume / (4.0 * np.pi))
+    except (QhullError, ValueError):  # fewer than three, or all in a row: no area
+        return 0.0
+
+
+def _free(points: Array, weights: Array, start: Sphere) -> Sphere:
+    """Centre and radius both sought."""
+    sphere, square, normal = _settle(points, weights, start, free=True)
+    flat = not sphere.radius < FLAT or np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points)
+    if not flat:
+        variance = square / max(1, len(points) - 4) * float(np.linalg.inv(normal)[3, 3])
+        flat = SIGNIFICANT * float(np.sqrt(variance)) > sphere.radius
+    if flat:
+        raise SphereNotFound(
+            "The points show too little of a curve for their noise to tell the radius of a "
+            "sphere; give the radius, or take more of the surface."
+        )
+    return sphere
+
+
+def _algebraic(points: Array, weights: Array) -> Sphere:
+    """The sphere with ``|X|^2 = 2 c.X + k`` in the least-squares sense: near, and in one step."""
+    root = np.sqrt(weights)
+    rows = np.column_stack([2.0 * points, np.ones(len(points))]) * root[:, None]
+    answer = np.linalg.lstsq(rows, (points**2).sum(axis=1) * root, rcond=None)[0]
+    centre = answer[:3]
+    return Sphere(centre, float(np.sqrt(max(answer[3] + centre @ centre, 1e-6))))
+
+
+def _known(points: Array, weights: Array, starts: list[Sphere]) -> Sphere:
+    """Centre sought from every start; all have the known radius."""
+    settled = [_settle(points, weights, start, free=False) for start in starts]
+    settled.sort(key=lambda answer: answer[1])
+    best, square, normal = settled[0]
+    if np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points):
+        raise SphereNotFound(
+            "The points are too small a part of a sphere of this radius to tell where its centre "
+            "lies; take more of the surface."
+        )
+    doubt = SIGNIFICANT**2 * square / max(1, len(points) - 3) + ROUNDING * len(points)
+    for other, its_square, _ in settled[1:]:
+        elsewhere = float(np.linalg.norm(other.centre - best.centre)) > 0.1 * best.radius
+        if elsewhere and its_square - square <= doubt:
+            raise SphereNotFound(
+                "The points are too flat to tell on which side of them the centre of the "
+                "sphere lies; take more of the surface."
+            )
+    return best
+
+
+def _settle(
+    points: Array, weights: Array, start: Sphere, *, free: bool
+) -> tuple[Sphere, float, Array]:
+    """Sphere, weighted sum of squares and normal matrix where the fit comes to rest."""
+    centre, radius, square, normal = _descend(points, weights, start.centre, start.radius, free)
+    return Sphere(centre, radius), square, normal
+
+
+@njit(nogil=True, cache=True)
+def _descend(
+    points: Array, weights: Array, centre: Array, radius: float, free: bool
+) -> tuple[Array, float, float, Array]:  # pragma: no cover - compiled
+    """Gauss-Newton with Levenberg-Marquardt damping."""
+    size = 4 if free else 3
+    damping = 1e-3
+    total = weights.sum()
+    normal, pull, square = _sums(points, weights, centre, radius, size)
+    for _ in range(MOST_STEPS):
+        damped = normal + damping * total * np.eye(size)
+        step = np.linalg.solve(damped, pull)
+        there = centre + step[:3]
+        radius_there = radius + step[3] if free else radius
+        sums = _sums(points, weights, there, radius_there, size)
+        if radius_there > 0.0 and sums[2] <= square:
+            centre, radius = there, radius_there
+            normal, pull, square = sums
+            damping = max(0.1 * damping, LEAST_DAMPING)
+        else:
+            damping *= 10.0
+        if np.sqrt((step * step).sum()) <= SETTLED * max(1.0, radius) or radius > FLAT:
+            break
+    return centre, radius, square, normal
+
+
+@njit(nogil=True, cache=True)
+def _sums(
+    points: Array, weights: Array, centre: Array, radius: float, size: int
+) -> tuple[Array, Array, float]:  # pragma: no cover - compiled
+    """Normal matrix, right-hand side and sum of squares of the conditions |X - c| - r = 0."""
+    normal = np.zeros((size, size))
+    pull = np.zeros(size)
+    square = 0.0
+    row = np.ones(4)  # what the condition loses when the centre or the radius grows
+    for i in range(points.shape[0]):
+        x = points[i, 0] - centre[0]
+        y = points[i, 1] - centre[1]
+        z = points[i, 2] - centre[2]
+        length = np.sqrt(x * x + y * y + z * z)
+        if length > 0.0:
+            row[0] = x / length
+            row[1] = y / length
+            row[2] = z / length
+        off = length - radius
+        square += weights[i] * off * off
+        for a in range(size):
+            share = weights[i] * row[a]
+            pull[a] += share * off
+            for b in range(a + 1):
+                normal[a, b] += share * row[b]
+    for a in range(size):
+        for b in range(a):
+            normal[b, a] = normal[a, b]
+    return normal, pull, square

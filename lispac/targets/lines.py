@@ -1,0 +1,268 @@
+"""One seed, every line, whatever the shape of the target.
+
+The boresight is not yet known, so the target stands up to a metre and more from the seed in the
+other lines. A reference is found in one line; for each other line the translation that lays the
+reference's surroundings onto that line's predicts where the target is. What is sought there, and
+how it is compared with the reference, is the shape's own affair.
+"""
+
+import os
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import TargetNotFound
+from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
+from lispac.progress import Progress
+from lispac.targets.settings import FinderSettings
+from lispac.targets.shift import Shift, find_shifts
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Patch = TypeVar("Patch")
+
+# The patch has this share of the say in where the line has moved; its surroundings have the rest.
+PATCH_SHARE = 0.5
+# A seed this near to a point of a line, metres, was taken from that line: coordinates are often
+# written with three decimals.
+CLICK = 0.002
+# Translations looked at, and how near in score a different patch makes the answer doubtful.
+CANDIDATES, DOUBT = 6, 0.97
+
+
+@dataclass(frozen=True)
+class Shape(Generic[Patch]):
+    """What the search has to know of a shape.
+
+    Attributes
+    ----------
+    word : str
+        "plane", "sphere".
+    error : type of TargetNotFound
+    find : callable of a line's name
+        The patch at the seed; raises TargetNotFound.
+    distance : callable of a patch
+        From the seed, metres.
+    follow : callable of a line's name and its patch
+        What finds that patch again in another line, given by its name; it raises TargetNotFound.
+    """
+
+    word: str
+    error: type[TargetNotFound]
+    find: Callable[[str], Patch]
+    distance: Callable[[Patch], float]
+    follow: Callable[[str, Patch], Callable[[str], Patch]]
+
+
+@dataclass(frozen=True, eq=False)
+class Surroundings:
+    """The points about a patch, shape (n, 3), and their say in where the line has moved, (n,)."""
+
+    points: Array
+    weights: Array
+
+
+def search_lines(
+    clouds: Mapping[str, Array],
+    grids: Mapping[str, PointGrid],
+    seed: Array,
+    shape: Shape[Patch],
+    first_line: str | None,
+    progress: Progress,
+) -> tuple[dict[str, Patch], dict[str, str]]:
+    """The target under the seed in every line, and why it is missing in the others.
+
+    Raises
+    ------
+    TargetNotFound
+        The shape's own error: the line clicked has no such target at the seed, or no line has.
+    """
+    if first_line is not None:
+        if first_line not in clouds:
+            raise shape.error(f"There is no line named {first_line}.")
+        return _from_reference(clouds, first_line, shape.find(first_line), shape, progress)
+    patches, reasons = _in_each(clouds, shape.find)
+    if not patches:
+        # One sentence, of the line that comes nearest: a list of all of them helps nobody.
+        if not clouds:
+            raise shape.error(f"There is no line to seek a {shape.word} in.")
+        nearest_line = min(clouds, key=lambda name: nearest_point(clouds[name], seed)[1])
+        raise shape.error(
+            f"No line has a {shape.word} at the seed ({nearest_line}: {reasons[nearest_line]}) "
+            "Set the seed on the target, or enlarge the radius."
+        )
+    clicked = _clicked_line(clouds, grids, seed)
+    if clicked in patches:
+        nearest = [clicked]
+    else:
+        nearest = sorted(patches, key=lambda name: shape.distance(patches[name]))
+    best: tuple[dict[str, Patch], dict[str, str]] | None = None
+    for name in nearest[:3]:
+        both = _from_reference(clouds, name, patches[name], shape, progress)
+        if best is None or len(both[0]) > len(best[0]):
+            best = both
+        if not both[1]:
+            break
+    assert best is not None
+    return best
+
+
+def near(cloud: Array, grid: PointGrid | None, centre: Array, radius: float) -> Indices:
+    """Indices of a line's points within a sphere, by its cells where it has them."""
+    return points_within(cloud, centre, radius) if grid is None else grid.within(centre, radius)
+
+
+def surroundings(
+    cloud: Array,
+    grid: PointGrid | None,
+    patch: Indices,
+    centre: Array,
+    seed: Array,
+    settings: FinderSettings,
+) -> Surroundings:
+    """What surrounds a patch, its indices and ``centre`` given, out to the search radius."""
+    around = near(cloud, grid, seed, settings.radius)
+    on_patch = np.isin(around, patch, assume_unique=True)
+    # Near the patch the surroundings have moved as it has; farther off a little differently.
+    distance = np.linalg.norm(cloud[around] - centre, axis=1)
+    weights = 1.0 / (1.0 + (distance / (0.5 * settings.radius)) ** 2)
+    beside = ~on_patch
+    if beside.any() and on_patch.any():
+        # Shares by voxel, as the comparison counts them, or a dense patch would have all the say.
+        ratio = _filled(cloud[around[on_patch]]) / max(1, _filled(cloud[around[beside]]))
+        weights[beside] *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights[beside].mean()
+        weights[on_patch] = 1.0
+    return Surroundings(cloud[around], weights)
+
+
+def shifts_into(
+    cloud: Array,
+    grid: PointGrid | None,
+    reference: Surroundings,
+    seed: Array,
+    settings: FinderSettings,
+) -> list[Shift]:
+    """Translations that lay the reference's surroundings onto another line's, the best first.
+
+    Raises
+    ------
+    TargetNotFound
+        There are none.
+    """
+    reach = settings.radius + settings.max_shift
+    around = cloud[near(cloud, grid, seed, reach)]
+    if len(around) < settings.min_points:
+        raise TargetNotFound(
+            f"The line has only {len(around)} points within {reach:g} m of the seed."
+            if len(around)
+            else f"The line has no points within {reach:g} m of the seed."
+        )
+    shifts = find_shifts(reference.points, reference.weights, around, settings.max_shift)
+    if not shifts:
+        raise TargetNotFound("Nothing in this line resembles the target and its surroundings.")
+    return shifts
+
+
+def best_match(
+    shifts: list[Shift],
+    match: Callable[[Shift], tuple[Patch, float]],
+    contradiction: Callable[[Patch, Patch], str | None],
+) -> Patch:
+    """The patch that matches the reference best, of those at the most likely translations.
+
+    Parameters
+    ----------
+    shifts : list of Shift, the best first
+    match : callable of a Shift
+        The patch there and its score, no higher than the translation's; raises TargetNotFound.
+    contradiction : callable of the best patch and another
+        What to say when these cannot both be meant, else None.
+
+    Raises
+    ------
+    TargetNotFound
+        There is none at any, or two contradict each other.
+    """
+    matches: list[tuple[Patch, float]] = []
+    refused: list[str] = []
+    for shift in shifts[:CANDIDATES]:
+        if matches and shift.score < DOUBT * max(score for _, score in matches):
+            break  # a match never scores above its translation: no better one can follow
+        try:
+            matches.append(match(shift))
+        except TargetNotFound as reason:
+            refused.append(str(reason))
+    if not matches:
+        raise TargetNotFound(refused[0])
+    matches.sort(key=lambda scored: -scored[1])
+    best, highest = matches[0]
+    for other, score in matches[1:]:
+        said = contradiction(best, other) if score > DOUBT * highest else None
+        if said is not None:
+            raise TargetNotFound(said)
+    return best
+
+
+def _in_each(
+    clouds: Mapping[str, Array],
+    look: Callable[[str], Patch],
+    done: Callable[[int, str], None] = lambda count, name: None,
+) -> tuple[dict[str, Patch], dict[str, str]]:
+    """What ``look`` finds in each line, and why it does not in others, on all cores."""
+    found: dict[str, Patch] = {}
+    missing: dict[str, str] = {}
+
+    def attempt(name: str) -> tuple[Patch | None, str]:
+        try:
+            return look(name), ""
+        except TargetNotFound as reason:
+            return None, str(reason)
+
+    pool = ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds))))
+    try:
+        answers = pool.map(attempt, clouds)
+        for count, (name, (patch, reason)) in enumerate(zip(clouds, answers, strict=True), start=1):
+            if patch is not None:
+                found[name] = patch
+            else:
+                missing[name] = reason
+            done(count, name)
+    finally:  # cancelled from inside progress: what has not begun need not begin
+        pool.shutdown(cancel_futures=True)
+    return found, missing
+
+
+def _from_reference(
+    clouds: Mapping[str, Array],
+    first_line: str,
+    first: Patch,
+    shape: Shape[Patch],
+    progress: Progress,
+) -> tuple[dict[str, Patch], dict[str, str]]:
+    again = shape.follow(first_line, first)
+    return _in_each(
+        clouds,
+        lambda name: first if name == first_line else again(name),
+        lambda count, name: progress(count / len(clouds), f"Looked for the target in {name}"),
+    )
+
+
+def _clicked_line(
+    clouds: Mapping[str, Array], grids: Mapping[str, PointGrid], seed: Array
+) -> str | None:
+    """The line with the point nearest to the seed, where that is as near as a click."""
+    nearest: tuple[float, str] | None = None
+    for name, cloud in clouds.items():
+        at_seed = near(cloud, grids.get(name), seed, CLICK)
+        if len(at_seed):
+            off = float(np.linalg.norm(cloud[at_seed] - seed, axis=1).min())
+            nearest = min(nearest, (off, name)) if nearest else (off, name)
+    return nearest[1] if nearest else None
+
+
+def _filled(points: Array) -> int:
+    return len(np.unique(np.floor(points / 0.1).astype(np.int64), axis=0))

@@ -1,0 +1,283 @@
+"""From a seed to the sphere it lies on: RANSAC with local sampling, fit, trimming, checks."""
+
+from dataclasses import dataclass
+from math import cos, radians
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, PlaneNotFound, SphereNotFound
+from lispac.geometry.neighbours import PointGrid
+from lispac.geometry.planes import fit_plane, rms_distance
+from lispac.geometry.spheres import Sphere, cap_axis, fit_sphere, rms_from_sphere, share_seen
+from lispac.targets.finder import checked_seed, describe_seed, neighbourhood
+from lispac.targets.growing import MOST_ROUNDS, ROBUST_ROUNDS, TRIM
+from lispac.targets.ransac import BESIDE
+from lispac.targets.settings import FinderSettings
+from lispac.targets.sphere_ransac import draw
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+__all__ = ["RadiusSought", "SpherePatch", "find_sphere"]
+
+# The farthest from the seed, in largest radii, at which a point can belong to its ball.
+REACH = 3.0
+# While points and sphere are chosen in turns, so many points are enough for the fit, and a radius
+# that leaves the span sought by this factor will not come back.
+ENOUGH, LOOSE = 1000, 1.5
+# Half angle of the cap that is kept. Beyond it the beam only grazes the ball, and the mixed pixels
+# behind its rim come near the surface again.
+CAP = radians(80.0)
+# Least share of the whole surface; a full view shows half of it.
+LEAST_SHARE = 0.08
+# Points inside the ball, or outside it by up to three thresholds, as a share of those on it. A mast
+# or a bracket adds a few, a post or a wall that the sphere only touches goes on all around.
+MOST_BESIDE = 0.3
+# A sphere must be this much nearer to its points than a plane is.
+BETTER_THAN_FLAT = 2.0
+
+
+@dataclass(frozen=True)
+class RadiusSought:
+    """Which radius a ball may have.
+
+    Attributes
+    ----------
+    least, most : float, metres
+        The span of radii to accept; equal where the radius is known.
+    """
+
+    least: float = 0.05
+    most: float = 0.5
+
+    def __post_init__(self) -> None:
+        if not (0.0 < self.least <= self.most < np.inf):  # never true for a NaN
+            raise InputError(
+                f"A sphere cannot be sought with radii from {self.least} m to {self.most} m; "
+                "give two lengths above zero, the smaller one first."
+            )
+
+    @classmethod
+    def exactly(cls, radius: float) -> "RadiusSought":
+        """A ball of known radius, metres."""
+        return cls(radius, radius)
+
+    @property
+    def known(self) -> float | None:
+        """The known radius, metres, or None."""
+        return self.least if self.least == self.most else None
+
+    def __str__(self) -> str:
+        if self.known is not None:
+            return f"of radius {self.known:g} m"
+        return f"of a radius from {self.least:g} to {self.most:g} m"
+
+
+@dataclass(frozen=True, eq=False)
+class SpherePatch:
+    """The points of one line that lie on one sphere.
+
+    Attributes
+    ----------
+    indices : ndarray of shape (n,), int64
+        Into the line's cloud, ascending.
+    sphere : Sphere, local frame of that cloud
+    rms : float, metres
+        Of the points to the sphere.
+    share : float
+        Share of the whole surface that the points span.
+    """
+
+    indices: Indices
+    sphere: Sphere
+    rms: float
+    share: float
+
+    @property
+    def centre(self) -> Array:
+        """Of the sphere, shape (3,), metres."""
+        return self.sphere.centre
+
+
+def find_sphere(
+    points_local: Array,
+    seed: Array,
+    sought: RadiusSought,
+    settings: FinderSettings,
+    *,
+    index: PointGrid | None = None,
+) -> SpherePatch:
+    """Find the sphere that the seed lies on, or near.
+
+    Spheres are drawn through neighbouring points and judged by the points near the seed; points
+    inside a sphere speak against it. The best ones are fitted to the points within the threshold
+    until these no longer change. Then what lies beyond the visible cap (mixed pixels behind the
+    rim) and beyond three sigma is trimmed.
+
+    Parameters
+    ----------
+    points_local : ndarray of shape (n, 3), metres
+        Points with a missing coordinate are passed over.
+    seed : ndarray of shape (3,), metres, same frame
+        On the ball, near it, or its centre.
+    sought : RadiusSought
+    settings : FinderSettings
+    index : PointGrid, optional
+        Prepared cells of the same points.
+
+    Raises
+    ------
+    SphereNotFound
+        No points, too few points, or no such sphere at the seed.
+    """
+    try:
+        seed = checked_seed(seed)
+        near = neighbourhood(points_local, seed, settings, index=index)
+    except PlaneNotFound as reason:  # its sentences speak of points, not of planes
+        raise SphereNotFound(str(reason)) from None
+    distance = np.linalg.norm(points_local[near] - seed, axis=1)
+    reach = REACH * sought.most
+    near = near[distance <= reach]
+    where = describe_seed(seed)
+    if len(near) < settings.min_points:
+        raise SphereNotFound(
+            f"Only {len(near)} points lie within {reach:g} m of {where}, where a sphere {sought} "
+            f"would be, fewer than the {settings.min_points} a target needs; set the seed on the "
+            "ball."
+        )
+    # Far from the origin of the survey the products would lose digits.
+    local = points_local[near] - seed
+    spread = 2.0 * sought.least
+    votes = 1.0 / (1.0 + ((local**2).sum(axis=1) / spread**2)) ** 2
+    hypotheses = draw(local, votes, sought.least, sought.most, settings)
+    best: tuple[float, Sphere, Indices] | None = None
+    for hypothesis in hypotheses:
+        settled = _settle(local, hypothesis, sought, settings)
+        if settled is None:
+            continue
+        sphere, on = settled
+        merit = _merit(local, votes, sphere, settings.threshold)
+        if best is None or merit > best[0]:
+            best = merit, sphere, on
+    if best is None:
+        raise SphereNotFound(
+            f"No sphere {sought} holds the points around {where} within {settings.threshold:g} m."
+        )
+    _, sphere, on = best
+    _check(local, sphere, on, sought, settings, where)
+    indices = np.sort(near[on])
+    return patch_on_sphere(points_local, indices, sought)
+
+
+def patch_on_sphere(points_local: Array, indices: Indices, sought: RadiusSought) -> SpherePatch:
+    """The patch that chosen points of a cloud form.
+
+    Raises
+    ------
+    SphereNotFound
+        They do not determine a sphere.
+    """
+    points = points_local[indices]
+    sphere = fit_sphere(points, sought.known)
+    return SpherePatch(indices, sphere, rms_from_sphere(sphere, points), share_seen(sphere, points))
+
+
+def _settle(
+    points: Array, sphere: Sphere, sought: RadiusSought, settings: FinderSettings
+) -> tuple[Sphere, Indices] | None:
+    """The sphere fitted and its points chosen in turns; None where that leads nowhere."""
+    on: Indices = np.empty(0, dtype=np.int64)
+    try:
+        for _ in range(MOST_ROUNDS):
+            grown = _on_cap(points, sphere, settings.threshold)
+            if np.array_equal(grown, on):
+                break
+            on = grown
+            few = on[:: max(1, len(on) // ENOUGH)]
+            sphere = _tukey(points[few], sphere, sought.known, settings.threshold)
+            if not sought.least / LOOSE <= sphere.radius <= sought.most * LOOSE:
+                return None
+        on = _trimmed(points, on, sought.known, settings)
+        return fit_sphere(points[on], sought.known), on
+    except SphereNotFound:
+        return None
+
+
+def _on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
+    """Points within the threshold and on the side that was seen."""
+    on: Indices = np.flatnonzero(np.abs(sphere.distances(points)) <= threshold).astype(np.int64)
+    directions = sphere.directions(points[on])
+    seen = np.ones(len(on), dtype=bool)
+    for _ in range(2):  # what lies behind the rim has drawn the first middle towards itself
+        seen = directions @ cap_axis(directions[seen]) >= cos(CAP)
+    return on[seen]
+
+
+def _tukey(points: Array, sphere: Sphere, radius: float | None, threshold: float) -> Sphere:
+    """Weighted fit with Tukey's biweight, which settles on the densest layer of the points."""
+    for _ in range(ROBUST_ROUNDS):
+        off = sphere.distances(points) / threshold
+        sphere = fit_sphere(points, radius, np.maximum(1.0 - off * off, 0.0) ** 2, sphere)
+    return sphere
+
+
+def _trimmed(points: Array, on: Indices, radius: float | None, settings: FinderSettings) -> Indices:
+    """Drop what lies beyond three sigma, the sigma taken from the middle of the residuals."""
+    residuals = np.abs(fit_sphere(points[on], radius).distances(points[on]))
+    sigma = 1.4826 * float(np.median(residuals))
+    kept = on[residuals <= min(settings.threshold, TRIM * sigma)]
+    # Noise-free points have no sigma; then all of them are kept.
+    return kept if len(kept) >= max(4, len(on) // 2) else on
+
+
+def _merit(points: Array, votes: Array, sphere: Sphere, threshold: float) -> float:
+    """Votes of the points on the sphere, less those inside it."""
+    off = sphere.distances(points) / threshold
+    on = np.maximum(1.0 - off * off, 0.0) ** 2
+    return float(votes @ (on - (off < -1.0)))
+
+
+def _check(
+    points: Array,
+    sphere: Sphere,
+    on: Indices,
+    sought: RadiusSought,
+    settings: FinderSettings,
+    where: str,
+) -> None:
+    """Raise SphereNotFound, with the reason, where the points are not those of a ball."""
+    if len(on) < settings.min_points:
+        raise SphereNotFound(
+            f"The sphere around {where} has only {len(on)} points, fewer than "
+            f"{settings.min_points}; a wider threshold than {settings.threshold:g} m may help."
+        )
+    if not 0.999999 * sought.least <= sphere.radius <= 1.000001 * sought.most:
+        raise SphereNotFound(
+            f"The surface around {where} is round with a radius of {sphere.radius:.3f} m, "
+            f"but a sphere {sought} was sought."
+        )
+    if sphere.distances(np.zeros(3)) > sphere.radius:
+        raise SphereNotFound(
+            f"The nearest sphere lies {sphere.distances(np.zeros(3)):.2f} m from {where}; set the "
+            "seed on the ball."
+        )
+    off = sphere.distances(points)
+    beside = (off < -settings.threshold) | (
+        (off > settings.threshold) & (off <= BESIDE * settings.threshold)
+    )
+    if np.count_nonzero(beside) > MOST_BESIDE * len(on):
+        raise SphereNotFound(
+            f"A sphere {sought} around {where} touches {len(on)} points, but the surface goes on "
+            f"beside it with {np.count_nonzero(beside)} more: it is no ball, or one of another "
+            "radius or with more noise than the threshold allows."
+        )
+    share = share_seen(sphere, points[on])
+    if share < LEAST_SHARE:
+        raise SphereNotFound(
+            f"The points around {where} show {100.0 * share:.0f} % of a sphere's surface, too "
+            f"little to call it a ball; at least {100.0 * LEAST_SHARE:.0f} % are needed."
+        )
+    flat = rms_distance(fit_plane(points[on]), points[on])
+    if flat < BETTER_THAN_FLAT * rms_from_sphere(sphere, points[on]):
+        raise SphereNotFound(f"The surface around {where} is flat rather than a ball.")

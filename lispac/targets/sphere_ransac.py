@@ -1,0 +1,163 @@
+"""Spheres drawn through neighbouring points and judged by votes (RANSAC with local sampling)."""
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from lispac.geometry.spheres import Sphere
+from lispac.targets.ransac import AGAINST, BATCH, BESIDE, MOST_BATCHES
+from lispac.targets.settings import FinderSettings
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# Hypotheses are judged on the nearest points in full and on every so-manieth of those farther off:
+# a ball of some hundred points must not be thinned away with a wall of a hundred thousand.
+NEAREST, FARTHER = 2500, 2500
+# The radius of a hypothesis, from four noisy points, may miss the span sought by this share.
+ROUGH = 0.25
+# Hypotheses worth refining: how many, how good beside the best, and how much their centres must
+# differ, as a share of the radius.
+CONTENDERS, WORTH, APART = 8, 0.6, 0.25
+
+
+def draw(
+    points: Array, votes: Array, least: float, most: float, settings: FinderSettings
+) -> list[Sphere]:
+    """The best spheres through neighbouring points (Fischler and Bolles 1981), by votes.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres, the nearest to the seed first
+    votes : ndarray of shape (n,)
+    least, most : float, metres
+        Radii sought. Where they are equal the radius is known and three points make a hypothesis,
+        else four.
+    settings : FinderSettings
+    """
+    rng = np.random.default_rng(settings.seed)
+    step = max(1, -(-(len(points) - NEAREST) // FARTHER))
+    sample = np.concatenate([points[:NEAREST], points[NEAREST::step]])
+    weights = np.concatenate([votes[:NEAREST], step * votes[NEAREST::step]])
+    chance = np.cumsum(weights / weights.sum())
+    known = least == most
+    need = 3 if known else 4
+    span = np.array([least, most]) * (1.0 if known else np.array([1.0 - ROUGH, 1.0 + ROUGH]))
+    hypotheses = np.empty((0, 6))
+    for batch in range(1, MOST_BATCHES + 1):
+        first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
+        # From a piece of the smallest ball up to the breadth of the largest.
+        reach = np.exp(rng.uniform(np.log(0.5 * least), np.log(2.0 * most), BATCH))
+        picks = rng.random((BATCH, 3))
+        drawn = _judge(sample, weights, first, reach, picks, settings.threshold, span, known)
+        hypotheses = np.concatenate([hypotheses, drawn[drawn[:, 0] > 0.0]])
+        if len(hypotheses) == 0:
+            continue
+        share = float(hypotheses[np.argmax(hypotheses[:, 0]), 1])
+        if (1.0 - share**need) ** (batch * BATCH) <= 1.0 - settings.stop:
+            break
+    return _contenders(hypotheses)
+
+
+def _contenders(hypotheses: Array) -> list[Sphere]:
+    """The best hypotheses that differ and are nearly as good as the very best."""
+    kept: list[Sphere] = []
+    if len(hypotheses) == 0:
+        return kept
+    ranked = hypotheses[np.argsort(-hypotheses[:, 0], kind="stable")]
+    for row in ranked[ranked[:, 0] >= WORTH * ranked[0, 0]]:
+        sphere = Sphere(row[2:5].copy(), float(row[5]))
+        if all(
+            np.linalg.norm(sphere.centre - other.centre) > APART * other.radius for other in kept
+        ):
+            kept.append(sphere)
+            if len(kept) == CONTENDERS:
+                break
+    return kept
+
+
+@njit(nogil=True, cache=True)
+def _judge(
+    points: Array,
+    weights: Array,
+    first: Indices,
+    reach: Array,
+    picks: Array,
+    threshold: float,
+    span: Array,
+    known: bool,
+) -> Array:  # pragma: no cover - compiled
+    """Score, share of the votes, centre and radius of each hypothesis; zeros for a useless one."""
+    n = points.shape[0]
+    judged = np.zeros((first.size, 6))
+    near = np.empty(n, np.int64)
+    centres = np.empty((2, 3))
+    total = weights.sum()
+    for trial in range(first.size):
+        a = points[first[trial]]
+        count = 0
+        for i in range(n):
+            dx = points[i, 0] - a[0]
+            dy = points[i, 1] - a[1]
+            dz = points[i, 2] - a[2]
+            if i != first[trial] and dx * dx + dy * dy + dz * dz <= reach[trial] ** 2:
+                near[count] = i
+                count += 1
+        if count < 3:
+            continue
+        u = points[near[int(picks[trial, 0] * count)]] - a
+        v = points[near[int(picks[trial, 1] * count)]] - a
+        w = points[near[int(picks[trial, 2] * count)]] - a
+        uu = (u * u).sum()
+        vv = (v * v).sum()
+        ww = (w * w).sum()
+        normal = np.cross(u, v)
+        square = (normal * normal).sum()
+        # A sliver says nothing about the curve across its length.
+        if square < 0.01 * max(uu, vv) ** 2 or square == 0.0:
+            continue
+        if known:
+            radius = span[0]
+            middle = np.cross(uu * v - vv * u, normal) / (2.0 * square)
+            left = radius * radius - (middle * middle).sum()
+            if left < 0.0:
+                continue
+            up = normal * np.sqrt(left / square)
+            centres[0] = middle + up
+            centres[1] = middle - up
+            sides = 2
+        else:
+            # The centre is as far from the first point as from each of the others.
+            volume = (w * normal).sum()
+            if abs(volume) < 1e-3 * max(uu, vv, ww) ** 1.5:
+                continue
+            centres[0] = (uu * np.cross(v, w) + vv * np.cross(w, u) + ww * normal) / (2.0 * volume)
+            radius = np.sqrt((centres[0] * centres[0]).sum())
+            if radius < span[0] or radius > span[1]:
+                continue
+            sides = 1
+        for side in range(sides):
+            c = a + centres[side]
+            score = 0.0
+            share = 0.0
+            for i in range(n):
+                dx = points[i, 0] - c[0]
+                dy = points[i, 1] - c[1]
+                dz = points[i, 2] - c[2]
+                off = np.sqrt(dx * dx + dy * dy + dz * dz) - radius
+                if off > BESIDE * threshold:
+                    continue
+                if abs(off) <= threshold:
+                    # MSAC (Torr and Zisserman 2000) with a sharper peak, as for planes.
+                    score += weights[i] * (1.0 - (off / threshold) ** 2) ** 2
+                    share += weights[i]
+                elif off > 0.0:
+                    score -= weights[i] * AGAINST
+                else:
+                    score -= weights[i]  # a ball is solid: nothing is seen inside it
+            if score > judged[trial, 0]:
+                judged[trial, 0] = score
+                judged[trial, 1] = share / total
+                judged[trial, 2:5] = c
+                judged[trial, 5] = radius
+    return judged

@@ -1,0 +1,134 @@
+"""One seed, every line: the same sphere where each line puts it.
+
+Where the surroundings predict it in the other lines, the sphere is sought again, and compared with
+the reference by its place and, where the radius is not known, by its radius.
+"""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import PlaneNotFound, SphereNotFound
+from lispac.geometry.neighbours import PointGrid
+from lispac.progress import Progress, no_progress
+from lispac.targets.finder import checked_seed
+from lispac.targets.lines import (
+    Shape,
+    Surroundings,
+    best_match,
+    search_lines,
+    shifts_into,
+    surroundings,
+)
+from lispac.targets.settings import FinderSettings
+from lispac.targets.shift import Shift
+from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
+
+Array = NDArray[np.float64]
+
+# A sphere this far, in metres, from where the translation puts it counts half.
+OFFSET = 0.2
+# Most that two sightings of one ball may differ in radius. Crossed in a tenth of a second by
+# a pitching vessel, a ball of 0.10 m was seen as one of 0.08 m and as one of 0.14 m.
+MOST_LARGER = 2.0
+
+
+def find_spheres_in_lines(
+    clouds: Mapping[str, Array],
+    seed: Array,
+    sought: RadiusSought,
+    settings: FinderSettings,
+    *,
+    first_line: str | None = None,
+    indices: Mapping[str, PointGrid] | None = None,
+    progress: Progress = no_progress,
+) -> tuple[dict[str, SpherePatch], dict[str, str]]:
+    """Find the sphere under the seed in every line.
+
+    Parameters
+    ----------
+    clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
+    seed : ndarray of shape (3,), metres
+        On the ball, near it, or its centre.
+    sought : RadiusSought
+    settings : FinderSettings
+    first_line : str, optional
+        The line that was clicked. Without it, the line with a point at the seed; or else the line
+        whose sphere passes nearest to the seed; or, when that sphere is missing in some lines, the
+        one of the nearest three whose sphere most lines share.
+    indices : mapping of line name to PointGrid, optional
+        Prepared cells; lines without are read through.
+    progress : Progress
+
+    Returns
+    -------
+    found : dict of line name to SpherePatch
+    missing : dict of line name to str
+        Why the target was not found in a line, in words.
+
+    Raises
+    ------
+    SphereNotFound
+        The line clicked has no such sphere at the seed, or no line has.
+    """
+    try:
+        seed = checked_seed(seed)
+    except PlaneNotFound as reason:
+        raise SphereNotFound(str(reason)) from None
+    grids = indices or {}
+
+    def follow(first_line: str, first: SpherePatch) -> Callable[[str], SpherePatch]:
+        cloud, grid = clouds[first_line], grids.get(first_line)
+        around = surroundings(cloud, grid, first.indices, first.centre, seed, settings)
+        return lambda name: _find_in(
+            clouds[name], grids.get(name), first, around, seed, sought, settings
+        )
+
+    shape = Shape(
+        word="sphere",
+        error=SphereNotFound,
+        find=lambda name: find_sphere(clouds[name], seed, sought, settings, index=grids.get(name)),
+        distance=lambda patch: max(0.0, float(patch.sphere.distances(seed))),
+        follow=follow,
+    )
+    return search_lines(clouds, grids, seed, shape, first_line, progress)
+
+
+def _find_in(
+    cloud: Array,
+    grid: PointGrid | None,
+    first: SpherePatch,
+    around: Surroundings,
+    seed: Array,
+    sought: RadiusSought,
+    settings: FinderSettings,
+) -> SpherePatch:
+    def match(shift: Shift) -> tuple[SpherePatch, float]:
+        """The sphere where the translation predicts it, and how well it matches the reference."""
+        predicted = first.centre + shift.vector
+        patch = find_sphere(cloud, predicted, sought, settings, index=grid)
+        ratio = patch.sphere.radius / first.sphere.radius
+        larger = max(ratio, 1.0 / ratio)
+        if larger > MOST_LARGER:
+            raise SphereNotFound(
+                f"The sphere found has a radius of {patch.sphere.radius:.3f} m, but in the line "
+                f"clicked it has {first.sphere.radius:.3f} m."
+            )
+        off = float(np.linalg.norm(patch.centre - predicted))
+        likeness = 1.0 / (1.0 + (off / OFFSET) ** 2) / larger
+        return patch, shift.score * likeness
+
+    shifts = shifts_into(cloud, grid, around, seed, settings)
+    return best_match(shifts, match, _contradiction)
+
+
+def _contradiction(best: SpherePatch, other: SpherePatch) -> str | None:
+    """Two balls cannot both be the target; one found twice is no contradiction."""
+    apart = float(np.linalg.norm(best.centre - other.centre))
+    if apart <= 0.5 * best.sphere.radius:
+        return None
+    return (
+        f"Two spheres {apart:.2f} m apart resemble the target equally; "
+        "set a seed of its own for this line."
+    )

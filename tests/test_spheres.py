@@ -1,0 +1,134 @@
+"""The sphere value, its fit from a cap, and the share of the surface that points span."""
+
+import numpy as np
+import pytest
+
+from lispac.errors import SphereNotFound
+from lispac.geometry.spheres import Sphere, fit_sphere, rms_from_sphere, share_seen
+
+RADII = [0.05, 0.1, 0.145, 1.0]
+
+
+def cap(rng, sphere, half_angle_deg, count=400, *, towards=(0.3, -1.0, 0.2), noise=0.0):
+    """Points spread evenly over a cap of a sphere, off its surface by normal noise."""
+    axis = np.asarray(towards, float) / np.linalg.norm(towards)
+    across = np.linalg.svd(axis[None, :])[2][1:]
+    height = rng.uniform(np.cos(np.radians(half_angle_deg)), 1.0, count)
+    turn = rng.uniform(0.0, 2.0 * np.pi, count)
+    level = np.stack([np.cos(turn), np.sin(turn)], axis=1) @ across
+    unit = height[:, None] * axis + np.sqrt(1.0 - height**2)[:, None] * level
+    return sphere.centre + (sphere.radius + rng.normal(0.0, noise, (count, 1))) * unit
+
+
+def test_distances_are_signed_and_positive_outside():
+    sphere = Sphere(np.array([1.0, 2.0, 3.0]), 0.5)
+    points = sphere.centre + np.array([[0.0, 0.0, 0.0], [0.5, 0.0, 0.0], [0.0, -0.8, 0.0]])
+    np.testing.assert_allclose(sphere.distances(points), [-0.5, 0.0, 0.3], atol=1e-15)
+    assert float(sphere.distances(points[2])) == pytest.approx(0.3)
+    np.testing.assert_allclose(sphere.directions(points)[1:], [[1, 0, 0], [0, -1, 0]])
+
+
+@pytest.mark.parametrize("known", [True, False])
+@pytest.mark.parametrize("radius", RADII)
+@pytest.mark.parametrize("half_angle_deg", [20, 60, 90, 180])
+@pytest.mark.parametrize("origin", [(0, 0, 0), (500_000, 5_000_000, 30)])
+def test_a_cap_without_noise_gives_the_sphere_back(known, radius, half_angle_deg, origin):
+    true = Sphere(np.array(origin, float), radius)
+    points = cap(np.random.default_rng(1), true, half_angle_deg)
+    sphere = fit_sphere(points, radius if known else None)
+    # At UTM northings a coordinate is only good to a nanometre, and a short cap magnifies that.
+    tolerance = 1e-10 if origin == (0, 0, 0) else 2e-8
+    np.testing.assert_allclose(sphere.centre, true.centre, rtol=0, atol=tolerance)
+    assert sphere.radius == pytest.approx(radius, abs=tolerance)
+
+
+@pytest.mark.parametrize(("known", "half_angle_deg"), [(True, 40), (True, 85), (False, 85)])
+def test_errors_are_as_large_as_the_noise_makes_them(known, half_angle_deg):
+    """The spread over many draws equals that of first-order error propagation."""
+    true = Sphere(np.array([3.0, -20.0, 5.0]), 0.1)
+    noise, draws = 0.002, 300
+    errors, expected = [], []
+    for draw in range(draws):
+        points = cap(np.random.default_rng(draw), true, half_angle_deg, 120, noise=noise)
+        sphere = fit_sphere(points, 0.1 if known else None)
+        errors.append([*(sphere.centre - true.centre), sphere.radius - 0.1])
+        rows = np.column_stack([true.directions(points), np.ones(120)])[:, : 3 if known else 4]
+        expected.append(np.diag(np.linalg.inv(rows.T @ rows)) * noise**2)
+    size = 3 if known else 4
+    spread = np.sqrt(np.mean(np.square(errors), axis=0))[:size]
+    sigma = np.sqrt(np.mean(expected, axis=0))
+    # A root mean square of 300 draws is itself good to one part in 24; four of these.
+    np.testing.assert_allclose(spread, sigma, rtol=4.0 / np.sqrt(2 * draws))
+
+
+def test_fit_is_least_squares_and_weights_count():
+    rng = np.random.default_rng(4)
+    points = cap(rng, Sphere(np.ones(3), 0.1), 80, 300, noise=0.004)
+    for radius in (None, 0.1):
+        sphere = fit_sphere(points, radius)
+        best = rms_from_sphere(sphere, points)
+        for nudge in rng.normal(0, 1e-4, (30, 4)):
+            longer = sphere.radius + (nudge[3] if radius is None else 0.0)
+            assert rms_from_sphere(Sphere(sphere.centre + nudge[:3], longer), points) > best
+        doubled = fit_sphere(np.concatenate([points, points[:100]]), radius)
+        weighted = fit_sphere(points, radius, np.where(np.arange(300) < 100, 2.0, 1.0))
+        np.testing.assert_allclose(weighted.centre, doubled.centre, atol=1e-10)
+        again = fit_sphere(points, radius, start=Sphere(sphere.centre + 0.03, 0.08))
+        np.testing.assert_allclose(again.centre, sphere.centre, atol=1e-9)
+
+
+def flat(rng, noise):
+    return np.column_stack([rng.uniform(-0.1, 0.1, (200, 2)), rng.normal(0.0, noise, 200)])
+
+
+@pytest.mark.parametrize(
+    ("points", "radius", "words"),
+    [
+        (np.eye(3), None, "at least four points, here there are 3"),
+        (np.eye(3), 0.1, "at least four"),
+        (flat(np.random.default_rng(0), 0.0), None, "one plane"),
+        (flat(np.random.default_rng(0), 0.0), 0.5, "one plane"),
+        (np.outer(np.arange(9.0), [1, 2, 3]), 0.5, "one plane"),
+        (np.zeros((9, 3)), 0.5, "one plane"),
+        (np.full((9, 3), np.nan), None, "missing coordinates"),
+        (flat(np.random.default_rng(0), 0.003), None, "too little of a curve"),
+        (flat(np.random.default_rng(0), 0.003), 0.5, "on which side"),
+        (np.eye(4)[:, :3], 0.0, "radius of 0.0 m"),
+        (np.eye(4)[:, :3], np.nan, "radius of nan m"),
+    ],
+)
+def test_what_determines_no_sphere_is_refused(points, radius, words):
+    with pytest.raises(SphereNotFound, match=words):
+        fit_sphere(points, radius)
+
+
+def centre_or_reason(points, radius=None):
+    try:
+        return fit_sphere(points, radius).centre
+    except SphereNotFound as said:
+        return str(said)
+
+
+def test_a_known_radius_helps_where_a_free_one_cannot_be_told():
+    """Eight degrees of half angle are a bulge of 1 mm on a ball of 0.1 m."""
+    true = Sphere(np.zeros(3), 0.1)
+    helped = 0
+    for draw in range(50):
+        points = cap(np.random.default_rng(draw), true, 8, 100, noise=0.001)
+        free, known = centre_or_reason(points), centre_or_reason(points, 0.1)
+        if isinstance(known, str):
+            assert "on which side" in known
+        else:  # never on the wrong side, which would be 0.2 m off
+            assert np.linalg.norm(known) < 0.01
+            helped += isinstance(free, str) and "give the radius" in free
+    assert helped > 20
+
+
+@pytest.mark.parametrize("half_angle_deg", [20, 45, 90, 150])
+def test_share_is_that_of_the_cap(half_angle_deg):
+    sphere = Sphere(np.array([5.0, 6.0, 7.0]), 0.2)
+    points = cap(np.random.default_rng(6), sphere, half_angle_deg, 20_000)
+    wanted = (1.0 - np.cos(np.radians(half_angle_deg))) / 2.0
+    assert share_seen(sphere, points) == pytest.approx(wanted, rel=0.01)
+    assert share_seen(sphere, points[:2]) == 0.0
+    assert share_seen(sphere, points[:0]) == 0.0
