@@ -1,0 +1,302 @@
+"""Angles in another program: the same boresight as that program wants it typed."""
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QFrame,
+    QHBoxLayout,
+    QPlainTextEdit,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.errors import InputError
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.gui.panels.convention_inputs import CurrentSettings, GivenBoresight, ImuAxes
+from lispac.gui.panels.convention_table import angles_table, fill_angles
+from lispac.gui.panels.gizmo import Gizmo
+from lispac.project import Project
+from lispac.survey.conventions.conversion import Setup, Stated, state
+from lispac.survey.conventions.correction import SUM_MATTERS, Correction, correct, on_top_of
+from lispac.survey.conventions.systems import (
+    DIRECTION_WORDS,
+    LISPAC,
+    SCANNER_WORDS,
+    STATUS_WORDS,
+    SYSTEMS,
+    Convention,
+    Scanner,
+    Status,
+)
+from lispac.survey.conventions.words import boresight_words, lever_arm_words, offsets_words
+from lispac.survey.georeferencing import Mounting
+
+TITLE = "Angles in another program"
+_COLOURS: dict[Status, str] = {
+    "verified": theme.DONE,
+    "partly": theme.WARNING,
+    "unverified": theme.ERROR,
+}
+_SCANNER_SHORT: dict[Scanner, str] = {
+    "turned": "like the body axes",
+    "kept": "as in the raw points",
+    "mounted": "laid on them by a mounting",
+}
+
+
+class ConventionPanel(QWidget):
+    """Shows a boresight in the convention of a chosen program, with what is assumed of it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMinimumWidth(380)
+        self._all_digits = ""
+        self.given, self.current, self.imu = GivenBoresight(), CurrentSettings(), ImuAxes()
+        self._build()
+        for inputs in (self.given, self.current, self.imu):
+            inputs.changed.connect(self._refresh)
+        self.system.currentIndexChanged.connect(self._choose)
+        self._choose(1)
+
+    @property
+    def convention(self) -> Convention:
+        """The chosen system."""
+        return SYSTEMS[self.system.currentIndex()]
+
+    def show_project(self, project: Project | None) -> None:
+        """Take over the project's boresight and lever arm where they changed."""
+        self.given.show_project(project)
+
+    # -- assembly ----------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        body = QWidget()
+        layout = widgets.column(body)
+        layout.addWidget(widgets.label("Program", "heading"))
+        self.system = QComboBox()
+        self.system.setObjectName("convention_system")
+        self.system.setAccessibleName("Program the angles are for")
+        for each in SYSTEMS:
+            self.system.addItem(f"{each.name} ({STATUS_WORDS[each.status].lower()})")
+        self.system.setMinimumContentsLength(24)
+        self.system.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        layout.addWidget(self.system)
+        self.status = widgets.label(wrap=True, name="convention_status")
+        layout.addWidget(self.status)
+        self.assumption = widgets.label(role="hint", wrap=True, name="convention_assumption")
+        layout.addWidget(self.assumption)
+        layout.addWidget(self.imu)
+        self.values_head = widgets.label("", "heading", wrap=True)
+        layout.addWidget(self.values_head)
+        self.table = angles_table()
+        layout.addWidget(self.table)
+        self.remarks = widgets.label("", "muted", wrap=True, name="convention_remarks")
+        layout.addWidget(self.remarks)
+        self.rules = widgets.label("", "muted", wrap=True, name="convention_rules")
+        self.lever = widgets.label(wrap=True, name="convention_lever")
+        self.lever.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        layout.addWidget(self.lever)
+        self.words = widgets.label(wrap=True, name="convention_words")
+        layout.addWidget(self.words)
+        self.gizmo = Gizmo()
+        layout.addWidget(self.gizmo)
+        layout.addWidget(self.rules)
+        layout.addWidget(self.current)
+        layout.addWidget(self.given)
+        layout.addWidget(self._matrix_box())
+        layout.addStretch(1)
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setWidget(body)
+        outer = QVBoxLayout(self)
+        outer.setContentsMargins(0, 0, 0, 0)
+        outer.addWidget(area)
+
+    def _matrix_box(self) -> QWidget:
+        box = QWidget()
+        layout = QVBoxLayout(box)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.scanner = QComboBox()
+        self.scanner.setObjectName("convention_scanner")
+        self.scanner.setToolTip("How that program's scanner axes lie to those of the raw points")
+        self.scanner.setMinimumContentsLength(16)
+        self.scanner.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.scanner.currentIndexChanged.connect(self._refresh)
+        row = QHBoxLayout()
+        row.addWidget(widgets.label("Scanner axes there", "muted"))
+        row.addWidget(self.scanner, 1)
+        layout.addLayout(row)
+        self.matrix_head = widgets.label("", "heading", wrap=True)
+        layout.addWidget(self.matrix_head)
+        self.matrix = QPlainTextEdit()
+        self.matrix.setObjectName("convention_matrix")
+        self.matrix.setAccessibleName("Matrix from scanner to body")
+        self.matrix.setReadOnly(True)
+        self.matrix.setTabChangesFocus(True)
+        self.matrix.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+        font.setPixelSize(11)
+        self.matrix.setFont(font)
+        self.matrix.setFixedHeight(4 * self.matrix.fontMetrics().lineSpacing() + 14)
+        layout.addWidget(self.matrix)
+        self.copy = widgets.button(
+            "Copy matrix", "convention_copy", icon="content-copy",
+            tip="Copy the sixteen numbers, row by row, to the clipboard",
+        )  # fmt: skip
+        self.copy.clicked.connect(lambda: QApplication.clipboard().setText(self._all_digits))
+        layout.addWidget(self.copy, alignment=Qt.AlignmentFlag.AlignLeft)
+        return box
+
+    # -- what the user does ------------------------------------------------------------------
+
+    def _choose(self, index: int) -> None:
+        if self.system.currentIndex() != index:
+            self.system.setCurrentIndex(index)
+            return
+        convention = self.convention
+        self.scanner.blockSignals(True)
+        self.scanner.clear()
+        for kind, words in _SCANNER_SHORT.items():
+            usual = " (usual)" if kind == convention.scanner else ""
+            self.scanner.addItem(f"{words}{usual}", kind)
+        self.scanner.setCurrentIndex(self.scanner.findData(convention.scanner))
+        self.scanner.blockSignals(False)
+        self.scanner.setEnabled(convention.key != LISPAC.key)
+        self.imu.setVisible(convention.open_axes)
+        self.current.show_convention(convention)
+        self._refresh()
+
+    # -- what is shown -----------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        convention, given = self.convention, self.given
+        mounting, covariance = given.mounting, given.covariance
+        current = self.current.angles if convention.has_angles else None
+        try:
+            body_axes = self.imu.axes if convention.open_axes else None
+            setup = Setup(convention, body_axes, self.scanner.currentData())
+            if current is not None and self.current.applied.isChecked():
+                mounting, covariance = on_top_of(setup, current, mounting, covariance)
+            stated = state(mounting, setup, covariance)
+            correction = None
+            if current is not None:
+                correction = correct(convention, current, stated.rotation)
+        except InputError as error:
+            self._show_refusal(str(error))
+            return
+        self._show_rules(setup, mounting)
+        self._show_values(stated, correction)
+        self._show_words(mounting)
+        self._show_matrix(stated)
+
+    def _show_refusal(self, sentence: str) -> None:
+        self.assumption.setText(sentence)
+        self.assumption.show()
+        for widget in (self.table, self.remarks, self.lever, self.rules, self.matrix):
+            widget.setVisible(False)
+        self.values_head.setText("No values")
+        self.copy.setEnabled(False)
+
+    def _show_rules(self, setup: Setup, mounting: Mounting) -> None:
+        convention = setup.convention
+        word = STATUS_WORDS[convention.status].capitalize()
+        colour = _COLOURS[convention.status]
+        x, y, z = setup.axes
+        self.status.setText(f"<b style='color:{colour}'>{word}</b>: {convention.source}.")
+        rules = f"Body axes there: X {x}, Y {y}, Z {z}."
+        if convention.has_angles:
+            formula = convention.formula.replace("-", "−")
+            rules = f"{formula}, {DIRECTION_WORDS[convention.direction]}. {rules}"
+        if convention.key != LISPAC.key:
+            rules += f" {setup.scanner_words(mounting.rotation_body_lidar)}"
+        self.rules.setText(rules)
+        self.imu.show_z(z)
+        self.assumption.setText(f"<b>Assumed:</b> {setup.assumption}")
+        self.assumption.setVisible(bool(setup.assumption))
+
+    def _show_values(self, stated: Stated, correction: Correction | None) -> None:
+        setup = stated.setup
+        convention = setup.convention
+        sure = convention.status == "verified"
+        for widget in (self.remarks, self.lever, self.rules, self.matrix):
+            widget.setVisible(True)
+        self.copy.setEnabled(True)
+        self.table.setVisible(convention.has_angles)
+        if stated.angles is None:
+            self.values_head.setText("Taken as a matrix only: see below")
+            self.remarks.setVisible(False)
+        else:
+            self.values_head.setText(
+                "Type in there, degrees" if sure else "If the assumption holds, degrees"
+            )
+            decimals = 8 if stated.note else 4
+            new = ("Type in" if sure else "If so", stated.angles, "+", True)
+            rows: list[tuple[str, np.ndarray, str, bool]] = [new]
+            if correction is not None:
+                rows = [("Now set", correction.current, "+", False),
+                        ("Correction", correction.correction, "+", False), new]  # fmt: skip
+            if stated.sigmas is not None:
+                rows.append(("± 1 σ", stated.sigmas, "", False))
+            fill_angles(self.table, convention, rows, decimals)
+            self._show_remarks(stated, correction)
+        # Unbreakable, so that a line ends between two axes and never before a number.
+        arm = ", ".join(
+            f"{letter} {axis} <b>{value + 0.0:+.4f}</b> m".replace("-", "−").replace(" ", "&nbsp;")
+            for letter, axis, value in zip(
+                "XYZ", setup.axes, np.round(stated.lever_arm, 4), strict=True
+            )
+        )
+        self.lever.setText(f"Lever arm there, from the POS centre: {arm}")
+
+    def _show_remarks(self, stated: Stated, correction: Correction | None) -> None:
+        signs = stated.setup.convention.signs
+        lines = [f"{signs[0].upper()}{signs[1:]}."]
+        if correction is not None:
+            lines.append(
+                "The matrix of the correction stands on the left: new = correction · present."
+            )
+            error = correction.sum_error
+            if error > SUM_MATTERS:
+                lines.append(
+                    f"<b>Do not add the angles:</b> the sum would be {np.degrees(error):.4f}° "
+                    f"off, {error * 1e5:.0f} mm at 100 m."
+                )
+        if stated.note:
+            lines.append(f"<b>{stated.note}</b>")
+        if stated.sigmas is not None and self.given.caution:
+            lines.append(self.given.caution)
+        self.remarks.setText("<br>".join(lines))
+
+    def _show_words(self, mounting: Mounting) -> None:
+        sentences = (
+            f"<b>{boresight_words(mounting.boresight)}</b>",
+            lever_arm_words(mounting.lever_arm),
+            offsets_words(mounting),
+        )
+        self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
+        self.gizmo.show_boresight(np.asarray(mounting.boresight, dtype=float))
+
+    def _show_matrix(self, stated: Stated) -> None:
+        name = stated.setup.convention.name
+        self.matrix_head.setText(f"Scanner to body there, with the lever arm ({name})")
+        self.matrix.setPlainText(_rows(stated.transform, 7))
+        self._all_digits = _rows(stated.transform, 12)
+        self.matrix.setToolTip(SCANNER_WORDS[stated.setup.scanner_frame])
+
+
+def _rows(matrix: np.ndarray, decimals: int) -> str:
+    return "\n".join(
+        " ".join(f"{value + 0.0:{decimals + 4}.{decimals}f}" for value in np.round(row, decimals))
+        for row in matrix
+    )

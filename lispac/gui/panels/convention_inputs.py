@@ -1,0 +1,197 @@
+"""What the user gives for a conversion: the boresight, the present settings, the axes."""
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+
+from lispac.gui.panels import widgets
+from lispac.project import Project
+from lispac.survey.conventions.axes import DIRECTIONS, Axes, completed_axes
+from lispac.survey.conventions.systems import Convention
+from lispac.survey.georeferencing import Mounting
+
+BY_HAND = "Typed by hand."
+
+
+class GivenBoresight(QWidget):
+    """The boresight and lever arm to convert: the project's, or typed by hand.
+
+    Attributes
+    ----------
+    mounting : Mounting
+        With all digits where it is the project's.
+    covariance : ndarray of shape (3, 3), radians squared, or None
+    caution : what to know about the sigmas, else empty
+    """
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.mounting = Mounting(np.zeros(3), np.zeros(3))
+        self.covariance: np.ndarray | None = None
+        self.caution = ""
+        self._offered: tuple[Mounting, np.ndarray | None, str, str] | None = None
+        self._key: tuple[object, ...] = ()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(widgets.label("Boresight and lever arm in this program", "heading"))
+        self.source = widgets.label(BY_HAND, "muted", wrap=True, name="convention_source")
+        layout.addWidget(self.source)
+        self.boresight = widgets.boresight_fields("convention_boresight")
+        self.lever_arm = widgets.lever_arm_fields("convention_lever_arm")
+        meanings = ("left side up", "bow down", "clockwise from above")
+        for field, meaning in zip(self.boresight.fields, meanings, strict=True):
+            field.setToolTip(f"Degrees, positive {meaning}")
+        for field in (*self.boresight.fields, *self.lever_arm.fields):
+            field.valueChanged.connect(self._typed)
+        layout.addWidget(self.boresight)
+        layout.addWidget(self.lever_arm)
+        self.take = widgets.button(
+            "Take from the project", "convention_take",
+            tip="The estimated boresight of the project, or its prior where none is estimated",
+        )  # fmt: skip
+        self.take.clicked.connect(self._take)
+        self.take.setEnabled(False)
+        layout.addWidget(self.take, alignment=Qt.AlignmentFlag.AlignLeft)
+
+    def show_project(self, project: Project | None) -> None:
+        """Offer the project's boresight, and take it where it is another than before."""
+        self._offered = None if project is None else _offer(project)
+        self.take.setEnabled(self._offered is not None)
+        key: tuple[object, ...] = ()
+        if project is not None:
+            key = (project.folder, project.result, *project.mounting("prior").values)
+        # Other edits of the project leave alone what was typed.
+        if key != self._key:
+            self._key = key
+            self._take()
+
+    def _take(self) -> None:
+        if self._offered is None:
+            return
+        self.mounting, self.covariance, self.caution, source = self._offered
+        self.boresight.set_value(np.degrees(self.mounting.boresight))
+        self.lever_arm.set_value(self.mounting.lever_arm)
+        self.source.setText(source)
+        self.changed.emit()
+
+    def _typed(self) -> None:
+        self.mounting = Mounting(
+            np.array(self.lever_arm.value()), np.radians(self.boresight.value())
+        )
+        self.covariance, self.caution = None, ""
+        self.source.setText(BY_HAND)
+        self.changed.emit()
+
+
+class CurrentSettings(QWidget):
+    """The angles that are set in the other program now, where they are to be corrected."""
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.known = QCheckBox("Correct what is set there now")
+        self.known.setObjectName("convention_has_current")
+        self.known.setToolTip("Type the present angles of that program to see the correction")
+        layout.addWidget(self.known)
+        self._box = QWidget()
+        inner = QVBoxLayout(self._box)
+        inner.setContentsMargins(22, 0, 0, 0)
+        fields = [
+            widgets.number(
+                f"convention_current_{k}", suffix=" °", decimals=4, low=-360, high=360, step=0.1
+            )
+            for k in range(3)
+        ]
+        self.fields = widgets.Triple(("", "", ""), fields)
+        self._words = [
+            self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
+        ]
+        inner.addWidget(self.fields)
+        self.applied = QCheckBox("The lines were already turned by them")
+        self.applied.setObjectName("convention_applied")
+        self.applied.setToolTip(
+            "Tick where that program had applied these angles before it wrote the lines: the "
+            "boresight found is then what comes on top"
+        )
+        inner.addWidget(self.applied)
+        layout.addWidget(self._box)
+        self._box.hide()
+        self.known.toggled.connect(self._box.setVisible)
+        self.known.toggled.connect(self.changed)
+        self.applied.toggled.connect(self.changed)
+        for field in fields:
+            field.valueChanged.connect(self.changed)
+
+    @property
+    def angles(self) -> np.ndarray | None:
+        """Radians, shape (3,), in the order of the program; None where they play no part."""
+        return np.radians(self.fields.value()) if self.known.isChecked() else None
+
+    def show_convention(self, convention: Convention) -> None:
+        """Name the fields as the program does."""
+        self.setVisible(convention.has_angles)
+        for label, field, turn in zip(
+            self._words, self.fields.fields, convention.turns, strict=False
+        ):
+            label.setText(turn.name.capitalize())
+            field.setToolTip(f"Present {turn.name} in {convention.name}, degrees, {turn.meaning}")
+            field.setAccessibleName(f"Present {turn.name}")
+        # Angles typed for one program mean nothing in another.
+        self.fields.set_value((0.0, 0.0, 0.0))
+
+
+class ImuAxes(QWidget):
+    """Where the axes of an IMU point, for a program whose body frame is that of the IMU."""
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.x, self.y = QComboBox(), QComboBox()
+        for letter, box in (("X", self.x), ("Y", self.y)):
+            box.setObjectName(f"imu_{letter.lower()}")
+            box.setToolTip(f"Where the {letter} axis of the IMU points on the vessel")
+            box.setAccessibleName(f"IMU {letter} axis")
+            box.addItems(DIRECTIONS)
+            row.addWidget(widgets.label(f"IMU {letter}", "muted"))
+            row.addWidget(box)
+        self._z = widgets.label("", "muted", name="imu_z")
+        row.addWidget(self._z, 1)
+        self.y.setCurrentText("port")
+        for box in (self.x, self.y):
+            box.currentIndexChanged.connect(self.changed)
+
+    @property
+    def axes(self) -> Axes:
+        """Right-handed axes; `InputError` where X and Y lie on one line."""
+        return completed_axes(self.x.currentText(), self.y.currentText())
+
+    def show_z(self, direction: str) -> None:
+        """Tell where the third axis points."""
+        self._z.setText(f"Z {direction}")
+
+
+def _offer(project: Project) -> tuple[Mounting, np.ndarray | None, str, str]:
+    """Mounting, covariance, caution and where it comes from."""
+    result = project.result
+    if result is None:
+        return project.mounting("prior"), None, "", (
+            f"Prior boresight of {project.name}: nothing has been estimated yet."
+        )  # fmt: skip
+    independent = result.model.pos_errors == "independent"
+    caution = (
+        "Thesis mode: these sigmas are several times too small." if independent else ""
+    )  # fmt: skip
+    return (
+        project.mounting("estimated"),
+        np.asarray(result.covariance)[:3, :3],
+        caution,
+        f"Estimated boresight of {project.name}.",
+    )

@@ -1,0 +1,1 @@
+"""Boresight and lever arm in the conventions of other programs."""

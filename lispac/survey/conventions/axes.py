@@ -1,0 +1,101 @@
+"""Axes of a frame as directions on the vessel: forward, port, up and their opposites."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+
+Array = NDArray[np.float64]
+Axes = tuple[str, str, str]
+"""Where X, Y and Z point."""
+
+_DIRECTIONS: dict[str, tuple[int, int, int]] = {
+    "forward": (1, 0, 0),
+    "aft": (-1, 0, 0),
+    "port": (0, 1, 0),
+    "starboard": (0, -1, 0),
+    "up": (0, 0, 1),
+    "down": (0, 0, -1),
+}
+DIRECTIONS = tuple(_DIRECTIONS)
+
+FORWARD_PORT_UP: Axes = ("forward", "port", "up")
+"""The axes of this program, of the body as of the scanner."""
+
+
+def axes_matrix(axes: Axes) -> Array:
+    """Matrix that turns coordinates forward, port, up into those along ``axes``.
+
+    Parameters
+    ----------
+    axes : three words of `DIRECTIONS`
+
+    Returns
+    -------
+    ndarray of shape (3, 3)
+        A signed permutation; its determinant is -1 where the axes are left-handed.
+
+    Raises
+    ------
+    InputError
+        Where a word is not a direction, or two axes lie on one line.
+    """
+    for word in axes:
+        if word not in _DIRECTIONS:
+            raise InputError(f"{word} is not a direction on a vessel; use {', '.join(DIRECTIONS)}.")
+    matrix = np.array([_DIRECTIONS[word] for word in axes], dtype=float)
+    if abs(np.linalg.det(matrix)) < 0.5:
+        raise InputError(
+            f"The axes {', '.join(axes)} do not span space; give three different lines."
+        )
+    return matrix
+
+
+def nearest_axes(rotation: Array) -> Axes:
+    """The directions of the vessel that a frame's axes are nearest to.
+
+    Parameters
+    ----------
+    rotation : ndarray of shape (3, 3)
+        From the frame to the body (forward, port, up).
+
+    Returns
+    -------
+    three words of `DIRECTIONS`
+        Right-handed for a right-handed frame.
+    """
+    # The best of the 24 right-handed choices as a whole: axis by axis two of them could fall on
+    # the same direction of a frame mounted askew.
+    best: Axes = FORWARD_PORT_UP
+    most = -np.inf
+    for x in DIRECTIONS:
+        for y in DIRECTIONS:
+            if abs(np.dot(_DIRECTIONS[x], _DIRECTIONS[y])) > 0:
+                continue
+            axes = completed_axes(x, y)
+            score = float(np.trace(axes_matrix(axes) @ rotation))
+            if score > most + 1e-12:
+                best, most = axes, score
+    return best
+
+
+def completed_axes(x: str, y: str) -> Axes:
+    """The right-handed axes whose first two are given.
+
+    Raises
+    ------
+    InputError
+        Where the two lie on one line.
+    """
+    across = np.cross(_DIRECTIONS[x], _DIRECTIONS[y])
+    for z in DIRECTIONS:
+        if np.array_equal(_DIRECTIONS[z], across):
+            return x, y, z
+    raise InputError(f"X {x} and Y {y} lie on one line; give two different lines.")
+
+
+def in_words(axes: Sequence[str]) -> str:
+    """``X forward, Y starboard, Z down``."""
+    return ", ".join(f"{letter} {word}" for letter, word in zip("XYZ", axes, strict=True))

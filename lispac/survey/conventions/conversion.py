@@ -1,0 +1,343 @@
+"""A boresight and a lever arm between this program and another, as angles and as matrices."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.survey.conventions.axes import (
+    FORWARD_PORT_UP,
+    Axes,
+    axes_matrix,
+    in_words,
+    nearest_axes,
+)
+from lispac.survey.conventions.systems import LISPAC, SCANNER_WORDS, Convention, Scanner
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+LOCKED = 1e-8
+"""Cosine of the middle angle below which the outer two are not told apart."""
+NEARLY_LOCKED = np.cos(np.radians(80.0))
+ORTHOGONAL = 5e-6
+"""How far a typed matrix may be from a rotation: what rounding to six decimals does."""
+
+
+@dataclass(frozen=True)
+class Setup:
+    """A system, and what it leaves to the installation.
+
+    Attributes
+    ----------
+    body_axes : where the system's body axes point, if other than its convention says
+    scanner : how its scanner axes lie to those of the raw points, if other than usual
+    mounting : where the raw scanner axes nominally point, for a system with a mounting; None
+        for the axes nearest to the boresight, or forward, port, up where that is sought
+    """
+
+    convention: Convention
+    body_axes: Axes | None = None
+    scanner: Scanner | None = None
+    mounting: Axes | None = None
+
+    @property
+    def axes(self) -> Axes:
+        """The body axes in force."""
+        return self.body_axes or self.convention.axes
+
+    @property
+    def scanner_frame(self) -> Scanner:
+        """The rule for the scanner axes in force."""
+        return self.scanner or self.convention.scanner
+
+    @property
+    def permutation(self) -> Array:
+        """Matrix from this program's body axes to the system's, shape (3, 3)."""
+        return axes_matrix(self.axes)
+
+    def scanner_matrix(self, rotation_body_lidar: Array | None = None) -> Array:
+        """Matrix from the raw scanner axes to those the angles refer to, shape (3, 3).
+
+        Raises
+        ------
+        InputError
+            Where scanner axes that are kept meet left-handed body axes.
+        """
+        if self.scanner_frame == "turned":
+            return self.permutation
+        if np.linalg.det(self.permutation) < 0:
+            raise InputError(
+                f"{self.convention.name}: the body axes {in_words(self.axes)} are left-handed, so "
+                "no rotation leads there from scanner axes that stay as they are; let the "
+                "scanner's axes be turned with the body's."
+            )
+        if self.scanner_frame == "kept":
+            return np.eye(3)
+        return self.permutation @ axes_matrix(self.nominal_axes(rotation_body_lidar)).T
+
+    def nominal_axes(self, rotation_body_lidar: Array | None = None) -> Axes:
+        """Where the raw scanner axes nominally point."""
+        if self.mounting is not None:
+            return self.mounting
+        return FORWARD_PORT_UP if rotation_body_lidar is None else nearest_axes(rotation_body_lidar)
+
+    @property
+    def assumption(self) -> str:
+        """What is assumed about the system, to be shown with every number; may be empty."""
+        text = self.convention.assumption
+        if self.convention.open_axes and self.body_axes is None:
+            text += f" Nothing was stated, so they are taken as {in_words(self.axes)}."
+        return text
+
+    def scanner_words(self, rotation_body_lidar: Array) -> str:
+        """What is taken for the scanner's axes, as a sentence."""
+        text = SCANNER_WORDS[self.scanner_frame]
+        if self.scanner_frame == "mounted":
+            text += f" Mounting here: scanner {in_words(self.nominal_axes(rotation_body_lidar))}."
+        return text
+
+
+@dataclass(frozen=True, eq=False)
+class Stated:
+    """A boresight and a lever arm as another system states them.
+
+    Attributes
+    ----------
+    angles : ndarray of shape (3,), radians, in the order the system types them; None where it
+        takes a matrix only
+    lever_arm : ndarray of shape (3,), metres, body axes of the system
+    rotation : ndarray of shape (3, 3)
+        The product of the angles; for a system without angles, scanner to body.
+    transform : ndarray of shape (4, 4)
+        Scanner to body coordinates of the system, lever arm included; from the raw scanner axes
+        where they are kept or mounted, else from the turned ones.
+    sigmas : ndarray of shape (3,), radians, of the angles; None where unknown or not to be had
+    note : what the user has to know about the angles, else empty
+    """
+
+    setup: Setup
+    angles: Array | None
+    lever_arm: Array
+    rotation: Array
+    transform: Array
+    sigmas: Array | None = None
+    note: str = ""
+
+
+def rotation_of(convention: Convention, angles: Array) -> Array:
+    """The matrix product of a system's angles.
+
+    Parameters
+    ----------
+    angles : ndarray of shape (3,), radians, in the order the system types them
+    """
+    product = np.eye(3)
+    for k in convention.order:
+        turn = convention.turns[k]
+        product = product @ _about(turn.axis, turn.sign * float(angles[k]))
+    return product
+
+
+def angles_from(convention: Convention, rotation: Array) -> tuple[Array, str]:
+    """The angles whose product is ``rotation``, and what there is to know about them.
+
+    Parameters
+    ----------
+    rotation : ndarray of shape (3, 3)
+
+    Returns
+    -------
+    ndarray of shape (3,), radians, in the order the system types them
+        The middle factor in [-pi/2, pi/2], the outer ones in (-pi, pi].
+    str
+        A sentence where the middle angle is near 90 deg, else empty.
+    """
+    first, middle, last = (convention.turns[k] for k in convention.order)
+    i, j, k = first.axis, middle.axis, last.axis
+    even = 1.0 if (j - i) % 3 == 1 else -1.0
+    cosine = float(np.hypot(rotation[i, i], rotation[i, j]))
+    note = ""
+    if cosine < LOCKED:
+        # Both outer turns are about one axis: only their sum is determined.
+        a = np.arctan2(even * rotation[k, j], rotation[j, j])
+        pole = 90 if even * middle.sign * rotation[i, k] > 0 else -90
+        note = (
+            f"The {middle.name} is at {pole} deg, where {first.name} and {last.name} turn about "
+            f"the same axis: {last.name} is set to zero and {first.name} holds both."
+        )
+    else:
+        a = np.arctan2(-even * rotation[j, k], rotation[k, k])
+        if cosine < NEARLY_LOCKED:
+            note = (
+                f"The {middle.name} is within 10 deg of 90 deg: {first.name} and {last.name} "
+                "change much for a small turn, so type all digits."
+            )
+    # The others from what is left after the first turn: so the product is exact even where the
+    # first angle itself is uncertain.
+    rest = _about(i, float(a)).T @ rotation
+    b = np.arctan2(even * rest[i, k], rest[k, k])
+    c = np.arctan2(even * rest[j, i], rest[j, j]) if cosine >= LOCKED else 0.0
+    angles = np.empty(3)
+    for place, turn, value in zip(convention.order, (first, middle, last), (a, b, c), strict=True):
+        # A zero without its minus sign reads better in another program's window.
+        angles[place] = turn.sign * value + 0.0
+    return angles, note
+
+
+def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> Stated:
+    """A mounting of this program as another system states it.
+
+    Parameters
+    ----------
+    covariance : ndarray of shape (3, 3), radians squared
+        Of roll, pitch and yaw in this program; turned through the Jacobian of the conversion.
+    """
+    convention, rotation = setup.convention, mounting.rotation_body_lidar
+    lever_arm = setup.permutation @ np.asarray(mounting.lever_arm, dtype=float)
+    scanner = setup.scanner_matrix(rotation)
+    coordinates = setup.permutation @ rotation @ scanner.T
+    transform = np.eye(4)
+    transform[:3, 3] = lever_arm
+    mounted = setup.scanner_frame == "mounted"
+    transform[:3, :3] = coordinates @ scanner if mounted else coordinates
+    product = coordinates if convention.direction == "lidar_to_body" else coordinates.T
+    stated = Stated(setup, None, lever_arm, product, transform)
+    if not convention.has_angles:
+        return stated
+    angles, note = angles_from(convention, product)
+    sigmas = None
+    if covariance is not None:
+        jacobian = angle_jacobian(setup, np.asarray(mounting.boresight, dtype=float))
+        if jacobian is not None:
+            sigmas = np.sqrt(np.diag(jacobian @ covariance @ jacobian.T))
+        else:
+            note += " Sigmas have no meaning there."
+    return replace(stated, angles=angles, sigmas=sigmas, note=note)
+
+
+def mounting_of(setup: Setup, rotation: Array, lever_arm: Array) -> Mounting:
+    """The mounting in this program of what another system states; the inverse of `state`.
+
+    Parameters
+    ----------
+    rotation : ndarray of shape (3, 3)
+        What the system's angles multiply to (`rotation_of`); for a system without angles,
+        scanner to body.
+    lever_arm : ndarray of shape (3,), metres, body axes of the system
+    """
+    coordinates = rotation if setup.convention.direction == "lidar_to_body" else rotation.T
+    body_lidar = setup.permutation.T @ coordinates @ setup.scanner_matrix()
+    boresight, _ = angles_from(LISPAC, body_lidar)
+    return Mounting(setup.permutation.T @ np.asarray(lever_arm, dtype=float), boresight)
+
+
+def mounting_of_angles(setup: Setup, angles: Array, lever_arm: Array) -> Mounting:
+    """The mounting in this program of angles (radians) and lever arm (metres) of another.
+
+    Raises
+    ------
+    InputError
+        Where the system is not offered as angles.
+    """
+    require_angles(setup.convention)
+    return mounting_of(setup, rotation_of(setup.convention, angles), lever_arm)
+
+
+def require_angles(convention: Convention) -> None:
+    """Refuse angles of a system that takes a matrix only.
+
+    Raises
+    ------
+    InputError
+    """
+    if not convention.has_angles:
+        raise InputError(
+            f"{convention.name} is not offered as angles, only as a matrix; give or take that."
+        )
+
+
+def require_rotation(matrix: Array) -> Array:
+    """The rotation nearest to a typed matrix that is one but for its rounding.
+
+    Parameters
+    ----------
+    matrix : ndarray of shape (3, 3)
+
+    Raises
+    ------
+    InputError
+        Where it mirrors, or is not orthogonal to its sixth decimal.
+    """
+    if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
+        raise InputError("A rotation needs three rows of three numbers; correct the matrix.")
+    off = float(np.abs(matrix @ matrix.T - np.eye(3)).max())
+    if off > ORTHOGONAL:
+        raise InputError(
+            f"The matrix is not a rotation: its rows are off by {off:.1g} from being orthogonal "
+            "and of length one; give six decimals or more, and no scale."
+        )
+    if np.linalg.det(matrix) < 0:
+        raise InputError(
+            "The matrix mirrors (determinant -1) instead of rotating: one axis has the wrong "
+            "sign; check the directions of the axes."
+        )
+    left, _, right = np.linalg.svd(matrix)
+    return left @ right
+
+
+def angle_jacobian(setup: Setup, boresight: Array) -> Array | None:
+    """Derivatives of a system's angles by roll, pitch and yaw of this program.
+
+    Parameters
+    ----------
+    boresight : ndarray of shape (3,), radians, this program's
+
+    Returns
+    -------
+    ndarray of shape (3, 3), or None where the system's outer angles are not told apart
+    """
+    mounting = Mounting(np.zeros(3), boresight)
+    rotation = mounting.rotation_body_lidar
+    convention = setup.convention
+    stated = setup.permutation @ rotation @ setup.scanner_matrix(rotation).T
+    # A small turn of the body-side axes; a left-handed permutation also turns it round.
+    turn = np.linalg.det(setup.permutation) * setup.permutation @ small_turns(LISPAC, boresight)
+    if convention.direction == "body_to_lidar":
+        stated, turn = stated.T, -stated.T @ turn
+    angles, _ = angles_from(convention, stated)
+    axes = small_turns(convention, angles)
+    if abs(np.linalg.det(axes)) < LOCKED:
+        return None
+    return np.linalg.solve(axes, turn)
+
+
+def small_turns(convention: Convention, angles: Array) -> Array:
+    """The small turns, on the left of the product, that changes of the angles make.
+
+    Parameters
+    ----------
+    angles : ndarray of shape (3,), radians, in the order the system types them
+
+    Returns
+    -------
+    ndarray of shape (3, 3), a column for each angle
+    """
+    columns = np.empty((3, 3))
+    before = np.eye(3)
+    for k in convention.order:
+        turn = convention.turns[k]
+        columns[:, k] = turn.sign * before[:, turn.axis]
+        before = before @ _about(turn.axis, turn.sign * float(angles[k]))
+    return columns
+
+
+def _about(axis: int, angle: float) -> Array:
+    """Right-handed rotation about one axis."""
+    c, s = np.cos(angle), np.sin(angle)
+    y, z = (axis + 1) % 3, (axis + 2) % 3
+    matrix = np.eye(3)
+    matrix[y, y] = matrix[z, z] = c
+    matrix[z, y], matrix[y, z] = s, -s
+    return matrix

@@ -1,0 +1,116 @@
+"""The correction to settings that another program already holds: a product, never a sum."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.conventions.axes import axes_matrix, nearest_axes
+from lispac.survey.conventions.conversion import (
+    Setup,
+    angles_from,
+    mounting_of_angles,
+    require_angles,
+    rotation_of,
+    small_turns,
+)
+from lispac.survey.conventions.systems import LISPAC, Convention
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+SUM_MATTERS = float(np.radians(0.0005))
+"""A millimetre at 100 m: below it a sum of angles would do as well as the product."""
+
+
+@dataclass(frozen=True, eq=False)
+class Correction:
+    """What leads from the present settings to the new ones.
+
+    Attributes
+    ----------
+    current, new : ndarray of shape (3,), radians, in the order the system types them
+    correction : ndarray of shape (3,), radians
+        Angles of ``rotation`` in the same convention.
+    rotation : ndarray of shape (3, 3)
+        ``rotation @ matrix of the current angles`` is the matrix of the new ones.
+    sum_error : float, radians
+        Turn by which ``current + correction`` would miss the new settings.
+    """
+
+    current: Array
+    new: Array
+    correction: Array
+    rotation: Array
+    sum_error: float
+
+
+def correct(convention: Convention, current: Array, wanted: Array) -> Correction:
+    """The correction that leads from the current settings to a wanted boresight.
+
+    Parameters
+    ----------
+    current : ndarray of shape (3,), radians, in the order the system types them
+    wanted : ndarray of shape (3, 3)
+        The product of the new angles, as `Stated.rotation` holds it.
+
+    Raises
+    ------
+    InputError
+        Where the system is not offered as angles.
+    """
+    require_angles(convention)
+    rotation = wanted @ rotation_of(convention, current).T
+    new, _ = angles_from(convention, wanted)
+    correction, _ = angles_from(convention, rotation)
+    summed = rotation_of(convention, current + correction)
+    return Correction(current, new, correction, rotation, turn_between(summed, wanted))
+
+
+def on_top_of(
+    setup: Setup, current: Array, found: Mounting, covariance: Array | None = None
+) -> tuple[Mounting, Array | None]:
+    """The whole boresight where the lines were already turned by the current settings.
+
+    Such lines lie along the body's axes but for what the settings left, so the boresight found
+    on them is that remainder and stands on the left of the old one.
+
+    Parameters
+    ----------
+    current : ndarray of shape (3,), radians, in the order the system types them
+    found : Mounting
+        Of the lines as they were given to this program.
+    covariance : ndarray of shape (3, 3), radians squared, of the boresight found
+
+    Returns
+    -------
+    Mounting
+        Of the raw scanner, with the lever arm of ``found``.
+    ndarray of shape (3, 3), or None
+        Covariance of its boresight.
+    """
+    old = mounting_of_angles(setup, current, np.zeros(3)).rotation_body_lidar
+    remainder = found.rotation_body_lidar
+    # The exported lines may use any axes along the body's, such as forward, starboard, down.
+    rotation = remainder @ axes_matrix(nearest_axes(remainder)) @ old
+    whole = found.with_boresight(angles_from(LISPAC, rotation)[0])
+    if covariance is None:
+        return whole, None
+    jacobian = np.linalg.solve(
+        small_turns(LISPAC, whole.boresight), small_turns(LISPAC, found.boresight)
+    )
+    return whole, jacobian @ covariance @ jacobian.T
+
+
+def turn_between(one: Array, other: Array) -> float:
+    """The angle of the rotation that leads from one to the other, radians."""
+    difference = one @ other.T
+    # From the skew part, because the arc cosine loses half the digits of a small angle.
+    skew = np.array(
+        [
+            difference[2, 1] - difference[1, 2],
+            difference[0, 2] - difference[2, 0],
+            difference[1, 0] - difference[0, 1],
+        ]
+    )
+    return float(np.arctan2(np.linalg.norm(skew), np.trace(difference) - 1))

@@ -1,0 +1,320 @@
+"""The programs whose conventions are known, and how well each is known.
+
+An angle is the turn about one axis of the system's own frame; the angles of a system are a
+product of three such turns. Whatever was not found in its documentation or code is written down
+as an assumption and shown with every number.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from lispac.errors import InputError
+from lispac.survey.conventions.axes import FORWARD_PORT_UP, Axes
+
+Status = Literal["verified", "partly", "unverified"]
+Scanner = Literal["turned", "kept", "mounted"]
+Direction = Literal["lidar_to_body", "body_to_lidar"]
+
+STATUS_WORDS: dict[Status, str] = {
+    "verified": "verified",
+    "partly": "partly verified",
+    "unverified": "NOT VERIFIED",
+}
+SCANNER_WORDS: dict[Scanner, str] = {
+    "turned": "The scanner's axes are named as the body's: angles of zero mean parallel.",
+    "kept": "The scanner's axes stay those of the raw points.",
+    "mounted": "An axis permutation (mounting) first lays the raw scanner axes on the body's; "
+    "the angles hold the rest.",
+}
+DIRECTION_WORDS: dict[Direction, str] = {  # what the matrix does to coordinates
+    "lidar_to_body": "LiDAR to body",
+    "body_to_lidar": "body to LiDAR",
+}
+
+_WINGS_DOWN = "positive starboard side down"
+_BOW_UP = "positive bow up"
+_CLOCKWISE = "positive clockwise seen from above"
+
+
+@dataclass(frozen=True)
+class Turn:
+    """One angle.
+
+    Attributes
+    ----------
+    name : as the system's window calls it
+    axis : 0, 1 or 2, the axis of the system's body frame it turns about
+    sign : +1 where the matrix is Rx, Ry or Rz of the angle, -1 where it is that of its negative
+    meaning : the sign in words
+    """
+
+    name: str
+    axis: int
+    sign: int
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Convention:
+    """How one program states a boresight and a lever arm.
+
+    Attributes
+    ----------
+    axes : body axes of the system
+    turns : the three angles in the order in which they are typed and listed; empty where the
+        system takes a matrix only
+    order : indices into ``turns``, factors of the matrix product from the left
+    direction : what the product does to coordinates
+    scanner : how the system's scanner axes lie to those of the raw points
+    open_axes : whether the body axes depend on the device, so that the user has to state them
+    source : where this was read
+    assumption : what was not found, and is assumed; shown with every number
+    """
+
+    key: str
+    name: str
+    axes: Axes
+    turns: tuple[Turn, ...]
+    order: tuple[int, ...]
+    status: Status
+    source: str
+    assumption: str = ""
+    direction: Direction = "lidar_to_body"
+    scanner: Scanner = "turned"
+    open_axes: bool = False
+
+    @property
+    def has_angles(self) -> bool:
+        """Whether the system is offered as angles."""
+        return bool(self.turns)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the angles in the order they are typed."""
+        return tuple(turn.name for turn in self.turns)
+
+    @property
+    def formula(self) -> str:
+        """The matrix product, such as ``Rz(heading) · Ry(pitch) · Rx(roll)``."""
+        if not self.has_angles:
+            return "matrix only"
+        turns = [self.turns[k] for k in self.order]
+        return " · ".join(
+            f"R{'xyz'[turn.axis]}({'-' if turn.sign < 0 else ''}{turn.name})" for turn in turns
+        )
+
+    @property
+    def signs(self) -> str:
+        """The signs of the angles in words."""
+        return "; ".join(f"{turn.name} {turn.meaning}" for turn in self.turns)
+
+
+def _down_frame(heading: str = "heading") -> tuple[Turn, Turn, Turn]:
+    # X forward, Y starboard, Z down: all three turns are right-handed.
+    return (
+        Turn("roll", 0, 1, _WINGS_DOWN),
+        Turn("pitch", 1, 1, _BOW_UP),
+        Turn(heading, 2, 1, _CLOCKWISE),
+    )
+
+
+def _up_frame(heading: str = "heading") -> tuple[Turn, Turn, Turn]:
+    # X starboard, Y forward, Z up: a right-handed turn about Z goes to port.
+    return (
+        Turn("roll", 1, 1, _WINGS_DOWN),
+        Turn("pitch", 0, 1, _BOW_UP),
+        Turn(heading, 2, -1, _CLOCKWISE),
+    )
+
+
+def _plain_turns() -> tuple[Turn, Turn, Turn]:
+    # Right-handed turns about axes that the user states.
+    x, y, z = (Turn(f"{letter} rotation", k, 1, "right-handed") for k, letter in enumerate("XYZ"))
+    return x, y, z
+
+
+FORWARD_STARBOARD_DOWN: Axes = ("forward", "starboard", "down")
+STARBOARD_FORWARD_UP: Axes = ("starboard", "forward", "up")
+HEADING_PITCH_ROLL = (2, 1, 0)
+
+LISPAC = Convention(
+    key="lispac",
+    name="This program (iXblue)",
+    axes=FORWARD_PORT_UP,
+    turns=(
+        Turn("roll", 0, 1, "positive left side up"),
+        Turn("pitch", 1, 1, "positive bow down"),
+        Turn("yaw", 2, -1, _CLOCKWISE),
+    ),
+    order=HEADING_PITCH_ROLL,
+    status="verified",
+    source="proved on real vessel data",
+)
+
+SYSTEMS: tuple[Convention, ...] = (
+    LISPAC,
+    Convention(
+        key="applanix",
+        name="Applanix POS MV, LVX, POSPac",
+        axes=FORWARD_STARBOARD_DOWN,
+        turns=_down_frame(),
+        order=HEADING_PITCH_ROLL,
+        status="verified",
+        source="POS MV and LVX manuals (Tait-Bryan sequence, mounting angles with examples)",
+    ),
+    Convention(
+        key="qinsy",
+        name="Qinsy",
+        axes=STARBOARD_FORWARD_UP,
+        turns=_up_frame(),
+        order=HEADING_PITCH_ROLL,
+        status="partly",
+        source="Qinsy manual, sign conventions",
+        assumption="The signs are those of the manual; the order of the rotations was not found "
+        "and is taken as heading, pitch, roll, and offsets as X starboard, Y forward, Z up.",
+    ),
+    Convention(
+        key="kluster",
+        name="Kluster",
+        axes=FORWARD_STARBOARD_DOWN,
+        turns=(
+            Turn("roll", 0, 1, "positive port side up"),
+            Turn("pitch", 1, 1, _BOW_UP),
+            Turn("heading", 2, 1, _CLOCKWISE),
+        ),
+        order=HEADING_PITCH_ROLL,
+        status="verified",
+        source="Kluster's code (rotations, orientation)",
+    ),
+    Convention(
+        key="novatel",
+        name="NovAtel Inertial Explorer, SPAN",
+        axes=STARBOARD_FORWARD_UP,
+        turns=(
+            Turn("X rotation", 0, 1, "right-handed, positive bow up"),
+            Turn("Y rotation", 1, 1, "right-handed, positive starboard side down"),
+            Turn("Z rotation", 2, 1, "right-handed, positive counter-clockwise seen from above"),
+        ),
+        order=(2, 0, 1),
+        status="partly",
+        source="NovAtel application notes on rotations (intrinsic Z, X, Y; right-handed)",
+        assumption="Axes, order and signs are those of the application note, which states them "
+        "for the turn from vehicle to IMU; the scanner is taken in the place of the IMU. SPAN on "
+        "OEM7 states the vehicle rotation (RBV) the other way, from the IMU to the vehicle.",
+    ),
+    Convention(
+        key="opals",
+        name="OPALS StripAdjust",
+        axes=FORWARD_STARBOARD_DOWN,
+        turns=_down_frame("yaw"),
+        order=HEADING_PITCH_ROLL,
+        status="partly",
+        source="StripAdjust documentation (body axes, mounting permutation, degrees)",
+        assumption="The order is taken as yaw, pitch, roll and the signs as right-handed, "
+        "applied after the mounting; neither was checked.",
+        scanner="mounted",
+    ),
+    Convention(
+        key="pdal",
+        name="PDAL filters.georeference (scan2imu)",
+        axes=FORWARD_STARBOARD_DOWN,
+        turns=(),
+        order=(),
+        status="verified",
+        source="PDAL's code (georeference filter, coordinate_system NED)",
+        scanner="kept",
+    ),
+    Convention(
+        key="stripalign",
+        name="StripAlign (NED attitude, *)",
+        axes=FORWARD_STARBOARD_DOWN,
+        turns=_down_frame("yaw"),
+        order=HEADING_PITCH_ROLL,
+        status="unverified",
+        source="StripAlign manual, for the columns of the trajectory only",
+        assumption="How boresight angles are stated was not found; they are taken as the NED "
+        "attitude of the trajectory: yaw, pitch, roll about Z down, Y starboard, X forward. The "
+        "ENU default is not offered.",
+    ),
+    Convention(
+        key="terrascan",
+        name="TerraScan, TerraMatch",
+        axes=STARBOARD_FORWARD_UP,
+        turns=_up_frame(),
+        order=HEADING_PITCH_ROLL,
+        status="partly",
+        source="TerraScan user guide, scanner systems (lever arm axes)",
+        assumption="Only the axes of the lever arm are documented; the angles are taken as "
+        "heading, pitch, roll, with roll positive starboard side down, pitch bow up, heading "
+        "clockwise.",
+    ),
+    Convention(
+        key="phoenix",
+        name="Phoenix SpatialExplorer 6 and later",
+        axes=FORWARD_PORT_UP,
+        turns=_plain_turns(),
+        order=(2, 1, 0),
+        status="partly",
+        source="Phoenix LiDAR user manual (turns about fixed IMU X, Y, Z in that order)",
+        assumption="Order and signs are those of the manual, but the axes depend on the IMU: "
+        "state where its X, Y and Z point on the vessel.",
+        scanner="kept",
+        open_axes=True,
+    ),
+    Convention(
+        key="phoenix-1-5",
+        name="Phoenix SpatialExplorer 1 to 5",
+        axes=("starboard", "up", "aft"),
+        turns=_plain_turns(),
+        order=(2, 1, 0),
+        status="partly",
+        source="Phoenix LiDAR user manual (vehicle frame X right, Y up, Z rear)",
+        assumption="The axes are those of the manual; the order of the turns is that of "
+        "version 6 and was not found for these versions.",
+        scanner="kept",
+    ),
+    Convention(
+        key="hypack",
+        name="Hypack",
+        axes=("starboard", "forward", "down"),
+        turns=(
+            Turn("roll", 1, -1, _WINGS_DOWN),
+            Turn("pitch", 0, -1, _BOW_UP),
+            Turn("yaw", 2, -1, _CLOCKWISE),
+        ),
+        order=HEADING_PITCH_ROLL,
+        status="unverified",
+        source="secondary descriptions of the offsets",
+        assumption="Roll is taken as positive starboard side down, pitch as positive bow up and "
+        "the order as yaw, pitch, roll; none of it was found. The axes X starboard, Y forward, "
+        "Z down are left-handed.",
+    ),
+    Convention(
+        key="riprocess",
+        name="RIEGL RiPROCESS",
+        axes=FORWARD_PORT_UP,
+        turns=(),
+        order=(),
+        status="unverified",
+        source="nothing public was found",
+        assumption="RiPROCESS is not offered as angles, because neither its axes nor their "
+        "order were found. The matrix is in this program's frames: scanner to body, X forward, "
+        "Y port, Z up.",
+        scanner="kept",
+    ),
+)
+
+
+def system(key: str) -> Convention:
+    """The system of that name.
+
+    Raises
+    ------
+    InputError
+        Where there is none.
+    """
+    for each in SYSTEMS:
+        if each.key == key.lower():
+            return each
+    known = ", ".join(each.key for each in SYSTEMS)
+    raise InputError(f"There is no system named {key}; choose one of {known}.")

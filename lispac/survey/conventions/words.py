@@ -1,0 +1,84 @@
+"""A boresight and a lever arm in a sentence."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+LARGE_DEG = 10.0
+"""From here on the order of the turns shows, and is said."""
+
+
+def boresight_words(boresight: Array) -> str:
+    """Where the scanner looks, as a sentence.
+
+    Parameters
+    ----------
+    boresight : ndarray of shape (3,), radians; roll, pitch, yaw of this program
+    """
+    roll, pitch, yaw = np.degrees(boresight)
+    parts = []
+    if looks := _amount(pitch):
+        parts.append(f"looks {looks} deg bow {'down' if pitch > 0 else 'up'}")
+    if turned := _amount(yaw):
+        parts.append(f"is turned {turned} deg to {'starboard' if yaw > 0 else 'port'}")
+    if leans := _amount(roll):
+        side = "left" if roll > 0 else "right"
+        parts.append(f"leans {leans} deg with its {side} side up")
+    if not parts:
+        return "The scanner is parallel to the body."
+    sentence = f"The scanner {_listed(parts)}"
+    if len(parts) > 1 and np.abs([roll, pitch, yaw]).max() > LARGE_DEG:
+        # The body's axes are carried onto the scanner's by yaw, then pitch, then roll.
+        sentence += " (first turned, then pitched, then rolled)"
+    return sentence + "."
+
+
+def lever_arm_words(lever_arm: Sequence[float] | Array) -> str:
+    """Where the optical centre is, as a sentence.
+
+    Parameters
+    ----------
+    lever_arm : three numbers, metres, body (forward, left, up)
+    """
+    forward, left, up = (float(value) for value in lever_arm)
+    parts = []
+    for value, ahead, behind in (
+        (forward, "forward of", "aft of"),
+        (left, "to port of", "to starboard of"),
+        (up, "above", "below"),
+    ):
+        if amount := _amount(value):
+            parts.append(f"{amount} m {ahead if value > 0 else behind}")
+    if not parts:
+        return "The scanner's optical centre is at the POS centre."
+    return f"The scanner's optical centre is {_listed(parts)} the POS centre."
+
+
+def offsets_words(mounting: Mounting) -> str:
+    """What else the other program has to apply for the boresight to hold; may be empty."""
+    offsets = (
+        ("range offset", mounting.range_offset, 1.0, "m"),
+        ("scan-angle offset", mounting.scan_angle_offset, float(np.degrees(1.0)), "deg"),
+        ("latency", mounting.latency, 1000.0, "ms"),
+    )
+    parts = [f"{name} {value * scale:+.4f} {unit}" for name, value, scale, unit in offsets if value]
+    if not parts:
+        return ""
+    return f"The boresight holds together with {_listed(parts)}: apply that there too."
+
+
+def _amount(value: float) -> str:
+    """The size with three decimals, four where it is small; empty where that is zero."""
+    size = abs(value)
+    text = f"{size:.4f}" if size < 0.1 else f"{size:.3f}"
+    text = text.rstrip("0").rstrip(".")
+    return "" if text == "0" else text
+
+
+def _listed(parts: Sequence[str]) -> str:
+    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"

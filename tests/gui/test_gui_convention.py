@@ -1,0 +1,243 @@
+"""The panel that gives the boresight in another program's convention, by mouse and keys."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QTabBar
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.panels.convention import TITLE, ConventionPanel
+from lispac.gui.panels.gizmo import Gizmo, exaggeration
+from lispac.project import Project
+from lispac.survey.conventions.conversion import Setup, state
+from lispac.survey.conventions.systems import SYSTEMS, system
+from lispac.workflow.survey import Survey
+from tests.gui.support import Driver, Key, Left, click
+
+Calibrated = tuple[Project, Survey]
+
+
+@pytest.fixture
+def panel(qtbot: QtBot, qapp: QApplication) -> ConventionPanel:
+    """The panel alone, with no project."""
+    theme.apply_theme(qapp)
+    made = ConventionPanel()
+    made.resize(400, 1400)
+    qtbot.addWidget(made)
+    made.show()
+    return made
+
+
+def go_to(bot: QtBot, box: QComboBox, index: int) -> None:
+    """Choose with the keys of the list."""
+    box.setFocus()
+    bot.keyClick(box, Key.Key_Home)
+    for _ in range(index):
+        bot.keyClick(box, Key.Key_Down)
+    assert box.currentIndex() == index
+
+
+def choose(bot: QtBot, panel: ConventionPanel, key: str) -> None:
+    go_to(bot, panel.system, [each.key for each in SYSTEMS].index(key))
+    assert panel.convention.key == key
+
+
+def type_in(bot: QtBot, field: QDoubleSpinBox, text: str) -> None:
+    field.setFocus()
+    field.selectAll()
+    bot.keyClicks(field, text)
+    bot.keyClick(field, Key.Key_Tab)
+
+
+def type_boresight(bot: QtBot, panel: ConventionPanel, *angles: str) -> None:
+    for field, text in zip(panel.given.boresight.fields, angles, strict=True):
+        type_in(bot, field, text)
+
+
+def rows(panel: ConventionPanel) -> dict[str, list[float]]:
+    table = panel.table
+    return {
+        table.verticalHeaderItem(row).text(): [
+            float(table.item(row, column).text().replace("−", "-")) for column in range(3)
+        ]
+        for row in range(table.rowCount())
+    }
+
+
+def heads(panel: ConventionPanel) -> list[str]:
+    return [panel.table.horizontalHeaderItem(column).text() for column in range(3)]
+
+
+def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
+    type_boresight(qtbot, panel, "0.13", "-0.12", "0.28")
+    type_in(qtbot, panel.given.lever_arm.fields[0], "-0.186")
+    assert panel.convention.key == "applanix"
+    assert heads(panel) == ["Roll", "Pitch", "Heading"]
+    assert rows(panel) == {"Type in": [0.13, 0.12, 0.28]}
+    assert "looks 0.12 deg bow up" in panel.words.text()
+    assert "leans 0.13 deg with its left side up" in panel.words.text()
+    assert "0.186 m aft of" in panel.words.text()
+    assert "Verified" in panel.status.text()
+    assert theme.DONE in panel.status.text()
+    assert not panel.assumption.isVisible()
+    assert not panel.given.take.isEnabled()
+    assert panel.given.source.text() == "Typed by hand."
+
+
+@pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
+def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str) -> None:
+    convention = system(key)
+    type_boresight(qtbot, panel, "0.4", "-1.9", "0.4")
+    choose(qtbot, panel, key)
+    word = {"verified": "Verified", "partly": "Partly", "unverified": "Not verified"}
+    assert word[convention.status] in panel.status.text()
+    assert panel.assumption.isVisible() == bool(convention.assumption)
+    assert convention.assumption in panel.assumption.text()
+    assert panel.table.isVisible() == convention.has_angles
+    if convention.has_angles:
+        stated = state(panel.given.mounting, Setup(convention))
+        (label, shown), *_ = rows(panel).items()
+        assert label == ("Type in" if convention.status == "verified" else "If so")
+        np.testing.assert_allclose(shown, np.degrees(stated.angles), atol=5.1e-5)
+        assert heads(panel) == [name.capitalize() for name in convention.names]
+    assert panel.imu.isVisible() == convention.open_axes
+
+
+def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -> None:
+    type_boresight(qtbot, panel, "0.125", "-1.192", "0.276")
+    assert not panel.current.fields.isVisible()
+    qtbot.mouseClick(panel.current.known, Left, pos=QPoint(8, panel.current.known.height() // 2))
+    for field, text in zip(panel.current.fields.fields, ("0.1", "1.0", "-3"), strict=True):
+        type_in(qtbot, field, text)
+    shown = rows(panel)
+    assert list(shown) == ["Now set", "Correction", "Type in"]
+    assert shown["Now set"] == [0.1, 1.0, -3.0]
+    assert shown["Type in"] == [0.125, 1.192, 0.276]
+    assert "Do not add the angles" in panel.remarks.text()
+    assert "18 mm at 100 m" in panel.remarks.text()
+    qtbot.mouseClick(
+        panel.current.applied, Left, pos=QPoint(8, panel.current.applied.height() // 2)
+    )
+    assert rows(panel)["Type in"] != [0.125, 1.192, 0.276]
+    # Angles typed for one program are not taken for another's.
+    choose(qtbot, panel, "novatel")
+    assert rows(panel)["Now set"] == [0.0, 0.0, 0.0]
+
+
+def test_the_matrix_is_copied_with_all_digits(qtbot: QtBot, panel: ConventionPanel) -> None:
+    type_boresight(qtbot, panel, "0.4395", "-1.8681", "0.3992")
+    type_in(qtbot, panel.given.lever_arm.fields[2], "2.4191")
+    choose(qtbot, panel, "pdal")
+    qtbot.mouseClick(panel.copy, Left)
+    copied = np.array(QApplication.clipboard().text().split(), dtype=float).reshape(4, 4)
+    stated = state(panel.given.mounting, Setup(system("pdal")))
+    np.testing.assert_allclose(copied, stated.transform, atol=1e-12)
+
+
+def test_axes_of_an_imu(qtbot: QtBot, panel: ConventionPanel) -> None:
+    type_boresight(qtbot, panel, "1", "0", "0")
+    choose(qtbot, panel, "phoenix")
+    assert "Z up" in panel.rules.text()
+
+    def pick(box: QComboBox, word: str) -> None:
+        go_to(qtbot, box, box.findText(word))
+
+    pick(panel.imu.y, "starboard")
+    assert "X forward, Y starboard, Z down" in panel.rules.text()
+    pick(panel.imu.x, "starboard")
+    assert "lie on one line" in panel.assumption.text()
+    assert not panel.table.isVisible()
+    assert not panel.copy.isEnabled()
+    pick(panel.imu.y, "forward")
+    assert panel.table.isVisible()
+    assert panel.copy.isEnabled()
+    assert "X starboard, Y forward, Z up" in panel.rules.text()
+
+
+def test_scanner_axes_that_cannot_be_kept_are_refused_in_words(qtbot, panel) -> None:
+    choose(qtbot, panel, "hypack")
+    panel.scanner.setFocus()
+    qtbot.keyClick(panel.scanner, Key.Key_Down)
+    assert panel.scanner.currentData() == "kept"
+    assert "left-handed" in panel.assumption.text()
+    assert not panel.table.isVisible()
+
+
+def test_the_gizmo_exaggerates_small_turns_and_says_by_how_much(qtbot, panel) -> None:
+    assert exaggeration(np.zeros(3)) == 1
+    assert exaggeration(np.radians([0.0, 0.12, 0.0])) == 200
+    assert exaggeration(np.radians([0.0, -1.2, 0.0])) == 20
+    assert exaggeration(np.radians([90.0, 0.0, 0.0])) == 1
+    type_boresight(qtbot, panel, "0", "-1.2", "0")
+    gizmo = panel.gizmo
+    assert gizmo.factor == 20
+    tip = gizmo.scanner_axes[0]
+    assert np.degrees(np.arcsin(tip[2])) == pytest.approx(24.0), "bow up, twenty times"
+
+
+def test_the_gizmo_turns_with_mouse_and_keys(qtbot: QtBot, qapp: QApplication) -> None:
+    gizmo = Gizmo()
+    qtbot.addWidget(gizmo)
+    gizmo.resize(340, 210)
+    gizmo.show_boresight(np.radians([0.5, -1.0, 0.3]))
+    gizmo.show()
+    before, picture = gizmo.view_deg, gizmo.grab().toImage()
+    forward = np.array([1.0, 0, 0])
+    qtbot.mousePress(gizmo, Left, pos=QPoint(100, 100))
+    qtbot.mouseMove(gizmo, QPoint(130, 110))
+    qtbot.mouseRelease(gizmo, Left, pos=QPoint(130, 110))
+    assert gizmo.view_deg == (before[0] - 15, before[1] + 5)
+    assert gizmo.grab().toImage() != picture
+    qtbot.keyClick(gizmo, Key.Key_Left)
+    assert gizmo.view_deg[0] == before[0] - 10
+    qtbot.mouseDClick(gizmo, Left)
+    assert gizmo.view_deg == before
+    for _ in range(40):
+        qtbot.keyClick(gizmo, Key.Key_Down)
+    right, above, towards = gizmo.project(np.array([0.0, 0, 1.0]))[0]
+    assert towards > 0.99, "seen from above, up points at the eye"
+    assert np.linalg.norm(gizmo.project(forward)) == pytest.approx(1.0)
+    assert right == pytest.approx(0.0)
+    assert above > 0
+
+
+def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> None:
+    project, survey = calibrated
+    window, panel = driver.window, driver.window.convention
+    window.docks[TITLE].raise_()
+    assert project.result is not None
+    window.document.open(project, survey)
+    driver.rest()
+    assert panel.given.source.text() == f"Estimated boresight of {project.name}."
+    np.testing.assert_array_equal(panel.given.mounting.boresight, project.result.boresight)
+    roll, pitch, yaw = np.degrees(project.result.boresight)
+    np.testing.assert_allclose(rows(panel)["Type in"], [roll, -pitch, yaw], atol=0.01)
+    np.testing.assert_allclose(
+        rows(panel)["± 1 σ"], np.degrees(project.result.sigma), rtol=0.05, atol=1e-4
+    )
+    type_in(driver.bot, panel.given.boresight.fields[0], "5")
+    assert "± 1 σ" not in rows(panel), "nobody knows the sigma of a typed angle"
+    # An edit that leaves the boresight alone leaves what was typed alone.
+    validation = project.of_role("validation")[0]
+    window.controller.use_target(validation.name, False)
+    driver.rest()
+    assert panel.given.source.text() == "Typed by hand."
+    click(driver, panel.given.take)
+    assert "± 1 σ" in rows(panel)
+    window.document.edit("settings", driver.project.with_settings(driver.project.settings))
+    driver.rest()
+    assert panel.given.source.text().startswith("Prior boresight")
+    assert "± 1 σ" not in rows(panel)
+
+
+def test_the_panel_shares_its_place_with_the_results(driver: Driver) -> None:
+    window = driver.window
+    assert window.tabifiedDockWidgets(window.docks["Results"]) == [window.docks[TITLE]]
+    assert window.results.visibleRegion().isEmpty() is False
+    bars = [bar for bar in window.findChildren(QTabBar) if bar.x() >= 0 and bar.y() >= 0]
+    assert len(bars) == 2, "no tab bar of a half-built window lies about"
+    window.docks[TITLE].raise_()
+    driver.bot.waitUntil(lambda: not window.convention.visibleRegion().isEmpty())
+    assert window.convention.minimumSizeHint().width() <= 400
+    assert Qt.DockWidgetArea.RightDockWidgetArea == window.dockWidgetArea(window.docks[TITLE])

@@ -1,0 +1,238 @@
+"""``lispac angles``: what it prints, that it cannot be misread, and what it refuses."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from lispac.cli.main import main
+from lispac.project import Project
+from lispac.survey.conventions.systems import SYSTEMS
+from lispac.workflow.survey import Survey
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    try:
+        code = main(["angles", *(str(word) for word in words)])
+    except SystemExit as stop:
+        code = int(stop.code or 0)
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def said(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+    code, out, err = run(capsys, *words)
+    assert code == 0, err
+    assert max(map(len, out.splitlines())) <= 100
+    return out
+
+
+def answer(capsys: pytest.CaptureFixture[str], *words: object) -> Any:
+    return json.loads(said_json(capsys, *words))
+
+
+def said_json(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+    code, out, err = run(capsys, *words, "--json")
+    assert code == 0, err
+    return out
+
+
+def refused(capsys: pytest.CaptureFixture[str], *words: object, code: int = 1) -> str:
+    got, out, err = run(capsys, *words)
+    assert (got, out) == (code, ""), (got, out, err)
+    assert err.count("\n") == 1
+    return err
+
+
+def row(text: str, label: str) -> list[float]:
+    """The numbers of the row that begins with a label."""
+    line = next(line for line in text.splitlines() if line.startswith(label))
+    return [float(word) for word in line[12:].split("(")[0].split()]
+
+
+def test_without_arguments_every_system_is_listed(capsys) -> None:
+    text = said(capsys)
+    for each in SYSTEMS:
+        assert f"\n{each.key} " in text
+    assert text.count("NOT VERIFIED") == sum(each.status == "unverified" for each in SYSTEMS)
+    assert text.count("ASSUMED:") == sum(bool(each.assumption) for each in SYSTEMS)
+    assert [each["system"] for each in answer(capsys)] == [each.key for each in SYSTEMS]
+
+
+def test_to_applanix(capsys) -> None:
+    text = said(capsys, 0.4395, -1.8681, 0.3992, "--to", "applanix",
+                "--lever", -0.185596, 0.037658, 2.419063)  # fmt: skip
+    assert row(text, "given") == [0.4395, -1.8681, 0.3992]
+    assert row(text, "TYPE IN") == [0.4395, 1.8681, 0.3992]
+    assert "Applanix POS MV, LVX, POSPac: verified" in text
+    assert "X forward -0.1856 m, Y starboard -0.0377 m, Z down -2.4191 m" in text
+    assert "looks 1.868 deg bow up" in text
+    assert "turned 0.399 deg to starboard" in text
+
+
+def test_names_go_with_numbers_where_the_order_differs(capsys) -> None:
+    text = said(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
+    heads = next(line for line in text.splitlines() if "X rotation    Y rotation" in line)
+    assert heads.split() == ["degrees", "X", "rotation", "Y", "rotation", "Z", "rotation"]
+    content = answer(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
+    angles = content["to"]["angles_deg"]
+    assert set(angles) == {"X rotation", "Y rotation", "Z rotation"}
+    assert angles["X rotation"] == pytest.approx(-0.2, abs=0.002)
+    assert angles["Z rotation"] == pytest.approx(-0.3, abs=0.002)
+
+
+@pytest.mark.parametrize("key", [each.key for each in SYSTEMS if each.status != "verified"])
+def test_nothing_that_is_assumed_is_called_type_in(capsys, key: str) -> None:
+    text = said(capsys, 0.1, -0.2, 0.3, "--to", key)
+    assert "TYPE IN" not in text
+    assert "ASSUMED:" in text.split("\nTO ")[1]
+    assert answer(capsys, 0.1, -0.2, 0.3, "--to", key)["to"]["assumption"]
+
+
+def test_there_and_back_by_the_command_line(capsys) -> None:
+    for key in ("applanix", "novatel", "hypack", "opals", "phoenix", "terrascan"):
+        there = answer(capsys, 0.4, -1.9, 0.5, "--lever", 1, -2, 3, "--to", key)["to"]
+        back = answer(capsys, *there["angles_deg"].values(), "--lever", *there["lever_arm_m"],
+                      "--from", key)["to"]  # fmt: skip
+        assert list(back["angles_deg"].values()) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
+        assert back["lever_arm_m"] == pytest.approx([1, -2, 3], abs=1e-9)
+
+
+def test_negative_and_tiny_numbers_are_numbers(capsys) -> None:
+    content = answer(capsys, "--to", "lispac", "-1e-3", "-.5", "-2")
+    assert list(content["to"]["angles_deg"].values()) == pytest.approx([-0.001, -0.5, -2])
+
+
+def test_correction_to_present_settings(capsys) -> None:
+    words = (0.125, -1.192, 0.276, "--to", "applanix", "--current", 0.1, 1.0, -3)
+    text = said(capsys, *words)
+    assert row(text, "current") == [0.1, 1.0, -3.0]
+    assert row(text, "TYPE IN") == [0.125, 1.192, 0.276]
+    assert "Do not add the angles: current + correction would be 0.0101 deg off" in text
+    found = answer(capsys, *words)["correction"]
+    assert found["side"] == "left"
+    turns = {
+        name: Rotation.from_euler("ZYX", list(found[name].values())[::-1], degrees=True)
+        for name in ("current_deg", "new_deg", "correction_deg")
+    }
+    product = turns["correction_deg"] * turns["current_deg"]
+    assert (product.inv() * turns["new_deg"]).magnitude() < 1e-12
+    np.testing.assert_allclose(found["matrix"], turns["correction_deg"].as_matrix(), atol=1e-12)
+
+
+def test_a_sum_that_is_good_enough_is_said_to_be(capsys) -> None:
+    text = said(capsys, 0.01, -0.02, 0.01, "--to", "applanix", "--current", 0.01, 0.01, 0)
+    assert "less than 1 mm off at 100 m" in text
+    assert "Do not add" not in text
+
+
+def test_lines_already_turned(capsys) -> None:
+    words = ("--to", "applanix", "--current", 10, 20, 30)
+    nothing = answer(capsys, 0, 0, 0, *words, "--current-applied")["correction"]
+    assert list(nothing["new_deg"].values()) == pytest.approx([10, 20, 30])
+    found = answer(capsys, 0.5, -1.0, 2.0, *words, "--current-applied")["correction"]
+    remainder = Rotation.from_euler("ZYX", [2.0, 1.0, 0.5], degrees=True)
+    old = Rotation.from_euler("ZYX", [30, 20, 10], degrees=True)
+    new = Rotation.from_euler("ZYX", list(found["new_deg"].values())[::-1], degrees=True)
+    assert ((remainder * old).inv() * new).magnitude() < 1e-12
+
+
+def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
+    words = (0.4395, -1.8681, 0.3992, "--lever", -0.185596, 0.037658, 2.419063)
+    text = said(capsys, *words, "--to", "pdal")
+    rows = [line for line in text.splitlines() if line.count(".") == 4 and line[0] == " "]
+    assert len(rows) == 4
+    file = tmp_path / "scan2imu.txt"
+    file.write_text("# of the survey\n" + "\n".join(rows))
+    back = answer(capsys, "--from", "pdal", "--from-matrix", file)["to"]
+    assert list(back["angles_deg"].values()) == pytest.approx([0.4395, -1.8681, 0.3992], abs=1e-7)
+    assert back["lever_arm_m"] == pytest.approx([-0.185596, 0.037658, 2.419063])
+    file.write_text("1,0,0; 0,0,-1; 0,1,0")
+    text = said(capsys, "--from-matrix", file)
+    assert row(text, "TYPE IN") == [90.0, 0.0, 0.0]
+    assert "lever arm" not in text
+
+
+@pytest.mark.parametrize("key", ["applanix", "opals", "phoenix", "hypack"])
+def test_a_matrix_is_read_as_it_is_printed(capsys, tmp_path: Path, key: str) -> None:
+    there = answer(capsys, 0.4, -1.9, 0.5, "--lever", 1, -2, 3, "--to", key)["to"]
+    file = tmp_path / "matrix.txt"
+    file.write_text(json.dumps(there["transform"]))
+    back = answer(capsys, "--from", key, "--from-matrix", file)["to"]
+    assert list(back["angles_deg"].values()) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
+    assert back["lever_arm_m"] == pytest.approx([1, -2, 3])
+
+
+def test_axes_of_an_imu_can_be_stated(capsys) -> None:
+    words = (0, 0, 0, "--lever", 1, 2, 3, "--to", "phoenix")
+    content = answer(capsys, *words, "--body-axes", "down", "starboard", "aft")["to"]
+    assert content["lever_arm_m"] == [-3, -2, -1]
+    assert "taken as" not in content["assumption"]
+    assert "taken as X forward" in answer(capsys, *words)["to"]["assumption"]
+
+
+def test_a_project_gives_its_estimated_boresight_with_sigmas(
+    capsys, calibrated: tuple[Project, Survey]
+) -> None:
+    project = calibrated[0]
+    assert project.result is not None
+    content = answer(capsys, project.folder, "--to", "novatel")
+    own = content["from"]
+    np.testing.assert_allclose(
+        list(own["angles_deg"].values()), np.degrees(project.result.boresight)
+    )
+    np.testing.assert_allclose(list(own["sigma_deg"].values()), np.degrees(project.result.sigma))
+    roll, pitch, yaw = own["sigma_deg"].values()
+    theirs = content["to"]["sigma_deg"]
+    # Small angles: X is the pitch, Y the roll.
+    assert list(theirs.values()) == pytest.approx([pitch, roll, yaw], rel=0.05)
+    assert content["from"]["lever_arm_m"] == pytest.approx(list(project.settings.lever_arm))
+    text = said(capsys, project.folder, "--to", "applanix")
+    assert text.count("sigma") >= 2
+
+
+def test_at_the_pole_one_sentence_says_what_is_done(capsys) -> None:
+    text = said(capsys, 20, 90, 50, "--to", "applanix")
+    assert "The pitch is at -90 deg" in text
+    assert row(text, "given") == [20.0, 90.0, 50.0]
+
+
+def test_refusals(capsys, tmp_path: Path) -> None:
+    file = tmp_path / "m.txt"
+    for text, words in {
+        "1 0 0 0 1 0 0 0 -1": "mirrors",
+        "2 0 0 0 1 0 0 0 1": "not a rotation",
+        "1 2 3": "3 numbers are no 3x3",
+        "1 0 0 a 1 0 0 0 1": "3x3 or 4x4",
+        "1 0 0 0  0 1 0 0  0 0 1 0  5 6 7 1": "last row",
+        "1 0 0 nan  0 1 0 0  0 0 1 0  0 0 0 1": "not finite",
+    }.items():
+        file.write_text(text)
+        assert words in refused(capsys, "--from-matrix", file)
+    assert "No such file" in refused(capsys, "--from-matrix", tmp_path / "none.txt")
+    assert "no system named posmv" in refused(capsys, 1, 2, 3, "--to", "posmv")
+    assert "only as a matrix" in refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
+    assert "only as a matrix" in refused(capsys, 1, 2, 3, "--from", "riprocess")
+    assert "left-handed" in refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
+    assert "not a direction" in refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
+                                        "ahead", "port", "up")  # fmt: skip
+    assert "no project here" in refused(capsys, tmp_path)
+
+
+def test_wrong_usage(capsys, tmp_path: Path) -> None:
+    assert "three angles" in refused(capsys, 1, 2, code=2)
+    assert "three numbers" in refused(capsys, 1, "two", 3, code=2)
+    assert "finite" in refused(capsys, 1, "inf", 3, code=2)
+    assert "--current" in refused(capsys, 1, 2, 3, "--current-applied", code=2)
+    assert "its own lever arm" in refused(capsys, tmp_path, "--lever", 1, 2, 3, code=2)
+    assert "one of them" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
+
+
+def test_an_uncalibrated_project_is_refused(capsys, tmp_path: Path) -> None:
+    from lispac.workflow.demo import make_demo
+
+    project = make_demo(tmp_path / "demo")
+    assert "estimate first" in refused(capsys, project.folder, "--to", "applanix")

@@ -1,0 +1,235 @@
+"""Conventions there and back, corrections, sigmas, poles, and what is refused."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from lispac.errors import InputError
+from lispac.geometry.rotations import rotation_matrix
+from lispac.survey.conventions.axes import (
+    DIRECTIONS,
+    FORWARD_PORT_UP,
+    axes_matrix,
+    completed_axes,
+    nearest_axes,
+)
+from lispac.survey.conventions.conversion import (
+    Setup,
+    angle_jacobian,
+    angles_from,
+    mounting_of,
+    mounting_of_angles,
+    require_rotation,
+    rotation_of,
+    state,
+)
+from lispac.survey.conventions.correction import correct, on_top_of, turn_between
+from lispac.survey.conventions.systems import LISPAC, SYSTEMS, system
+from lispac.survey.georeferencing import Mounting
+
+WITH_ANGLES = [each for each in SYSTEMS if each.has_angles]
+LEVER_ARM = np.array([-0.185596, 0.037658, 2.419063])
+
+# -- there and back --------------------------------------------------------------------------------
+
+turn = st.floats(-np.pi, np.pi)
+small = st.floats(-0.6, 0.6)
+every_system = st.sampled_from(SYSTEMS)
+every_direction = st.sampled_from(["lidar_to_body", "body_to_lidar"])
+
+
+@given(st.sampled_from(WITH_ANGLES), turn, turn, turn)
+@settings(max_examples=300, deadline=None)
+def test_angles_of_a_product_give_the_product(convention, a, b, c) -> None:
+    rotation = rotation_of(convention, np.array([a, b, c]))
+    angles, _ = angles_from(convention, rotation)
+    np.testing.assert_allclose(rotation_of(convention, angles), rotation, atol=3e-8)
+    assert abs(angles[convention.order[1]]) <= np.pi / 2
+
+
+@given(every_system, every_direction, small, small, small, st.booleans())
+@settings(max_examples=300, deadline=None)
+def test_there_and_back(convention, direction, roll, pitch, yaw, kept) -> None:
+    scanner = "kept" if kept and convention.key != "hypack" else None
+    setup = Setup(replace(convention, direction=direction), scanner=scanner)
+    mounting = Mounting(LEVER_ARM, np.array([roll, pitch, yaw]))
+    stated = state(mounting, setup)
+    back = mounting_of(setup, stated.rotation, stated.lever_arm)
+    np.testing.assert_allclose(back.boresight, mounting.boresight, atol=1e-12)
+    np.testing.assert_allclose(back.lever_arm, LEVER_ARM, atol=1e-15)
+    if stated.angles is not None:
+        again = mounting_of_angles(setup, stated.angles, stated.lever_arm)
+        np.testing.assert_allclose(
+            again.rotation_body_lidar, mounting.rotation_body_lidar, atol=1e-12
+        )
+
+
+@given(st.sampled_from(WITH_ANGLES), every_direction, small, small, small)
+@settings(max_examples=100, deadline=None)
+def test_jacobian_against_central_differences(convention, direction, roll, pitch, yaw) -> None:
+    setup = Setup(replace(convention, direction=direction), scanner=None)
+    boresight, step = np.array([roll, pitch, yaw]), 1e-6
+    jacobian = angle_jacobian(setup, boresight)
+    middle = abs(state(Mounting(np.zeros(3), boresight), setup).angles[convention.order[1]])
+    if middle > 1.4:  # kept axes may lie near the pole, where differences say nothing
+        return
+    for k in range(3):
+        change = step * np.eye(3)[k]
+        ahead, behind = (
+            state(Mounting(np.zeros(3), boresight + sign * change), setup).angles
+            for sign in (1, -1)
+        )
+        difference = (ahead - behind + np.pi) % (2 * np.pi) - np.pi
+        np.testing.assert_allclose(jacobian[:, k], difference / (2 * step), atol=1e-6)
+
+
+def test_sigmas_follow_a_sample_of_boresights() -> None:
+    rng = np.random.default_rng(8)
+    middle = np.array([0.3, -0.4, 0.9])
+    root = rng.normal(0, 1e-4, (3, 3))
+    covariance = root @ root.T
+    setup = Setup(system("novatel"), scanner="turned")
+    sigmas = state(Mounting(LEVER_ARM, middle), setup, covariance).sigmas
+    sample = middle + rng.normal(size=(4000, 3)) @ root.T
+    angles = [state(Mounting(LEVER_ARM, each), setup).angles for each in sample]
+    np.testing.assert_allclose(np.std(angles, axis=0), sigmas, rtol=0.05)
+
+
+def test_direction_is_the_transpose() -> None:
+    boresight = np.radians([1.0, 2.0, 3.0])
+    to_body = Setup(system("applanix"))
+    to_lidar = Setup(replace(system("applanix"), direction="body_to_lidar"))
+    one = state(Mounting(LEVER_ARM, boresight), to_body)
+    other = state(Mounting(LEVER_ARM, boresight), to_lidar)
+    np.testing.assert_allclose(one.rotation, other.rotation.T, atol=1e-15)
+    np.testing.assert_allclose(one.transform, other.transform, atol=1e-15)
+    # Not the negative of the angles: that would be 0.1 deg off here.
+    assert np.degrees(np.abs(one.angles + other.angles).max()) > 0.05
+
+
+@pytest.mark.parametrize("axes", [("up", "aft", "starboard"), ("port", "aft", "up")])
+def test_a_mounting_takes_up_the_quarter_turns(axes) -> None:
+    """A scanner mounted on its side has small OPALS angles, and its raw points still fit."""
+    rotation = rotation_matrix(*np.radians([0.3, -0.5, 0.8])) @ axes_matrix(axes).T
+    boresight, _ = angles_from(LISPAC, rotation)
+    assert nearest_axes(rotation) == axes
+    setup = Setup(system("opals"))
+    stated = state(Mounting(LEVER_ARM, boresight), setup)
+    assert np.degrees(np.abs(stated.angles).max()) < 1.0
+    back = mounting_of(replace(setup, mounting=axes), stated.rotation, stated.lever_arm)
+    np.testing.assert_allclose(back.rotation_body_lidar, rotation, atol=1e-12)
+    body = stated.transform[:3, :3] @ [1.0, 2.0, 3.0]
+    np.testing.assert_allclose(body * [1, -1, -1], rotation @ [1.0, 2.0, 3.0], atol=1e-12)
+
+
+# -- corrections -----------------------------------------------------------------------------------
+
+
+def test_a_sum_of_angles_misses_by_what_is_said() -> None:
+    convention = system("applanix")
+    current, wanted = np.radians([5.0, -4.0, 10.0]), np.radians([-2.0, 3.0, 1.0])
+    found = correct(convention, current, rotation_of(convention, wanted))
+    summed = rotation_of(convention, current + found.correction)
+    sight = np.array([0.0, 0.0, 1.0])
+    off = 100 * np.linalg.norm(summed @ sight - rotation_of(convention, wanted) @ sight)
+    assert 0.1 < off <= 100 * found.sum_error * 1.0001
+    assert found.sum_error == pytest.approx(turn_between(summed, rotation_of(convention, wanted)))
+
+
+@pytest.mark.parametrize("direction", ["lidar_to_body", "body_to_lidar"])
+@pytest.mark.parametrize("exported", [("forward", "port", "up"), ("forward", "starboard", "down")])
+def test_what_is_found_on_turned_lines_comes_on_top(direction, exported) -> None:
+    """Raw points turned by old settings and given to this program as they then are."""
+    truth = Mounting(LEVER_ARM, np.radians([1.3, -1.1, 2.4]))
+    setup = Setup(replace(system("applanix"), direction=direction))
+    current = np.radians([1.0, 1.5, 2.0])
+    old = mounting_of_angles(setup, current, LEVER_ARM).rotation_body_lidar
+    to_exported = axes_matrix(exported) @ old  # raw scanner to the axes of the export
+    remainder, _ = angles_from(LISPAC, truth.rotation_body_lidar @ to_exported.T)
+    whole, _ = on_top_of(setup, current, Mounting(LEVER_ARM, remainder))
+    np.testing.assert_allclose(
+        whole.rotation_body_lidar, truth.rotation_body_lidar, rtol=0, atol=1e-14
+    )
+
+
+def test_covariance_of_the_whole_follows_a_sample() -> None:
+    rng = np.random.default_rng(5)
+    setup, current = Setup(system("applanix")), np.radians([20.0, 35.0, 60.0])
+    remainder = np.array([0.01, -0.02, 0.005])
+    root = rng.normal(0, 1e-4, (3, 3))
+    _, covariance = on_top_of(setup, current, Mounting(LEVER_ARM, remainder), root @ root.T)
+    sample = remainder + rng.normal(size=(4000, 3)) @ root.T
+    angles = [on_top_of(setup, current, Mounting(LEVER_ARM, s))[0].boresight for s in sample]
+    np.testing.assert_allclose(np.sqrt(np.diag(covariance)), np.std(angles, axis=0), rtol=0.05)
+
+
+# -- poles and refusals ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("convention", WITH_ANGLES, ids=lambda each: each.key)
+@pytest.mark.parametrize("pole", [90.0, -90.0])
+def test_at_the_pole_the_rotation_holds_and_a_sentence_says_so(convention, pole) -> None:
+    angles = np.radians([10.0, 20.0, 30.0])
+    angles[convention.order[1]] = np.radians(pole)
+    rotation = rotation_of(convention, angles)
+    found, note = angles_from(convention, rotation)
+    np.testing.assert_allclose(rotation_of(convention, found), rotation, atol=1e-12)
+    assert f"at {pole:.0f} deg" in note
+    assert found[convention.order[2]] == 0.0
+    # With its mounting free, a system would rather lay the axes than go to the pole.
+    setup = Setup(convention, mounting=FORWARD_PORT_UP)
+    mounting = mounting_of(setup, rotation, LEVER_ARM)
+    stated = state(mounting, setup, np.eye(3) * 1e-8)
+    assert stated.sigmas is None
+    assert "Sigmas have no meaning" in stated.note
+
+
+def test_near_the_pole_all_digits_are_asked_for() -> None:
+    convention = system("applanix")
+    rotation = rotation_of(convention, np.radians([10.0, 85.0, 30.0]))
+    assert "type all digits" in angles_from(convention, rotation)[1]
+    assert angles_from(convention, np.eye(3))[1] == ""
+
+
+def test_what_is_no_rotation_is_refused() -> None:
+    good = rotation_matrix(0.1, 0.2, 0.3)
+    np.testing.assert_allclose(require_rotation(np.round(good, 6)), good, atol=1e-6)
+    with pytest.raises(InputError, match="mirrors"):
+        require_rotation(np.diag([1.0, 1.0, -1.0]) @ good)
+    for bad in (1.001 * good, good + 1e-4, np.zeros((3, 3))):
+        with pytest.raises(InputError, match="not a rotation"):
+            require_rotation(bad)
+    for bad in (np.full((3, 3), np.nan), np.eye(4)):
+        with pytest.raises(InputError, match="three rows"):
+            require_rotation(bad)
+
+
+def test_systems_and_axes_that_cannot_be_are_refused() -> None:
+    with pytest.raises(InputError, match="no system named posmv"):
+        system("posmv")
+    with pytest.raises(InputError, match="only as a matrix"):
+        mounting_of_angles(Setup(system("riprocess")), np.zeros(3), np.zeros(3))
+    with pytest.raises(InputError, match="left-handed"):
+        state(Mounting(LEVER_ARM, np.zeros(3)), Setup(system("hypack"), scanner="kept"))
+    with pytest.raises(InputError, match="not a direction"):
+        axes_matrix(("ahead", "port", "up"))
+    with pytest.raises(InputError, match="do not span"):
+        axes_matrix(("forward", "aft", "up"))
+    with pytest.raises(InputError, match="one line"):
+        completed_axes("up", "down")
+
+
+def test_all_right_handed_axes_can_be_stated() -> None:
+    made = set()
+    for x in DIRECTIONS:
+        for y in DIRECTIONS:
+            try:
+                made.add(completed_axes(x, y))
+            except InputError:
+                continue
+    assert len(made) == 24
+    assert all(np.linalg.det(axes_matrix(axes)) == pytest.approx(1) for axes in made)
+    assert all(nearest_axes(axes_matrix(axes).T) == axes for axes in made)

@@ -1,0 +1,81 @@
+"""What is said about a boresight: the words, and what is labelled as not verified."""
+
+import numpy as np
+import pytest
+
+from lispac.geometry.rotations import rotation_matrix
+from lispac.survey.conventions.conversion import Setup
+from lispac.survey.conventions.systems import SYSTEMS
+from lispac.survey.conventions.words import boresight_words, lever_arm_words, offsets_words
+from lispac.survey.georeferencing import Mounting
+
+
+def test_a_boresight_in_a_sentence() -> None:
+    assert boresight_words(np.radians([0.13, -0.12, 0.28])) == (
+        "The scanner looks 0.12 deg bow up, is turned 0.28 deg to starboard and leans 0.13 deg "
+        "with its left side up."
+    )
+    assert boresight_words(np.radians([-0.13, 0.12, -0.28])) == (
+        "The scanner looks 0.12 deg bow down, is turned 0.28 deg to port and leans 0.13 deg "
+        "with its right side up."
+    )
+    assert boresight_words(np.zeros(3)) == "The scanner is parallel to the body."
+    assert boresight_words(np.radians([0, 0, 0.0251])) == (
+        "The scanner is turned 0.0251 deg to starboard."
+    )
+    assert "(first turned, then pitched, then rolled)" in boresight_words(np.radians([5, 0, 90]))
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_words_say_what_the_matrix_does(sign: int) -> None:
+    """Where the scanner's own axes end up, in body coordinates forward, left, up."""
+    angle = sign * np.radians(1.0)
+    forward, left = (
+        rotation_matrix(0, angle, 0) @ [1, 0, 0],
+        rotation_matrix(angle, 0, 0) @ [0, 1, 0],
+    )
+    assert ("bow up" in boresight_words(np.array([0, angle, 0]))) == (forward[2] > 0)
+    assert ("left side up" in boresight_words(np.array([angle, 0, 0]))) == (left[2] > 0)
+    turned = rotation_matrix(0, 0, angle) @ [1, 0, 0]
+    assert ("to port" in boresight_words(np.array([0, 0, angle]))) == (turned[1] > 0)
+
+
+def test_a_lever_arm_in_a_sentence() -> None:
+    assert lever_arm_words((-0.185596, 0.037658, 2.419063)) == (
+        "The scanner's optical centre is 0.186 m aft of, 0.0377 m to port of and 2.419 m above "
+        "the POS centre."
+    )
+    assert lever_arm_words((0, -1.5, -2)) == (
+        "The scanner's optical centre is 1.5 m to starboard of and 2 m below the POS centre."
+    )
+    assert lever_arm_words((0, 0, 0)) == "The scanner's optical centre is at the POS centre."
+
+
+def test_offsets_that_belong_to_the_boresight_are_named() -> None:
+    plain = Mounting(np.zeros(3), np.zeros(3))
+    assert offsets_words(plain) == ""
+    with_offsets = Mounting(np.zeros(3), np.zeros(3), range_offset=0.1, latency=0.005)
+    assert offsets_words(with_offsets) == (
+        "The boresight holds together with range offset +0.1000 m and latency +5.0000 ms: apply "
+        "that there too."
+    )
+
+
+@pytest.mark.parametrize("convention", SYSTEMS, ids=lambda each: each.key)
+def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
+    assert convention.source
+    if convention.status != "verified":
+        assert convention.assumption.endswith(".")
+    if convention.has_angles:
+        assert sorted(convention.order) == [0, 1, 2]
+        assert sorted(turn.axis for turn in convention.turns) == [0, 1, 2]
+        for turn in convention.turns:
+            assert turn.name in convention.formula
+            assert turn.meaning in convention.signs
+
+
+def test_open_axes_say_what_was_taken() -> None:
+    phoenix = next(each for each in SYSTEMS if each.open_axes)
+    assert "taken as X forward, Y port, Z up" in Setup(phoenix).assumption
+    stated = Setup(phoenix, ("down", "starboard", "aft")).assumption
+    assert "taken as" not in stated
