@@ -12,14 +12,18 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.stochastic import POS_ERRORS, PosErrors
+from lispac.adjustment.parameters import SWITCHED, Parameter
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.adjustment.robust import LOSSES, LossName
+from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import InputError, ProjectError
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison import PlaneComparison
 
 Role = Literal["target", "validation"]
 ROLES: tuple[Role, ...] = ("target", "validation")
+Shape = Literal["plane", "sphere"]
+SHAPES: tuple[Shape, ...] = ("plane", "sphere")
 Triple = tuple[float, float, float]
 
 DEFAULT_THRESHOLD = 0.01
@@ -53,8 +57,17 @@ class Settings:
         for the mean of the trajectory
     position_sigma : north, east, down in metres, where no accuracy file is given
     attitude_sigma_deg : roll, pitch, heading in degrees, where no accuracy file is given
-    lidar_sigma : metres on each axis
-    subsample : metres between the points kept; 0 keeps all
+    lidar_sigma : metres on each axis, where nothing finer is stated
+    lidar_sigma_xyz : metres along x, y, z of the LiDAR
+    lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
+    range_offset : metres, scan_angle_offset_deg : degrees, latency : seconds
+        What is known of the scanner's own errors, as `Mounting` applies them.
+    subsample : metres; points closer than this are averaged, in thesis mode one of them is kept;
+        0 keeps all
+    pos_errors, position_time, attitude_time, surface : see `StochasticModel`
+    loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` in thesis mode
+    parameters : values of the mounting to estimate besides the boresight
+    variance_components : whether to estimate how large LiDAR and POS errors really are
     """
 
     lever_arm: Triple
@@ -63,8 +76,27 @@ class Settings:
     position_sigma: Triple = (0.02, 0.02, 0.03)
     attitude_sigma_deg: Triple = (0.01, 0.01, 0.015)
     lidar_sigma: float = 0.005
+    lidar_sigma_xyz: Triple | None = None
+    lidar_beam_sigma: tuple[float, float] | None = None
+    range_offset: float = 0.0
+    scan_angle_offset_deg: float = 0.0
+    latency: float = 0.0
     subsample: float = 0.10
-    pos_errors: PosErrors = "independent"
+    pos_errors: PosErrors = "correlated"
+    position_time: float = 300.0
+    attitude_time: float = 600.0
+    surface: float | None = None
+    loss: LossName | None = None
+    parameters: tuple[Parameter, ...] = ()
+    variance_components: bool = False
+
+    @property
+    def stochastic_model(self) -> StochasticModel:
+        """Model of the errors that these settings ask for."""
+        loss = self.loss or ("tukey" if self.pos_errors == "correlated" else "none")
+        return StochasticModel(
+            self.pos_errors, self.position_time, self.attitude_time, self.surface, loss
+        )
 
     @property
     def threshold(self) -> float:
@@ -86,6 +118,13 @@ class Settings:
             "attitude sigma": self.attitude_sigma_deg,
             "LiDAR sigma": (self.lidar_sigma,),
             "subsampling distance": (self.subsample,),
+            "LiDAR sigma along x, y, z": self.lidar_sigma_xyz or (1.0,),
+            "LiDAR sigma of range and angle": self.lidar_beam_sigma or (1.0,),
+            "range offset": (self.range_offset,),
+            "scan-angle offset": (self.scan_angle_offset_deg,),
+            "latency": (self.latency,),
+            "correlation time": (self.position_time, self.attitude_time),
+            "surface sigma": (self.surface or 0.0,),
         }
         for name, values in numbers.items():
             if not np.isfinite(values).all():
@@ -94,8 +133,30 @@ class Settings:
             raise InputError("A sigma or the subsampling distance is negative; correct it.")
         if self.pos_errors not in POS_ERRORS:
             raise InputError(f"There is no model of POS errors named {self.pos_errors}.")
-        if self.lidar_sigma <= 0:
+        lidar = (self.lidar_sigma, *(self.lidar_sigma_xyz or ()), *(self.lidar_beam_sigma or ()))
+        if min(lidar) <= 0:
             raise InputError("The LiDAR sigma must be larger than zero; correct it.")
+        if self.lidar_sigma_xyz and self.lidar_beam_sigma:
+            raise InputError(
+                "The LiDAR sigma is given along x, y, z and along the beam; give one of the two."
+            )
+        if not min(self.position_time, self.attitude_time) > 0:
+            raise InputError("A correlation time must be larger than zero seconds; correct it.")
+        if self.surface is not None and self.surface < 0:
+            raise InputError("The surface sigma is negative; correct it.")
+        if self.loss is not None and self.loss not in LOSSES:
+            raise InputError(f"There is no loss named {self.loss}.")
+        if abs(self.latency) > 10 or abs(self.range_offset) > 10:
+            raise InputError("The latency or range offset is beyond 10 s or 10 m; correct it.")
+        for parameter in self.parameters:
+            if parameter.name not in SWITCHED:
+                raise InputError(
+                    f"There is no parameter {parameter.name}; give one of {', '.join(SWITCHED)}."
+                )
+            if parameter.sigma is not None and not parameter.sigma > 0:
+                raise InputError(f"The sigma of {parameter.name} must be larger than zero.")
+        if len({parameter.name for parameter in self.parameters}) < len(self.parameters):
+            raise InputError("A parameter is to be estimated twice; name it once.")
         if np.abs(self.boresight_deg).max() > 360:
             raise InputError("A prior boresight angle is beyond 360 deg; give degrees.")
         if np.linalg.norm(self.lever_arm) > 100:
@@ -131,10 +192,12 @@ class PickedSighting:
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """A picked plane.
+    """A picked plane or sphere.
 
     Attributes
     ----------
+    shape : {"plane", "sphere"}
+    sphere_radius : metres, or None where it is unknown
     seed : metres, local frame, where the user clicked
     missing : for each line without it, the reason in words
     """
@@ -147,6 +210,8 @@ class Target:
     sightings: tuple[PickedSighting, ...]
     missing: Mapping[str, str] = field(default_factory=dict)
     used: bool = True
+    shape: Shape = "plane"
+    sphere_radius: float | None = None
 
     def sighting(self, line: str) -> PickedSighting | None:
         """The sighting on ``line``, if there is one."""
@@ -188,6 +253,7 @@ class Project:
     accuracy: Path | None = None
     targets: tuple[Target, ...] = ()
     result: AdjustmentResult | None = None
+    cross_checks: CrossChecks | None = None
     validation: tuple[PlaneComparison, ...] = ()
     not_compared: Mapping[str, str] = field(default_factory=dict)
     """For each validation plane that could not be compared, the reason in words."""
@@ -200,19 +266,25 @@ class Project:
         return self.folder.name
 
     def mounting(self, which: Literal["prior", "estimated"]) -> Mounting:
-        """Lever arm with the prior or the estimated boresight.
+        """The mounting as it went in, or as estimated.
 
         Raises
         ------
         ProjectError
             Where nothing has been estimated yet.
         """
-        lever_arm = np.array(self.settings.lever_arm, dtype=float)
         if which == "prior":
-            return Mounting(lever_arm, np.radians(self.settings.boresight_deg))
+            settings = self.settings
+            return Mounting(
+                np.array(settings.lever_arm, dtype=float),
+                np.radians(settings.boresight_deg),
+                settings.range_offset,
+                float(np.radians(settings.scan_angle_offset_deg)),
+                settings.latency,
+            )
         if self.result is None:
             raise ProjectError(f"{self.name}: there is no estimated boresight yet; estimate first.")
-        return Mounting(lever_arm, self.result.boresight)
+        return self.result.mounting
 
     def of_role(self, role: Role) -> tuple[Target, ...]:
         """Targets, or validation planes."""
@@ -229,6 +301,24 @@ class Project:
             if target.name == name:
                 return target
         raise ProjectError(f"{self.name}: there is no target or validation plane named {name}.")
+
+    def with_points_of(self, other: "Project") -> "Project":
+        """This project, its sightings with the points they have in ``other``."""
+        return replace(
+            self,
+            targets=tuple(
+                replace(
+                    target,
+                    sightings=tuple(
+                        replace(own, indices=found.indices, rms=found.rms)
+                        if (found := other.target(target.name).sighting(own.line))
+                        else own
+                        for own in target.sightings
+                    ),
+                )
+                for target in self.targets
+            ),
+        )
 
     def with_target(self, target: Target) -> "Project":
         """Add a target, or put it in the place of the one of the same name.
@@ -255,11 +345,17 @@ class Project:
 
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; what follows from them has to be computed again."""
-        return replace(self, settings=settings, result=None, validation=(), not_compared={})
+        return replace(
+            self, settings=settings, result=None, cross_checks=None, validation=(), not_compared={}
+        )
 
     def with_result(self, result: AdjustmentResult) -> "Project":
         """Keep an adjustment; a validation of another one no longer holds."""
-        return replace(self, result=result, validation=(), not_compared={})
+        return replace(self, result=result, cross_checks=None, validation=(), not_compared={})
+
+    def with_cross_checks(self, checks: CrossChecks) -> "Project":
+        """Keep what parts of the data say by themselves."""
+        return replace(self, cross_checks=checks)
 
     def with_validation(
         self, validation: tuple[PlaneComparison, ...], not_compared: Mapping[str, str]
@@ -269,5 +365,12 @@ class Project:
 
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
         # A validation plane takes no part in the adjustment, so its edit keeps the angles.
-        result = None if "target" in roles else self.result
-        return replace(self, targets=targets, result=result, validation=(), not_compared={})
+        kept = "target" not in roles
+        return replace(
+            self,
+            targets=targets,
+            result=self.result if kept else None,
+            cross_checks=self.cross_checks if kept else None,
+            validation=(),
+            not_compared={},
+        )

@@ -7,10 +7,12 @@ import pytest
 import scipy.linalg
 import scipy.stats
 
-from lispac.adjustment.conditions import BORESIGHT, PLANE, POSE, Groups, linearise, sum_by_group
+from lispac.adjustment.conditions import CALIBRATION, POSE, SHAPE, linearise
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
+from lispac.adjustment.robust import Loss
 from lispac.adjustment.stochastic import KNOT_INTERVAL, PosErrorKnots, StochasticModel
+from lispac.adjustment.sums import State, Weights, grouped, sum_by_group
 from lispac.errors import AdjustmentError, Cancelled, RankDeficient
 from lispac.io.plane_file import read_plane_files
 from lispac.survey.georeferencing import Mounting
@@ -18,6 +20,7 @@ from tests.surveys import disturbed, planar_survey
 
 LEVER_ARM = np.array([-0.2, 0.04, 2.4])
 INDEPENDENT, CORRELATED = StochasticModel("independent"), StochasticModel("correlated")
+NO_SURFACE = StochasticModel("correlated", surface=0.0)
 PLANES = np.array([[0.02, -0.99, 0.1, 15.0], [0.0, -0.7, 0.7, 7.0]])
 PLANES /= np.linalg.norm(PLANES[:, :3], axis=1)[:, None]
 
@@ -32,48 +35,59 @@ def changed(observations: Observations, name: str, k: int, step: float) -> Obser
     return replace(observations, **{name: values})
 
 
-@pytest.mark.parametrize("block", ["boresight", "plane", "position", "attitude", "points_lidar"])
-def test_jacobians_against_central_differences(block: str) -> None:
-    here = mounting(0.5, -1.5, 2.0)
+@pytest.mark.parametrize("spheres", [False, True])
+@pytest.mark.parametrize("block", ["mounting", "shape", "position", "attitude", "points_lidar"])
+def test_jacobians_against_central_differences(block: str, spheres: bool) -> None:
+    """With range and scan-angle offset and latency in the mounting, on planes and on spheres."""
+    here = Mounting(LEVER_ARM, np.radians([0.5, -1.5, 2.0]), 0.12, np.radians(1.3), 0.02)
     observations = planar_survey(mounting(1.0, 2.0, -1.0), points=5)
-    conditions = linearise(observations, here, PLANES)
+    rate = np.random.default_rng(3).normal(0, 1, (len(observations), 6))
+    radii = {"T1": None, "T2": 0.4} if spheres else {}
+    observations = replace(observations, pose_rate=rate, radii=radii)
+    shapes = np.array([[1.0, 15.0, 6.0, 0.4], [-1.0, 14.0, 5.0, 0.5]]) if spheres else PLANES
+    conditions = linearise(observations, here, shapes)
     step = 1e-6
 
     def shifted(k: int, sign: float) -> np.ndarray:
-        if block == "boresight":
-            there = here.with_boresight(here.boresight + sign * step * np.eye(3)[k])
-            return linearise(observations, there, PLANES).misclosure
-        if block == "plane":
-            return linearise(observations, here, PLANES + sign * step * np.eye(4)[k]).misclosure
-        return linearise(changed(observations, block, k, sign * step), here, PLANES).misclosure
+        if block == "mounting":
+            there = Mounting.of_values(here.values + sign * step * np.eye(9)[k])
+            return linearise(observations, there, shapes).misclosure
+        if block == "shape":
+            return linearise(observations, here, shapes + sign * step * np.eye(4)[k]).misclosure
+        return linearise(changed(observations, block, k, sign * step), here, shapes).misclosure
 
     analytic = {
-        "boresight": conditions.rows[:, BORESIGHT],
-        "plane": conditions.rows[:, PLANE],
+        "mounting": conditions.rows[:, CALIBRATION],
+        "shape": conditions.rows[:, SHAPE],
         "position": conditions.rows[:, POSE][:, :3],
         "attitude": conditions.rows[:, POSE][:, 3:],
         "points_lidar": conditions.by_lidar,
     }[block]
     for k in range(analytic.shape[1]):
         difference = (shifted(k, 1) - shifted(k, -1)) / (2 * step)
-        np.testing.assert_allclose(analytic[:, k], difference, atol=2e-7)
+        np.testing.assert_allclose(analytic[:, k], difference, rtol=1e-6, atol=3e-7)
 
 
 def dense_rows(
     observations: Observations, here: Mounting, knots: PosErrorKnots | None, effects: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Wide rows and variances of all points, written out without sums."""
+    kept = [0, 1, 2, 9, 10, 11, 12, 19]
     conditions = linearise(observations, here, PLANES)
     by_pose = conditions.rows[:, POSE]
     variance = ((conditions.by_lidar * observations.sigma_lidar) ** 2).sum(axis=1)
     if knots is None:
         sigma = np.hstack([observations.sigma_position, observations.sigma_attitude])
         variance += ((by_pose * sigma) ** 2).sum(axis=1)
-        return np.delete(conditions.rows, range(7, 13), axis=1), variance
+        return conditions.rows[:, kept], variance
     u = knots.fraction[:, None]
     error = (1 - u) * effects[knots.left] + u * effects[knots.left + 1]
     misclosure = conditions.misclosure + (by_pose * error).sum(axis=1)
-    rows = [conditions.rows[:, :7], (1 - u) * by_pose, u * by_pose, misclosure[:, None]]
+    sigma = np.hstack([observations.sigma_position, observations.sigma_attitude])
+    # Variance of a Gauss-Markov process between two knots about their chord
+    between = 2 * KNOT_INTERVAL / np.repeat([300.0, 600.0], 3) * u * (1 - u)
+    variance += (between * (by_pose * sigma) ** 2).sum(axis=1)
+    rows = [conditions.rows[:, kept[:-1]], (1 - u) * by_pose, u * by_pose, misclosure[:, None]]
     return np.hstack(rows), variance
 
 
@@ -82,12 +96,14 @@ def test_sums_equal_dense_matrix_products(model: StochasticModel) -> None:
     observations, here = planar_survey(mounting(), points=6), mounting(0.1, 0.2, 0.3)
     knots = PosErrorKnots.of(observations, model) if model is CORRELATED else None
     effects = np.random.default_rng(0).normal(0, 0.01, (len(knots.time) if knots else 0, 6))
-    groups = Groups.of(observations, knots)
-    rows, variance = dense_rows(observations, here, knots, effects)
-    sums = sum_by_group(observations, here, PLANES, groups, effects)
-    assert len(sums) == len(groups.target) > 1
+    observations, groups, _ = grouped(observations, knots)
+    rows, variance = dense_rows(observations, here, groups.knots, effects)
+    state = State(here, PLANES, np.zeros((12, 4)), effects)
+    weights = Weights(Loss("none"), np.ones(2), np.ones(2))
+    sums = sum_by_group(observations, groups, state, np.arange(3), weights)
+    assert len(sums) == len(groups.sighting) > 1
     for g in range(len(sums)):
-        own = groups.group == g
+        own = slice(groups.start[g], groups.start[g + 1])
         expected = rows[own].T @ np.diag(1 / variance[own]) @ rows[own]
         np.testing.assert_allclose(sums[g], expected, rtol=1e-9, atol=1e-6)
 
@@ -116,7 +132,7 @@ def test_elimination_of_the_pos_error_equals_generalised_least_squares() -> None
         observations, time=np.round(observations.time / KNOT_INTERVAL) * KNOT_INTERVAL
     )
     here = mounting(0.1, 0.2, 0.3)
-    result = adjust(on_knots, here, CORRELATED)
+    result = adjust(on_knots, here, NO_SURFACE)
     planes = np.stack([target.plane for target in result.targets])
     conditions = linearise(on_knots, here.with_boresight(result.boresight), planes)
     apart = np.abs(on_knots.time[:, None] - on_knots.time[None, :])
@@ -126,11 +142,11 @@ def test_elimination_of_the_pos_error_equals_generalised_least_squares() -> None
         part = conditions.rows[:, POSE][:, k] * sigma[:, k]
         covariance += np.exp(-apart / tau) * np.outer(part, part)
     design = np.zeros((len(on_knots), 9))
-    design[:, :3] = conditions.rows[:, BORESIGHT]
+    design[:, :3] = conditions.rows[:, :3]
     target = on_knots.target_of_sighting[on_knots.sighting]
     for k, plane in enumerate(planes):
         turns = scipy.linalg.null_space(plane[None, :3])
-        columns = np.column_stack([conditions.rows[:, 3:6] @ turns, conditions.rows[:, 6]])
+        columns = np.column_stack([conditions.rows[:, 9:12] @ turns, conditions.rows[:, 12]])
         design[target == k, 3 + 3 * k : 6 + 3 * k] = columns[target == k]
     expected = np.linalg.inv(design.T @ np.linalg.solve(covariance, design))[:3, :3]
     np.testing.assert_allclose(result.covariance, expected, rtol=1e-6, atol=1e-16)
@@ -146,7 +162,7 @@ def test_thesis_mode_equals_the_prototype(shared_data: Path, case: str) -> None:
         np.array(expected["lever_arm_m"], dtype=float),
         np.radians(expected["initial_boresight_deg"]),
     )
-    result = adjust(observations, start, INDEPENDENT, planes=planes)
+    result = adjust(observations, start, INDEPENDENT, shapes=planes)
     np.testing.assert_allclose(
         np.degrees(result.boresight), expected["boresight_deg"], rtol=0, atol=1e-6
     )

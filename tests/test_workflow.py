@@ -10,7 +10,7 @@ import pytest
 
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
+from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
 from lispac.project import Project
@@ -111,13 +111,18 @@ def test_edits_drop_what_no_longer_follows(calibrated: tuple[Project, Survey]) -
     assert project.with_target(promoted).result is None
 
 
-def test_thinned_counts_are_what_the_adjustment_takes(calibrated: tuple[Project, Survey]) -> None:
+@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+def test_the_count_is_what_the_adjustment_takes(
+    calibrated: tuple[Project, Survey], pos_errors: PosErrors
+) -> None:
     project, survey = calibrated
-    counts = calibration.thinned_counts(project, survey, project.settings.subsample)
-    result = calibration.estimate(project, survey, reselections=0).result
+    settings = replace(project.settings, pos_errors=pos_errors)
+    count = calibration.count_of(project, survey, settings)
+    result = calibration.estimate(
+        project, survey, settings=settings, reselections=0, cross_check=False
+    ).result
     assert result is not None
-    taken = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
-    assert counts == taken
+    assert count == result.points
 
 
 def test_selecting_again_leaves_clean_boards_alone(calibrated: tuple[Project, Survey]) -> None:

@@ -1,10 +1,8 @@
-"""The condition every point obeys, its Jacobians, and their sums over sightings.
+"""The condition every point obeys, and its Jacobians.
 
-``F = n . X + d = 0`` with ``X = P + R_local_body (R_body_lidar x + lever_arm)`` (thesis equations
-4.1 and 4.4). One point gives one condition, so ``B Q B'`` is diagonal: one variance a point, and
-the products that make up the normal equations can be summed in one pass. The sums are kept per
-group of points (a target, and with it the stretch between two knots of the POS error), which is
-all either stochastic model needs, whatever the number of points.
+A point of a plane obeys ``n . X + d = 0``, a point of a sphere ``|X - c| - r = 0``, with
+``X = P + R_local_body (R_body_lidar x + lever_arm)`` (thesis equations 4.1 and 4.4). One point
+gives one condition, so ``B Q B'`` is diagonal: one variance a point.
 """
 
 from dataclasses import dataclass
@@ -14,27 +12,26 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.stochastic import PosErrorKnots
-from lispac.geometry.rotations import rotation_derivatives
+from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-BORESIGHT = slice(0, 3)  # dF by roll, pitch, yaw
-PLANE = slice(3, 7)  # dF by a, b, c, d
-POSE = slice(7, 13)  # dF by POS position (3) and roll, pitch, heading
-MISCLOSURE = 13
-WIDTH = 14
+CALIBRATION = slice(0, 9)  # dF by the values of the mounting
+SHAPE = slice(9, 13)  # dF by a, b, c, d of a plane or centre and radius of a sphere
+POSE = slice(13, 19)  # dF by POS position (3) and roll, pitch, heading
+MISCLOSURE = 19
+WIDTH = 20
 
 
 @dataclass(frozen=True, eq=False)
 class Conditions:
-    """Linearised conditions point by point: for tests, residuals and diagnostics.
+    """Linearised conditions point by point.
 
     Attributes
     ----------
-    rows : ndarray of shape (n, 14)
-        Derivatives by boresight, plane and POS state, and the misclosure (metres).
+    rows : ndarray of shape (n, 20)
+        Derivatives by mounting, shape and POS state, and the misclosure (metres).
     by_lidar : ndarray of shape (n, 3)
         Derivatives by LiDAR x, y, z.
     """
@@ -44,196 +41,144 @@ class Conditions:
 
     @property
     def misclosure(self) -> Array:
-        """Signed distance of each point to its plane, shape (n,), metres."""
+        """Signed distance of each point to its plane or sphere, shape (n,), metres."""
         return self.rows[:, MISCLOSURE]
 
 
-def linearise(observations: Observations, mounting: Mounting, planes: Array) -> Conditions:
+def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> Conditions:
     """Misclosure and Jacobians of every point.
 
     Parameters
     ----------
-    planes : ndarray of shape (targets, 4)
-        Unit normal and offset (metres) of each target, local frame.
+    shapes : ndarray of shape (targets, 4), local frame
+        Unit normal and offset (metres) of each plane, centre and radius (metres) of each sphere.
     """
     rows, by_lidar = np.empty((len(observations), WIDTH)), np.empty((len(observations), 3))
-    _linearise(
-        *_columns(observations), *_rotation_and_derivatives(mounting), planes, rows, by_lidar
-    )
+    _linearise(*columns(observations), *turns(observations, mounting), shapes, rows, by_lidar)
     return Conditions(rows, by_lidar)
 
 
-@dataclass(frozen=True, eq=False)
-class Groups:
-    """Points whose products are summed together.
-
-    Attributes
-    ----------
-    group : ndarray of shape (n,), int
-        Group of each point.
-    target : ndarray of shape (groups,), int
-    knot : ndarray of shape (groups,), int
-        Knot of the POS error at the beginning of the group's stretch.
-    knots : PosErrorKnots or None
-        None in thesis mode, where the POS error is in each point's variance instead.
-    """
-
-    group: NDArray[np.int64]
-    target: NDArray[np.int64]
-    knot: NDArray[np.int64]
-    knots: PosErrorKnots | None
-
-    @classmethod
-    def of(cls, observations: Observations, knots: PosErrorKnots | None) -> "Groups":
-        """Group by target, and by stretch of the POS error where it has knots."""
-        target = observations.target_of_sighting[observations.sighting]
-        left = np.zeros(len(target), dtype=np.int64) if knots is None else knots.left
-        count = len(observations.targets)
-        key, group = np.unique(left * count + target, return_inverse=True)
-        return cls(group.reshape(-1).astype(np.int64), key % count, key // count, knots)
-
-
-def sum_by_group(
-    observations: Observations, mounting: Mounting, planes: Array, groups: Groups, effects: Array
-) -> Array:
-    """Weighted sums of ``row row'`` over each group.
-
-    Parameters
-    ----------
-    planes : ndarray of shape (targets, 4)
-    groups : Groups
-        With knots, the variance of a condition holds the LiDAR noise alone; without, the POS
-        error too.
-    effects : ndarray of shape (knots, 6), metres and radians
-        POS error at the knots found so far; its effect is added to the misclosures, so that
-        these, and with them the rounding of their sums, are small at the solution.
-
-    Returns
-    -------
-    ndarray of shape (groups, width, width)
-        Rows are the derivatives by boresight (3) and plane (4), with knots those by the POS error
-        at the knot before (6) and after (6), and last the misclosure.
-    """
-    knots = groups.knots
-    width = 8 if knots is None else 20
-    sums = np.zeros((len(groups.target), width, width))
-    _accumulate(
-        *_columns(observations),
-        *_rotation_and_derivatives(mounting),
-        planes,
-        groups.group,
-        knots is not None,
-        np.zeros(0, dtype=np.int64) if knots is None else knots.left,
-        np.zeros(0) if knots is None else knots.fraction,
-        effects,
-        observations.sigma_lidar,
-        observations.sigma_position,
-        observations.sigma_attitude,
-        sums,
-    )
-    return sums + np.swapaxes(np.tril(sums, -1), -1, -2)
-
-
-def _columns(observations: Observations) -> tuple[NDArray[np.generic], ...]:
+def columns(observations: Observations) -> tuple[NDArray[np.generic], ...]:
+    """What `row` needs to know of the points, as the kernels take it."""
+    rate = observations.pose_rate
     return (
         observations.points_lidar,
         observations.position,
         observations.attitude,
-        observations.sighting,
-        observations.target_of_sighting,
+        np.zeros((0, 6)) if rate is None else rate,
+        observations.target_of_sighting[observations.sighting],
+        observations.is_sphere,
     )
 
 
-def _rotation_and_derivatives(mounting: Mounting) -> tuple[Array, Array, Array]:
+def turns(observations: Observations, mounting: Mounting) -> tuple[Array, Array, Array, Array]:
+    """Values of the mounting, its rotation, its derivatives, and the turn of the scan angle.
+
+    The latency is what the poses do not hold yet.
+    """
+    values = mounting.values
+    values[8] -= observations.latency
     return (
+        values,
         mounting.rotation_body_lidar,
         rotation_derivatives(*mounting.boresight),
-        np.asarray(mounting.lever_arm, dtype=float),
+        rotation_matrix(mounting.scan_angle_offset, 0.0, 0.0),
     )
 
 
 @njit(nogil=True, cache=True, inline="always")
-def _row(i, points, position, attitude, rotation, derivatives, lever_arm, plane, row, lidar):  # type: ignore[no-untyped-def]
-    cr, sr = np.cos(attitude[i, 0]), np.sin(attitude[i, 0])
-    cp, sp = np.cos(attitude[i, 1]), np.sin(attitude[i, 1])
-    ch, sh = np.cos(attitude[i, 2]), np.sin(attitude[i, 2])
-    # The normal seen from the frames the three turns pass through: m3 after Rz(-h), m2 after
-    # Ry(p), m1 in the body frame.
-    n0, n1, n2 = plane[0], plane[1], plane[2]
-    m30, m31, m32 = ch * n0 - sh * n1, sh * n0 + ch * n1, n2
-    m20, m21, m22 = cp * m30 - sp * m32, m31, sp * m30 + cp * m32
-    m10, m11, m12 = m20, cr * m21 + sr * m22, -sr * m21 + cr * m22
-    x, y, z = points[i, 0], points[i, 1], points[i, 2]
-    b0 = rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z + lever_arm[0]
-    b1 = rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z + lever_arm[1]
-    b2 = rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z + lever_arm[2]
-    # The point after each turn
+def row(i, points, position, attitude, rate, values, rotation, derivatives, turn, sphere, shape, out, lidar):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
+    """The Jacobians of point ``i``, written to ``out`` (20) and ``lidar`` (3)."""
+    roll, pitch, heading = attitude[i, 0], attitude[i, 1], attitude[i, 2]
+    px, py, pz = position[i, 0], position[i, 1], position[i, 2]
+    if len(rate) > 0 and values[8] != 0.0:
+        late = values[8]
+        px, py, pz = px + late * rate[i, 0], py + late * rate[i, 1], pz + late * rate[i, 2]
+        roll, pitch = roll + late * rate[i, 3], pitch + late * rate[i, 4]
+        heading += late * rate[i, 5]
+    cr, sr = np.cos(roll), np.sin(roll)
+    cp, sp = np.cos(pitch), np.sin(pitch)
+    ch, sh = np.cos(heading), np.sin(heading)
+    rx, ry, rz = points[i, 0], points[i, 1], points[i, 2]
+    distance = np.sqrt(rx * rx + ry * ry + rz * rz)
+    stretch = values[6] / distance
+    # Turned by the scan-angle offset (about x), then with the range offset
+    ty, tz = turn[1, 1] * ry + turn[1, 2] * rz, turn[2, 1] * ry + turn[2, 2] * rz
+    x, y, z = rx * (1 + stretch), ty * (1 + stretch), tz * (1 + stretch)
+    b0 = rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z + values[3]
+    b1 = rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z + values[4]
+    b2 = rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z + values[5]
+    # The point after each turn of the attitude
     r0, r1, r2 = b0, cr * b1 - sr * b2, sr * b1 + cr * b2
     p0, p1, p2 = cp * r0 + sp * r2, r1, -sp * r0 + cp * r2
     h0, h1, h2 = ch * p0 + sh * p1, -sh * p0 + ch * p1, p2
+    x0, x1, x2 = px + h0, py + h1, pz + h2
+    if sphere:
+        n0, n1, n2 = x0 - shape[0], x1 - shape[1], x2 - shape[2]
+        apart = np.sqrt(n0 * n0 + n1 * n1 + n2 * n2)
+        n0, n1, n2 = n0 / apart, n1 / apart, n2 / apart
+        out[9], out[10], out[11], out[12] = -n0, -n1, -n2, -1.0
+        out[19] = apart - shape[3]
+    else:
+        n0, n1, n2 = shape[0], shape[1], shape[2]
+        out[9], out[10], out[11], out[12] = x0, x1, x2, 1.0
+        out[19] = n0 * x0 + n1 * x1 + n2 * x2 + shape[3]
+    # The normal seen from the frames the three turns pass through: m3 after Rz(-h), m2 after
+    # Ry(p), m1 in the body frame; u in the LiDAR frame.
+    m30, m31, m32 = ch * n0 - sh * n1, sh * n0 + ch * n1, n2
+    m20, m21, m22 = cp * m30 - sp * m32, m31, sp * m30 + cp * m32
+    m10, m11, m12 = m20, cr * m21 + sr * m22, -sr * m21 + cr * m22
+    u0 = m10 * rotation[0, 0] + m11 * rotation[1, 0] + m12 * rotation[2, 0]
+    u1 = m10 * rotation[0, 1] + m11 * rotation[1, 1] + m12 * rotation[2, 1]
+    u2 = m10 * rotation[0, 2] + m11 * rotation[1, 2] + m12 * rotation[2, 2]
     for k in range(3):
         d = derivatives[k]
-        row[k] = (
+        out[k] = (
             m10 * (d[0, 0] * x + d[0, 1] * y + d[0, 2] * z)
             + m11 * (d[1, 0] * x + d[1, 1] * y + d[1, 2] * z)
             + m12 * (d[2, 0] * x + d[2, 1] * y + d[2, 2] * z)
         )
-        lidar[k] = m10 * rotation[0, k] + m11 * rotation[1, k] + m12 * rotation[2, k]
-    row[3], row[4], row[5] = position[i, 0] + h0, position[i, 1] + h1, position[i, 2] + h2
-    row[6] = 1.0
-    row[7], row[8], row[9] = n0, n1, n2
-    row[10] = m22 * r1 - m21 * r2  # m2 . (e_x x r)
-    row[11] = m30 * p2 - m32 * p0  # m3 . (e_y x p)
-    row[12] = n0 * h1 - n1 * h0  # n . (-e_z x h)
-    row[13] = n0 * row[3] + n1 * row[4] + n2 * row[5] + plane[3]
+    out[3], out[4], out[5] = m10, m11, m12
+    out[6] = (u0 * rx + u1 * ty + u2 * tz) / distance
+    out[7] = u2 * y - u1 * z  # u . (e_x x x)
+    out[13], out[14], out[15] = n0, n1, n2
+    out[16] = m22 * r1 - m21 * r2  # m2 . (e_x x r)
+    out[17] = m30 * p2 - m32 * p0  # m3 . (e_y x p)
+    out[18] = n0 * h1 - n1 * h0  # n . (-e_z x h)
+    out[8] = 0.0
+    if len(rate) > 0:
+        for k in range(6):
+            out[8] += out[13 + k] * rate[i, k]
+    # Back through the turn of the scan angle; the range offset stretches the point along itself
+    v1, v2 = turn[1, 1] * u1 + turn[2, 1] * u2, turn[1, 2] * u1 + turn[2, 2] * u2
+    along = (u0 * rx + v1 * ry + v2 * rz) * stretch / (distance * distance)
+    lidar[0] = u0 * (1 + stretch) - rx * along
+    lidar[1] = v1 * (1 + stretch) - ry * along
+    lidar[2] = v2 * (1 + stretch) - rz * along
 
 
 @njit(nogil=True, cache=True)
-def _linearise(  # type: ignore[no-untyped-def]
-    points, position, attitude, sighting, target_of_sighting,
-    rotation, derivatives, lever_arm, planes, rows, by_lidar,
-):  # fmt: skip
+def _linearise(points, position, attitude, rate, target, spheres, values, rotation, derivatives, turn, shapes, rows, by_lidar):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
     for i in range(len(points)):
-        plane = planes[target_of_sighting[sighting[i]]]
-        _row(
-            i, points, position, attitude, rotation, derivatives, lever_arm, plane,
-            rows[i], by_lidar[i],
+        t = target[i]
+        row(
+            i, points, position, attitude, rate, values, rotation, derivatives, turn,
+            spheres[t], shapes[t], rows[i], by_lidar[i],
         )  # fmt: skip
 
 
-@njit(nogil=True, cache=True)
-def _accumulate(  # type: ignore[no-untyped-def]
-    points, position, attitude, sighting, target_of_sighting,
-    rotation, derivatives, lever_arm, planes,
-    group, has_knots, left, fraction, effects,
-    sigma_lidar, sigma_position, sigma_attitude, sums,
-):  # fmt: skip
-    row, lidar = np.empty(14), np.empty(3)
-    width = sums.shape[1]
-    wide = np.empty(width)
-    for i in range(len(points)):
-        plane = planes[target_of_sighting[sighting[i]]]
-        _row(i, points, position, attitude, rotation, derivatives, lever_arm, plane, row, lidar)
-        variance = 0.0
-        for k in range(3):
-            variance += (lidar[k] * sigma_lidar[i, k]) ** 2
-        for k in range(7):
-            wide[k] = row[k]
-        misclosure = row[13]
-        if has_knots:
-            u, knot = fraction[i], left[i]
-            for k in range(6):
-                by_pose = row[7 + k]
-                wide[7 + k] = (1 - u) * by_pose
-                wide[13 + k] = u * by_pose
-                misclosure += by_pose * ((1 - u) * effects[knot, k] + u * effects[knot + 1, k])
-        else:
-            for k in range(3):
-                variance += (row[7 + k] * sigma_position[i, k]) ** 2
-                variance += (row[10 + k] * sigma_attitude[i, k]) ** 2
-        wide[width - 1] = misclosure
-        total = sums[group[i]]
-        for j in range(width):
-            weighted = wide[j] / variance
-            for k in range(j + 1):
-                total[j, k] += weighted * wide[k]
+@njit(nogil=True, cache=True, inline="always")
+def lidar_variance(i, points, sigma, beam, lidar):  # type: ignore[no-untyped-def]
+    """Variance of the condition of point ``i`` from the LiDAR noise, square metres."""
+    if not beam:
+        return (
+            (lidar[0] * sigma[i, 0]) ** 2
+            + (lidar[1] * sigma[i, 1]) ** 2
+            + (lidar[2] * sigma[i, 2]) ** 2
+        )
+    x, y, z = points[i, 0], points[i, 1], points[i, 2]
+    along = lidar[0] * x + lidar[1] * y + lidar[2] * z
+    along = along * along / (x * x + y * y + z * z)
+    across = lidar[0] ** 2 + lidar[1] ** 2 + lidar[2] ** 2 - along
+    # Both directions across the beam have the same sigma.
+    return along * sigma[i, 0] ** 2 + across * sigma[i, 1] ** 2

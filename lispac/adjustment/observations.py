@@ -1,7 +1,9 @@
 """What goes into the adjustment: one row a point, grouped into sightings."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +37,15 @@ class Observations:
     sighting : ndarray of shape (n,), int
         Index into ``sightings``.
     sightings : tuple of Sighting
+    beam_sigmas : bool
+        Whether ``sigma_lidar`` is along the beam and twice across it instead of along x, y, z.
+    pose_rate : ndarray of shape (n, 6) or None, metres and radians per second
+        Derivative of position and attitude by time; without it no latency can be estimated.
+    latency : float, seconds
+        Already applied to the times at which position and attitude were read.
+    radii : mapping of str to float or None
+        The targets that are spheres, with their radius in metres, or None where it is unknown;
+        all others are planes.
     """
 
     points_lidar: Array
@@ -46,6 +57,10 @@ class Observations:
     time: Array
     sighting: NDArray[np.int64]
     sightings: tuple[Sighting, ...]
+    beam_sigmas: bool = False
+    pose_rate: Array | None = None
+    latency: float = 0.0
+    radii: Mapping[str, float | None] = field(default_factory=dict)
 
     def __len__(self) -> int:
         return len(self.time)
@@ -59,6 +74,43 @@ class Observations:
     def target_of_sighting(self) -> NDArray[np.int64]:
         """Index into ``targets`` for each sighting, shape (sightings,)."""
         return np.array([self.targets.index(s.target) for s in self.sightings], dtype=np.int64)
+
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        """Names of the lines, in the order of their first sighting."""
+        return tuple(dict.fromkeys(sighting.line for sighting in self.sightings))
+
+    @cached_property
+    def is_sphere(self) -> NDArray[np.bool_]:
+        """Which targets are spheres, shape (targets,)."""
+        return np.array([target in self.radii for target in self.targets], dtype=bool)
+
+    def as_planes(self) -> "Observations":
+        """The same points with every target taken for a plane."""
+        return replace(self, radii={}) if self.radii else self
+
+    def reordered(self, order: NDArray[np.int64]) -> "Observations":
+        """The points in another order, or some of them; ``sightings`` stays as it is."""
+        columns: dict[str, Any] = {
+            column.name: values[order]
+            for column in fields(self)
+            if isinstance(values := getattr(self, column.name), np.ndarray)
+        }
+        return replace(self, **columns)
+
+    def where(self, keep: NDArray[np.bool_]) -> "Observations":
+        """The points of ``keep``, shape (n,), alone; sightings left without any are dropped."""
+        part = self.reordered(np.flatnonzero(keep))
+        kept = np.unique(part.sighting)
+        return replace(
+            part,
+            sighting=np.searchsorted(kept, part.sighting),
+            sightings=tuple(self.sightings[k] for k in kept),
+        )
+
+    def of_sightings(self, keep: NDArray[np.bool_]) -> "Observations":
+        """The points of the sightings of ``keep``, shape (sightings,), alone."""
+        return self.where(keep[self.sighting])
 
     @cached_property
     def counts(self) -> NDArray[np.int64]:

@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Sighting
+from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
@@ -29,7 +31,13 @@ class ChiSquare:
 
 @dataclass(frozen=True, eq=False)
 class SightingResidual:
-    """Distances of one sighting's points to the adjusted plane, metres."""
+    """Distances of one sighting's points to the adjusted surface, and what is behind them.
+
+    Attributes
+    ----------
+    rms_before, rms_after, mean_after : float, metres
+        Mounting and surface alone: no POS error is taken off.
+    """
 
     sighting: Sighting
     points: int
@@ -39,10 +47,68 @@ class SightingResidual:
 
 
 @dataclass(frozen=True, eq=False)
-class TargetResidual:
-    """Distances of one target's points, over all lines, to one joint plane, metres.
+class SightingReliability:
+    """How well a sighting is checked by the others, and whether it agrees (correlated model).
 
-    Before, the plane is the best one through the points placed with the prior boresight.
+    Attributes
+    ----------
+    pos_error, pos_sigma, pos_sigma_after : ndarray of shape (6,), metres and radians
+        Estimated POS error (north, west, up, roll, pitch, heading) in the middle of the sighting,
+        its standard deviation before and after the adjustment.
+    shift : float, metres
+        By how much the sighting as a whole lies off what all others say, along the normal, with
+        its own prior left out.
+    w : float
+        The shift over its standard deviation (Baarda's test); a unit normal variable where the
+        sighting has no blunder.
+    detectable : float, metres
+        Smallest shift that the test finds with 80 % power (minimal detectable bias).
+    effect : ndarray of shape (3,), radians
+        What a shift of that size that stays unfound does to roll, pitch, yaw.
+    redundancy : float
+        Mean of the points' redundancy numbers, 0 (unchecked) to 1.
+    strays : int
+        Points whose own test is beyond the critical value.
+    largest_w : float
+        Largest test value among the points.
+    point_detectable : float, metres
+        Median of the points' minimal detectable biases.
+    weight : float
+        Mean weight the loss left to the points.
+    released : bool
+        Whether it was found to be a blunder and is no longer held to its target.
+    """
+
+    sighting: Sighting
+    pos_error: Array
+    pos_sigma: Array
+    pos_sigma_after: Array
+    shift: float
+    w: float
+    detectable: float
+    effect: Array
+    redundancy: float
+    strays: int
+    largest_w: float
+    point_detectable: float
+    weight: float
+    released: bool
+
+
+@dataclass(frozen=True, eq=False)
+class TargetResidual:
+    """Distances of one target's points, over all lines, to one joint surface, metres.
+
+    Before, the surface is the best one through the points placed with the prior boresight.
+
+    Attributes
+    ----------
+    plane : ndarray of shape (4,), local frame
+        Unit normal and offset (metres); of a sphere centre and radius.
+    sphere : bool
+    noise : float
+        LiDAR noise found in the residuals over the stated one, at least 1; the sigmas of the
+        angles are computed with it (correlated model).
     """
 
     target: str
@@ -50,6 +116,52 @@ class TargetResidual:
     rms_before: float
     rms_after: float
     plane: Array
+    sphere: bool = False
+    noise: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Observability:
+    """How well the geometry sees the boresight.
+
+    Attributes
+    ----------
+    eigenvalues : ndarray of shape (3,), per square radian, ascending
+        Of the normal matrix of the three angles, all else eliminated.
+    directions : ndarray of shape (3, 3)
+        Their directions in (roll, pitch, yaw), one a column.
+    condition : float
+        Largest over smallest eigenvalue.
+    sigma_without_line : dict of str to ndarray of shape (3,) or None, radians
+        Sigmas of roll, pitch, yaw if a line were left out; None where they could not be found.
+    sentences : tuple of str
+        The same in words.
+    """
+
+    eigenvalues: Array
+    directions: Array
+    condition: float
+    sigma_without_line: dict[str, Array | None]
+    sentences: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Component:
+    """A group of errors, how large the data say it is: a factor on its stated sigmas.
+
+    Attributes
+    ----------
+    name : {"LiDAR", "POS position", "POS attitude", "surface"}
+    factor : float
+        For ``surface`` the sigma itself, in metres.
+    lower, upper : float
+        95 % interval by the likelihood.
+    """
+
+    name: str
+    factor: float
+    lower: float
+    upper: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,16 +170,34 @@ class AdjustmentResult:
 
     Attributes
     ----------
-    boresight, prior_boresight : ndarray of shape (3,), radians; roll, pitch, yaw
-    covariance : ndarray of shape (3, 3), radians squared
-        From the stated sigmas; not scaled by the variance factor.
-    degrees_of_freedom : int
+    mounting : Mounting
+        As estimated; values that were not estimated are as they went in.
+    prior_boresight : ndarray of shape (3,), radians; roll, pitch, yaw
+    estimated : tuple of str
+        Names of the estimated values: boresight, and those of ``parameters`` with a number.
+    covariance_all : ndarray of shape (e, e), radians, metres, seconds
+        Covariance of ``estimated``. Not scaled by the variance factor.
+    parameters : tuple of Estimate
+        What became of every value that was switched on besides the boresight.
+    path : ndarray of shape (iterations, 3), radians
+        Roll, pitch, yaw after each iteration.
+    variance_factor : float
+        From the stated sigmas, before any noise was taken from the residuals.
+    surface : float, metres
+        Sigma of how the sightings depart from their target's shape; 0 in thesis mode.
+    reliability : tuple of SightingReliability
+        Empty in thesis mode.
+    components : tuple of Component
+        Empty where they were not asked for.
     elapsed : float, seconds
     """
 
-    boresight: Array
+    mounting: Mounting
     prior_boresight: Array
-    covariance: Array
+    estimated: tuple[str, ...]
+    covariance_all: Array
+    parameters: tuple[Estimate, ...]
+    path: Array
     model: StochasticModel
     variance_factor: float
     degrees_of_freedom: int
@@ -77,7 +207,21 @@ class AdjustmentResult:
     sightings: tuple[SightingResidual, ...]
     rms_before: float
     rms_after: float
+    surface: float
+    observability: Observability | None
+    reliability: tuple[SightingReliability, ...]
+    components: tuple[Component, ...]
     elapsed: float
+
+    @property
+    def boresight(self) -> Array:
+        """Roll, pitch, yaw, shape (3,), radians."""
+        return self.mounting.boresight
+
+    @property
+    def covariance(self) -> Array:
+        """Covariance of roll, pitch, yaw, shape (3, 3), radians squared."""
+        return self.covariance_all[:3, :3]
 
     @property
     def points(self) -> int:
@@ -92,4 +236,71 @@ class AdjustmentResult:
     @property
     def correlation(self) -> Array:
         """Correlations between roll, pitch and yaw, shape (3, 3)."""
-        return np.asarray(self.covariance / np.outer(self.sigma, self.sigma))
+        return self.correlation_all[:3, :3]
+
+    @property
+    def correlation_all(self) -> Array:
+        """Correlations between all of ``estimated``, shape (e, e)."""
+        sigma = np.sqrt(np.diag(self.covariance_all))
+        return np.asarray(self.covariance_all / np.outer(sigma, sigma))
+
+    @property
+    def suspects(self) -> tuple[Sighting, ...]:
+        """Sightings found to be blunders."""
+        return tuple(item.sighting for item in self.reliability if item.released)
+
+
+@dataclass(frozen=True, eq=False)
+class CrossCheck:
+    """The answer of a part of the data beside that of all.
+
+    Attributes
+    ----------
+    kind : {"line", "target", "half"}
+    without : str
+        Line or target left out, or which half of the survey in time was used.
+    boresight, sigma : ndarray of shape (3,) or None, radians
+        None where the part does not determine the angles.
+    difference : ndarray of shape (3,) or None, radians
+        From the answer of all points, or between the two halves.
+    significance : ndarray of shape (3,) or None
+        The difference over the standard deviation it should have.
+    reason : str
+        Why there is no answer.
+    """
+
+    kind: str
+    without: str
+    boresight: Array | None = None
+    sigma: Array | None = None
+    difference: Array | None = None
+    significance: Array | None = None
+    reason: str = ""
+
+    @property
+    def disagrees(self) -> bool:
+        """Whether an angle differs by more than chance explains (3 standard deviations)."""
+        return self.significance is not None and bool(np.abs(self.significance).max() > 3)
+
+
+@dataclass(frozen=True, eq=False)
+class CrossChecks:
+    """All parts, and the spread of their answers beside the formal sigmas.
+
+    Attributes
+    ----------
+    spread_lines, spread_targets : ndarray of shape (3,) or None, radians
+        Jackknife standard deviation from leaving out one line, or one target, at a time.
+    sigma : ndarray of shape (3,), radians
+        Formal, of the answer of all points.
+    """
+
+    parts: tuple[CrossCheck, ...]
+    spread_lines: Array | None
+    spread_targets: Array | None
+    sigma: Array
+
+    @property
+    def disagreements(self) -> tuple[CrossCheck, ...]:
+        """Parts that disagree with the whole."""
+        return tuple(part for part in self.parts if part.disagrees)

@@ -7,13 +7,14 @@ three attitude errors are functions of time, drawn from a first-order Gauss-Mark
 the trajectory's accuracy as its standard deviation, and are estimated along with the boresight.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.robust import LossName
 
 Array = NDArray[np.float64]
 
@@ -23,21 +24,41 @@ POS_ERRORS: tuple[PosErrors, ...] = ("correlated", "independent")
 
 @dataclass(frozen=True)
 class StochasticModel:
-    """Model of the POS errors by name, with its correlation times in seconds.
+    """Model of the errors by name, with its times and sigmas.
 
     The position of a post-processed GNSS/INS solution drifts over minutes (multipath, satellite
     geometry); its attitude more slowly. Where the processing report states correlation times, use
     them; too long a time is safer than too short a one.
+
+    Attributes
+    ----------
+    pos_errors : {"correlated", "independent"}
+    position_time, attitude_time : float, seconds
+        Correlation times of the POS error; ``correlated`` alone.
+    surface : float or None, metres
+        How far what one line sees of a target may lie off the shape all lines have in common,
+        over the whole sighting: a bent board, rough ground, range errors that depend on how the
+        beam falls. Each sighting gets an offset of this sigma and, for planes, two tilts that
+        lift its border by as much; None takes the sigma from the data. ``correlated`` alone.
+    loss : {"none", "huber", "tukey"}
+        How stray points are weighted.
     """
 
     pos_errors: PosErrors = "correlated"
     position_time: float = 300.0
     attitude_time: float = 600.0
+    surface: float | None = None
+    loss: LossName = "none"
+
+    @property
+    def correlated(self) -> bool:
+        """Whether points share their POS errors."""
+        return self.pos_errors == "correlated"
 
 
 KNOT_INTERVAL = 0.25
 """Seconds between the knots of the POS error. Halfway between two, a process of 300 s and 12 mm
-strays from their chord by 0.25 mm, well under the noise of a scanner's points."""
+strays from their chord by 0.25 mm; that much is added to the noise of the points."""
 
 SMALLEST_SIGMA = 1e-9
 """Metres and radians: an accuracy given as zero still needs a finite weight."""
@@ -60,6 +81,9 @@ class PosErrorKnots:
     precision_diagonal : ndarray of shape (k, 6), per square metre and square radian
     precision_beside : ndarray of shape (k - 1, 6)
         Between each knot and the next.
+    bridge : ndarray of shape (6,)
+        Variance, over that of the process, by which it strays from the chord between two knots
+        at the fraction u, over ``u (1 - u)``.
     """
 
     time: Array
@@ -67,6 +91,7 @@ class PosErrorKnots:
     fraction: Array
     precision_diagonal: Array
     precision_beside: Array
+    bridge: Array
 
     @classmethod
     def of(cls, observations: Observations, model: StochasticModel) -> "PosErrorKnots":
@@ -98,7 +123,12 @@ class PosErrorKnots:
             scaled - cell,
             diagonal / sigma**2,
             -kept / fresh / (sigma[:-1] * sigma[1:]),
+            2 * KNOT_INTERVAL / correlation_time,
         )
+
+    def reordered(self, order: NDArray[np.int64]) -> "PosErrorKnots":
+        """The same knots for the points in another order."""
+        return replace(self, left=self.left[order], fraction=self.fraction[order])
 
     def weighted(self, effects: Array) -> Array:
         """Prior precision times ``effects``, both of shape (k, 6)."""

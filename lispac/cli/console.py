@@ -1,9 +1,11 @@
 """The terminal: progress as one line on stderr, rewritten in place, and wrong usage."""
 
+import json
 import os
 import sys
 import time
 from types import TracebackType
+from typing import Any
 
 
 class UsageError(Exception):
@@ -46,3 +48,8 @@ def has_display() -> bool:
     if sys.platform.startswith("linux"):
         return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
     return True
+
+
+def print_json(content: dict[str, Any]) -> None:
+    """Print plain values as JSON."""
+    print(json.dumps(content, indent=1, allow_nan=False))

@@ -35,6 +35,7 @@ def build_parser() -> argparse.ArgumentParser:
     _validate(commands)
     _georeference(commands)
     _report(commands)
+    _angles(commands)
     return parser
 
 
@@ -109,20 +110,57 @@ def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--subsample",
         type=_not_negative,
         metavar="METRES",
-        help="distance between the points kept (default 0.10; 0 keeps all)",
+        help="points closer than this are averaged, in thesis mode one of them kept (default "
+        "0.10; 0 keeps all)",
     )
     estimate.add_argument(
         "--pos-errors",
         choices=("independent", "correlated"),
-        help="whether each point has a POS error of its own (independent: thesis mode, the "
-        "default, whose sigmas are too small) or neighbouring points share it (correlated: for "
-        "boards)",
+        help="whether neighbouring points share their POS error (correlated, the default) or each "
+        "has its own (independent: thesis mode, whose sigmas are too small)",
+    )
+    for name, default in (("position", 300), ("attitude", 600)):
+        estimate.add_argument(
+            f"--{name}-time",
+            type=_positive,
+            metavar="SECONDS",
+            help=f"correlation time of the {name} error (default {default}; see the processing "
+            "report; too long is safer than too short)",
+        )
+    estimate.add_argument(
+        "--surface",
+        type=_surface,
+        metavar="METRES",
+        help="sigma by which what one line sees of a target departs from its shape (default auto: "
+        "from the data)",
+    )
+    estimate.add_argument(
+        "--loss",
+        choices=("none", "huber", "tukey"),
+        help="weights of stray points (default tukey, in thesis mode none)",
+    )
+    estimate.add_argument(
+        "--estimate",
+        action="append",
+        metavar="NAME[=SIGMA]",
+        help="estimate this too: lever-x, lever-y, lever-z, range-offset (m), scan-angle-offset "
+        "(deg), latency (s), with the sigma its value is known to; none switches all off",
+    )
+    estimate.add_argument(
+        "--components", action="store_true", help="take the sigmas of LiDAR and POS from the data"
+    )
+    estimate.add_argument(
+        "--no-cross-checks", action="store_true", help="do not adjust parts of the data too"
     )
     estimate.add_argument("--planes", type=Path, nargs="+", metavar="FILE", help="25-column files")
     _triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes (m)")
     _triple(estimate, "--boresight", ("R", "P", "Y"), "with --planes: prior (deg), default 0 0 0")
     estimate.add_argument("--lidar-sigma", type=_positive, metavar="METRES", help="with --planes")
     _json(estimate)
+
+
+def _surface(text: str) -> float | str:
+    return text if text == "auto" else _not_negative(text)
 
 
 def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -144,6 +182,53 @@ def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
     report.add_argument(
         "--output", type=Path, required=True, metavar="FILE", help=".pdf, .html or .json"
     )
+
+
+def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
+    angles = _command(commands, "angles", "give a boresight in another program's convention")
+    angles.description = (
+        "Give a boresight and a lever arm in another program's convention, with the assumptions "
+        "made. Without arguments: list the systems and the order in which each types its angles."
+    )
+    angles.add_argument(
+        "values",
+        nargs="*",
+        metavar="A B C | PROJECT",
+        help="three angles (deg) in the order of --from, or a project with an estimated boresight",
+    )
+    angles.add_argument(
+        "--from", dest="from_system", default="lispac", metavar="SYSTEM", help="default lispac"
+    )
+    angles.add_argument("--to", default="lispac", metavar="SYSTEM", help="default lispac")
+    _triple(angles, "--lever", ("X", "Y", "Z"), "lever arm along the body axes of --from (m)")
+    _triple(
+        angles, "--current", ("A", "B", "C"),
+        "present settings in the --to system (deg): also print the correction to them",
+    )  # fmt: skip
+    angles.add_argument(
+        "--current-applied",
+        action="store_true",
+        help="the lines were already turned by --current, so what was found comes on top of it",
+    )
+    angles.add_argument("--matrix", action="store_true", help="print the matrices too")
+    angles.add_argument(
+        "--from-matrix",
+        type=Path,
+        metavar="FILE",
+        help="text file with the 3x3 or 4x4 matrix from scanner to body of --from",
+    )
+    angles.add_argument(
+        "--scanner",
+        choices=("turned", "kept", "mounted"),
+        help="scanner axes of the other system: turned as its body axes, kept as in the raw "
+        "points, or laid on the body axes by a mounting (default: as that system usually does)",
+    )
+    for option, text in (
+        ("--body-axes", "where the other system's body axes point, e.g. forward starboard down"),
+        ("--mounting", "where the raw scanner axes nominally point, e.g. forward port up"),
+    ):
+        angles.add_argument(option, nargs=3, metavar=("X", "Y", "Z"), help=text)
+    _json(angles)
 
 
 def _json(parser: argparse.ArgumentParser) -> None:

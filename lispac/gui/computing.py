@@ -2,7 +2,7 @@
 
 import tempfile
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -68,9 +68,9 @@ class Computing(QObject):
             return  # counted when the runner is idle
 
         def work(_progress: Progress) -> int:
-            from lispac.workflow.calibration import thinned_counts
+            from lispac.workflow.calibration import count_of
 
-            return sum(thinned_counts(project, survey, subsample).values())
+            return count_of(project, survey, replace(project.settings, subsample=subsample))
 
         def done(kept: int) -> None:
             self._stale_count = False
@@ -87,9 +87,8 @@ class Computing(QObject):
         def work(progress: Progress) -> tuple[Project, Mapping[str, Array]]:
             from lispac.workflow.calibration import estimate
 
-            done = estimate(
-                project, survey, subsample=subsample, pos_errors=pos_errors, progress=progress
-            )
+            settings = replace(project.settings, subsample=subsample, pos_errors=pos_errors)
+            done = estimate(project, survey, settings=settings, progress=progress)
             progress(1.0, "Placing the lines with the estimated boresight")
             return done, survey.placed(done, "estimated", progress=progress)
 

@@ -231,13 +231,22 @@ class Controller(QObject):
         """Let a target take part, or not."""
         if self._project is not None:
             what = f"use of {name}" if used else f"leaving out {name}"
-            self._document.edit(what, edits.with_use_of_target(self._project, name, used))
+            edited = edits.with_use_of_target(self._project, name, used)
+            self._document.edit(what, edited, follows=True)
 
     def use_sighting(self, name: str, line: str, used: bool) -> None:
         """Let a sighting take part, or not."""
         if self._project is not None:
             what = f"use of {name} on {line}" if used else f"leaving out {name} on {line}"
-            self._document.edit(what, edits.with_use_of_sighting(self._project, name, line, used))
+            edited = edits.with_use_of_sighting(self._project, name, line, used)
+            self._document.edit(what, edited, follows=True)
+
+    def use_line(self, line: str, used: bool) -> None:
+        """Let all targets of a line take part, or none."""
+        if self._project is not None:
+            what = f"use of line {line}" if used else f"leaving out line {line}"
+            edited = edits.with_use_of_line(self._project, line, used)
+            self._document.edit(what, edited, follows=True)
 
     def change_settings(self, settings: Settings) -> None:
         """Take over edited settings."""

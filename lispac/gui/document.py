@@ -1,5 +1,7 @@
 """The open project, its data in memory, and the way back: one undo command per edit."""
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
@@ -19,13 +21,31 @@ def data_key(project: Project) -> tuple[object, ...]:
         settings.origin_deg_m,
         settings.position_sigma,
         settings.attitude_sigma_deg,
+        settings.range_offset,
+        settings.scan_angle_offset_deg,
+        settings.latency,
     )
 
 
-class _Edit(QUndoCommand):
-    """The project before and after one edit."""
+@dataclass(eq=False)
+class _State:
+    """A project between two edits; a result that follows from an edit is filled in afterwards.
 
-    def __init__(self, text: str, document: "Document", before: Project, after: Project) -> None:
+    Attributes
+    ----------
+    follows : whether its result is computed without being asked for
+    refusal : why there is no such result, in words
+    """
+
+    project: Project
+    follows: bool = False
+    refusal: str = ""
+
+
+class _Edit(QUndoCommand):
+    """The state before and after one edit."""
+
+    def __init__(self, text: str, document: "Document", before: _State, after: _State) -> None:
         super().__init__(text)
         self._document, self._before, self._after = document, before, after
 
@@ -49,11 +69,32 @@ class Document(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.project: Project | None = None
+        self._state: _State | None = None
         self.survey: Survey | None = None
         self._key: tuple[object, ...] | None = None
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
+
+    @property
+    def project(self) -> Project | None:
+        """The project as it stands."""
+        return None if self._state is None else self._state.project
+
+    @property
+    def awaits_result(self) -> bool:
+        """Whether the project's result is still to follow from the last edit."""
+        state = self._state
+        return (
+            state is not None
+            and state.follows
+            and state.project.result is None
+            and not state.refusal
+        )
+
+    @property
+    def refusal(self) -> str:
+        """Why no result follows from the last edit, in words; empty where one does."""
+        return "" if self._state is None else self._state.refusal
 
     @property
     def is_modified(self) -> bool:
@@ -68,7 +109,7 @@ class Document(QObject):
     def open(self, project: Project | None, survey: Survey | None) -> None:
         """Put a project in, fresh and unmodified."""
         self.undo_stack.clear()
-        self.project = project
+        self._state = None if project is None else _State(project)
         self.set_survey(project, survey)
         self.opened.emit()
         self.changed.emit()
@@ -79,11 +120,47 @@ class Document(QObject):
         self._key = data_key(project) if project is not None and survey is not None else None
         self.survey_changed.emit()
 
-    def edit(self, text: str, project: Project) -> None:
-        """Replace the project by an edited one, as one undo step."""
-        if self.project is None or project is self.project:
+    def edit(
+        self,
+        text: str,
+        project: Project,
+        *,
+        survey: Survey | None = None,
+        follows: bool = False,
+    ) -> None:
+        """Replace the project by an edited one, as one undo step.
+
+        Parameters
+        ----------
+        survey : Survey, optional
+            The data as the edited project places them, where they are at hand already.
+        follows : bool
+            Whether a result that the edit drops is to be computed again by itself: `amend` fills
+            it in, and one undo takes back the edit and its result.
+        """
+        if self._state is None or project is self._state.project:
             return
-        self.undo_stack.push(_Edit(text, self, self.project, project))
+        again = follows and (self._state.project.result is not None or self._state.follows)
+        before, after = self._state, _State(project, follows=again)
+        if survey is not None:
+            self.survey, self._key = survey, data_key(project)
+        self.undo_stack.push(_Edit(text, self, before, after))
+        if survey is not None:
+            self.survey_changed.emit()
+
+    def amend(self, project: Project) -> None:
+        """Fill in what follows from the last edit; it belongs to that edit's undo step."""
+        assert self._state is not None
+        self._state.project = project
+        if self.undo_stack.isClean():
+            self.undo_stack.resetClean()  # what was saved lacks it
+        self.changed.emit()
+
+    def refuse(self, reason: str) -> None:
+        """Keep why nothing follows from the last edit."""
+        assert self._state is not None
+        self._state.refusal = reason
+        self.changed.emit()
 
     def mark_saved(self) -> None:
         """The project on disk is the one in memory."""
@@ -92,6 +169,6 @@ class Document(QObject):
     def _clean_changed(self, clean: bool) -> None:
         self.modified.emit(not clean)
 
-    def _set(self, project: Project) -> None:
-        self.project = project
+    def _set(self, state: _State) -> None:
+        self._state = state
         self.changed.emit()

@@ -23,6 +23,13 @@ def with_use_of_sighting(project: Project, name: str, line: str, used: bool) -> 
     return project.with_target(replace(target, sightings=sightings))
 
 
+def with_use_of_line(project: Project, line: str, used: bool) -> Project:
+    """Let every target's sighting on a line take part, or not."""
+    for target in project.of_role("target"):
+        project = with_use_of_sighting(project, target.name, line, used)
+    return project
+
+
 def with_name(project: Project, old: str, new: str) -> Project:
     """Rename a target; it keeps its place, and what was computed under its old name goes.
 

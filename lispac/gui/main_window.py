@@ -14,6 +14,8 @@ from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.life import ProjectLife
 from lispac.gui.panels.adjust import AdjustPanel
+from lispac.gui.panels.convention import TITLE as CONVENTION
+from lispac.gui.panels.convention import ConventionPanel
 from lispac.gui.panels.data import DataPanel
 from lispac.gui.panels.histograms import HistogramsPanel
 from lispac.gui.panels.log import LogPanel
@@ -84,15 +86,19 @@ class MainWindow(QMainWindow):
             (self.data, self.targets, self.adjust, self.validate, self.report)
         )
         self.results, self.log = ResultsPanel(), LogPanel()
+        self.convention = ConventionPanel()
         self.table, self.histograms = SightingsTable(), HistogramsPanel()
         self.setCentralWidget(self.viewport.widget)
         self.centralWidget().setMinimumSize(240, 180)
         self.task_bar = TaskBar()
         self.setStatusBar(self.task_bar)
         self.addToolBar(self.actions_.fill_toolbar())
+        # Docks laid out half joined would leave their first tab bars lying in the window.
+        self.layout().setEnabled(False)
         docks = {
             "Workflow": self._dock("Workflow", self.workflow, Area.LeftDockWidgetArea),
             "Results": self._dock("Results", self.results, Area.RightDockWidgetArea),
+            CONVENTION: self._dock(CONVENTION, self.convention, Area.RightDockWidgetArea),
             "Targets by lines": self._dock(
                 "Targets by lines", self.table, Area.BottomDockWidgetArea
             ),
@@ -101,9 +107,13 @@ class MainWindow(QMainWindow):
         }
         self.docks = docks
         self.setTabPosition(Area.BottomDockWidgetArea, QTabWidget.TabPosition.North)
+        self.setTabPosition(Area.RightDockWidgetArea, QTabWidget.TabPosition.North)
         self.tabifyDockWidget(docks["Targets by lines"], docks["Histograms"])
         self.tabifyDockWidget(docks["Histograms"], docks["Log"])
+        self.tabifyDockWidget(docks["Results"], docks[CONVENTION])
+        self.layout().setEnabled(True)
         docks["Targets by lines"].raise_()
+        docks["Results"].raise_()
         self.setCorner(Qt.Corner.BottomLeftCorner, Area.LeftDockWidgetArea)
         self.setCorner(Qt.Corner.BottomRightCorner, Area.BottomDockWidgetArea)
         self.setDockOptions(
@@ -234,6 +244,7 @@ class MainWindow(QMainWindow):
         self.report.show_status(statuses[REPORT], survey is not None, busy)
         self.table.show_project(project, survey)
         self.results.show_project(project)
+        self.convention.show_project(project)
         self.histograms.show_project(project)
         self._enable(statuses, busy)
         self._name_window()

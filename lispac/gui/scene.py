@@ -18,6 +18,8 @@ class Scene(QObject):
     """Keeps the viewport in step with the document, the candidate and the before/after switch."""
 
     which_changed = Signal(str)
+    placing_wanted = Signal()
+    """The lines after are shown, and the project has another result by now."""
 
     def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
         super().__init__(parent)
@@ -26,6 +28,7 @@ class Scene(QObject):
         self.which: Which = "prior"
         self.candidate: Target | None = None
         self._fit_next = True
+        self._drawn: Mapping[str, Array] = {}
         document.opened.connect(self._another)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
@@ -69,7 +72,7 @@ class Scene(QObject):
         """Show the lines before or after."""
         if which == "estimated" and not self.has_estimated:
             which = "prior"
-        if which != self.which:
+        if which != self.which or self.clouds is not self._drawn:
             self.which = which
             self._draw_clouds()
             self._draw_targets()
@@ -112,14 +115,19 @@ class Scene(QObject):
         self.which_changed.emit(self.which)
 
     def _project_changed(self) -> None:
+        project = self._document.project
         if self.which == "estimated" and not self.has_estimated:
-            self.which = "prior"
+            if project is not None and project.result is not None:
+                self.placing_wanted.emit()  # the lines as they are stay until the others are there
+            elif not self._document.awaits_result:
+                self.which = "prior"
+                self.which_changed.emit(self.which)
+        if self.clouds is not self._drawn:
             self._draw_clouds()
-            self.which_changed.emit(self.which)
         self._draw_targets()
 
     def _draw_clouds(self) -> None:
-        clouds = self.clouds
+        clouds = self._drawn = self.clouds
         survey = self._document.survey
         if survey is not None:
             # Standard views look from the water, where the vessel was while it scanned.

@@ -171,6 +171,7 @@ class TaskRunner(QObject):
                 if not task.quiet:
                     self.stopped.emit(task.title)
             elif task.error is not None:
+                self.changed.emit()  # nothing runs any more while the error is shown
                 self.failed.emit(task.error)
             else:
                 task.done(task.value)

@@ -11,7 +11,6 @@ import json
 import os
 import re
 import zipfile
-from dataclasses import asdict
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -19,18 +18,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.observations import Sighting
-from lispac.adjustment.result import (
-    AdjustmentResult,
-    ChiSquare,
-    SightingResidual,
-    TargetResidual,
-)
-from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.adjustment.stochastic import POS_ERRORS
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import written_whole
+from lispac.io.upgrades import SCHEMA_VERSION, upgraded
+from lispac.io.values import decoded, encoded
 from lispac.project import (
     ROLES,
+    SHAPES,
     LineSource,
     PickedSighting,
     Project,
@@ -42,7 +38,6 @@ from lispac.project import (
 from lispac.validation.comparison import PlaneComparison
 
 FILE_NAME = "project.json"
-SCHEMA_VERSION = 1
 
 
 def write_project(project: Project) -> None:
@@ -79,7 +74,7 @@ def read_project(folder: Path) -> Project:
             raise ProjectError(
                 f"{path}: made by a newer version of the program (schema {version}); update it."
             )
-        project = _decode(path.parent.resolve(), content)
+        project = _decode(path.parent.resolve(), upgraded(content))
         _require_consistent(project)
     except InputError as error:
         raise ProjectError(f"{path}: {error}") from error
@@ -99,6 +94,8 @@ def _require_consistent(project: Project) -> None:
         require_name(target.name)
         if target.role not in ROLES:
             raise ValueError(f"{target.name} has the role {target.role!r}")
+        if target.shape not in SHAPES:
+            raise ValueError(f"{target.name} has the shape {target.shape!r}")
         if not (np.isfinite(target.seed).all() and target.threshold > 0 and target.radius > 0):
             raise ValueError(f"seed, threshold or radius of {target.name}")
         for sighting in target.sightings:
@@ -121,7 +118,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
             }
             for line in project.lines
         ],
-        "settings": asdict(project.settings),
+        "settings": encoded(project.settings),
         "targets": [
             {
                 "name": target.name,
@@ -131,6 +128,8 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
                 "radius": target.radius,
                 "used": target.used,
                 "missing": dict(target.missing),
+                "shape": target.shape,
+                "sphere_radius": target.sphere_radius,
                 "indices": index_files[target.name],
                 "sightings": [
                     {
@@ -145,7 +144,8 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
             }
             for target in project.targets
         ],
-        "result": project.result and _encode_result(project.result),
+        "result": encoded(project.result),
+        "cross_checks": encoded(project.cross_checks),
         "validation": [comparison.to_dict() for comparison in project.validation],
         "not_compared": dict(project.not_compared),
         "truth_deg": project.truth_deg,
@@ -153,10 +153,6 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
 
 
 def _decode(folder: Path, content: dict[str, Any]) -> Project:
-    settings: dict[str, Any] = {
-        key: _triple(value) if isinstance(value, list) else value
-        for key, value in content["settings"].items()
-    }
     return Project(
         folder=folder,
         trajectory=_absolute(content["trajectory"], folder),
@@ -165,9 +161,12 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
             LineSource(line["name"], _absolute(line["path"], folder), tuple(line["columns"]))
             for line in content["lines"]
         ),
-        settings=Settings(**settings),
+        settings=decoded(content["settings"], Settings),
         targets=tuple(_decode_target(folder, target) for target in content["targets"]),
-        result=_decode_result(content["result"]) if content["result"] else None,
+        result=decoded(content["result"], AdjustmentResult) if content["result"] else None,
+        cross_checks=(
+            decoded(content["cross_checks"], CrossChecks) if content["cross_checks"] else None
+        ),
         validation=tuple(PlaneComparison.from_dict(item) for item in content["validation"]),
         not_compared=dict(content["not_compared"]),
         truth_deg=_triple(content["truth_deg"]) if content["truth_deg"] else None,
@@ -197,48 +196,8 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
         sightings,
         content["missing"],
         content["used"],
-    )
-
-
-def _encode_result(result: AdjustmentResult) -> dict[str, Any]:
-    return {
-        "boresight_rad": result.boresight.tolist(),
-        "prior_boresight_rad": result.prior_boresight.tolist(),
-        "covariance_rad2": result.covariance.tolist(),
-        "model": asdict(result.model),
-        "variance_factor": result.variance_factor,
-        "degrees_of_freedom": result.degrees_of_freedom,
-        "chi_square": asdict(result.chi_square),
-        "iterations": result.iterations,
-        "targets": [asdict(item) | {"plane": item.plane.tolist()} for item in result.targets],
-        "sightings": [asdict(item) for item in result.sightings],
-        "rms_before": result.rms_before,
-        "rms_after": result.rms_after,
-        "elapsed": result.elapsed,
-    }
-
-
-def _decode_result(content: dict[str, Any]) -> AdjustmentResult:
-    return AdjustmentResult(
-        boresight=np.array(content["boresight_rad"]),
-        prior_boresight=np.array(content["prior_boresight_rad"]),
-        covariance=np.array(content["covariance_rad2"]),
-        model=StochasticModel(**content["model"]),
-        variance_factor=content["variance_factor"],
-        degrees_of_freedom=content["degrees_of_freedom"],
-        chi_square=ChiSquare(**content["chi_square"]),
-        iterations=content["iterations"],
-        targets=tuple(
-            TargetResidual(**item | {"plane": np.array(item["plane"])})
-            for item in content["targets"]
-        ),
-        sightings=tuple(
-            SightingResidual(**item | {"sighting": Sighting(**item["sighting"])})
-            for item in content["sightings"]
-        ),
-        rms_before=content["rms_before"],
-        rms_after=content["rms_after"],
-        elapsed=content["elapsed"],
+        content["shape"],
+        content["sphere_radius"],
     )
 
 

@@ -1,8 +1,12 @@
-"""Direct georeferencing: LiDAR frame to body frame to local frame (thesis equation 1.1)."""
+"""Direct georeferencing: LiDAR frame to body frame to local frame (thesis equation 1.1).
+
+Besides boresight and lever arm, the offsets a calibration may find are part of it: of the ranges,
+of the scan angle (thesis 3.4.2) and of the scanner's clock.
+"""
 
 import os
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numba import njit
@@ -18,9 +22,16 @@ Array = NDArray[np.float64]
 CHUNK = 1 << 19  # points per kernel call: progress and cancel about every 20 ms
 
 
+CALIBRATION = (
+    "roll", "pitch", "yaw", "lever_x", "lever_y", "lever_z", "range_offset", "scan_angle_offset",
+    "latency",
+)  # fmt: skip
+"""Names of the values of a `Mounting`, in the order of `Mounting.values`."""
+
+
 @dataclass(frozen=True, eq=False)
 class Mounting:
-    """How the LiDAR sits in the body frame.
+    """How the LiDAR sits in the body frame, and what its readings are off by.
 
     Attributes
     ----------
@@ -28,19 +39,57 @@ class Mounting:
         Optical centre of the LiDAR seen from the POS.
     boresight : ndarray of shape (3,), radians
         Roll, pitch, yaw of the LiDAR frame in the body frame.
+    range_offset : float, metres
+        Added to every range.
+    scan_angle_offset : float, radians
+        Turns every beam about the x axis of the LiDAR, about which a profiler's mirror turns.
+    latency : float, seconds
+        Added to the time of every point before the trajectory is asked.
     """
 
     lever_arm: Array
     boresight: Array
+    range_offset: float = 0.0
+    scan_angle_offset: float = 0.0
+    latency: float = 0.0
 
     @property
     def rotation_body_lidar(self) -> Array:
         """Rotation matrix from the LiDAR to the body frame, shape (3, 3)."""
         return rotation_matrix(*self.boresight)
 
+    @property
+    def values(self) -> Array:
+        """All values in the order of `CALIBRATION`, shape (9,), radians, metres, seconds."""
+        others = (self.range_offset, self.scan_angle_offset, self.latency)
+        return np.array([*self.boresight, *self.lever_arm, *others], dtype=float)
+
+    @classmethod
+    def of_values(cls, values: Array) -> "Mounting":
+        """The inverse of `values`."""
+        return cls(values[3:6].copy(), values[:3].copy(), *(float(value) for value in values[6:]))
+
     def with_boresight(self, boresight: Array) -> "Mounting":
-        """The same lever arm with another boresight."""
-        return Mounting(self.lever_arm, np.asarray(boresight, dtype=float))
+        """The same mounting with another boresight."""
+        return replace(self, boresight=np.asarray(boresight, dtype=float))
+
+    def corrected(self, points_lidar: Array) -> Array:
+        """Points with range and scan-angle offset applied, shape (n, 3), metres, LiDAR frame."""
+        if self.range_offset == 0 and self.scan_angle_offset == 0:
+            return points_lidar
+        ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
+        return (points_lidar * (1 + self.range_offset / ranges)) @ self._turn.T
+
+    def as_read(self, points_lidar: Array) -> Array:
+        """The inverse of `corrected`: what a scanner with these offsets gives out."""
+        if self.range_offset == 0 and self.scan_angle_offset == 0:
+            return points_lidar
+        ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
+        return (points_lidar * (1 - self.range_offset / ranges)) @ self._turn
+
+    @property
+    def _turn(self) -> Array:
+        return rotation_matrix(self.scan_angle_offset, 0.0, 0.0)
 
 
 def place(points_lidar: Array, poses: Poses, mounting: Mounting) -> Array:
@@ -50,11 +99,13 @@ def place(points_lidar: Array, poses: Poses, mounting: Mounting) -> Array:
     ----------
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     poses : Poses of n points
+        At the times of the points plus the latency.
 
     Returns
     -------
     ndarray of shape (n, 3), metres, local frame
     """
+    points_lidar = mounting.corrected(points_lidar)
     points_body = points_lidar @ mounting.rotation_body_lidar.T + mounting.lever_arm
     rotation_local_body = rotation_matrix(*poses.attitude.T)
     return poses.position + np.einsum("nij,nj->ni", rotation_local_body, points_body)
@@ -64,7 +115,7 @@ def to_lidar(points_local: Array, poses: Poses, mounting: Mounting) -> Array:
     """The exact inverse of `place`: local frame back to the LiDAR frame, shape (n, 3), metres."""
     rotation_local_body = rotation_matrix(*poses.attitude.T)
     points_body = np.einsum("nji,nj->ni", rotation_local_body, points_local - poses.position)
-    return (points_body - mounting.lever_arm) @ mounting.rotation_body_lidar
+    return mounting.as_read((points_body - mounting.lever_arm) @ mounting.rotation_body_lidar)
 
 
 def georeference(
@@ -94,8 +145,8 @@ def georeference(
     InputError
         Where a time lies outside the trajectory.
     """
-    points_lidar = np.ascontiguousarray(points_lidar, dtype=np.float64)
-    time = np.ascontiguousarray(time, dtype=np.float64)
+    points_lidar = np.ascontiguousarray(mounting.corrected(points_lidar), dtype=np.float64)
+    time = np.ascontiguousarray(time + mounting.latency, dtype=np.float64)
     points_local = np.empty_like(points_lidar)
     states = np.ascontiguousarray(np.hstack([trajectory.position, trajectory.attitude]))
     knots = np.ascontiguousarray(trajectory.time)

@@ -126,6 +126,14 @@ class LocalTrajectory:
             inside &= np.diff(self.time)[before] <= LONGEST_GAP
         return np.asarray(inside)
 
+    def rate_at(self, time: Array) -> Array:
+        """Derivative of position and attitude by time, shape (n, 6), metres and radians a second.
+
+        ``time`` has to lie inside the trajectory, as for `at`.
+        """
+        states = np.hstack([self.position, self.attitude])
+        return _interpolate(time, self.time, np.gradient(states, self.time, axis=0))
+
     def at(self, time: Array) -> Poses:
         """Linear interpolation to ``time`` (thesis B.1).
 

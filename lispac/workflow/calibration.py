@@ -1,20 +1,25 @@
 """From picked targets to the boresight."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 from time import perf_counter
 
 import numpy as np
+from numpy.typing import NDArray
 
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import PosErrors, StochasticModel
+from lispac.adjustment.stochastic import StochasticModel
 from lispac.errors import AdjustmentError
 from lispac.progress import Progress, no_progress, part
-from lispac.project import Project
+from lispac.project import Project, Settings
+from lispac.survey.georeferencing import Mounting
 from lispac.targets.thinning import thin
 from lispac.workflow.reselection import reselect
 from lispac.workflow.survey import Survey
+
+Array = NDArray[np.float64]
 
 RESELECTIONS = 3
 """Each selection leaves about a third of the error that the smear of the one before it caused."""
@@ -28,23 +33,33 @@ SETTLED = 0.1
 
 
 def observations_of(
-    project: Project, survey: Survey, *, subsample: float | None = None
+    project: Project,
+    survey: Survey,
+    *,
+    settings: Settings | None = None,
+    mounting: Mounting | None = None,
 ) -> Observations:
-    """Thin the points of every used sighting and bring them into the adjustment's form.
+    """Bring the points of every used sighting into the adjustment's form, fewer of them.
+
+    Neighbours are averaged; in thesis mode one of them is kept, as the thesis does.
 
     Parameters
     ----------
-    subsample : float, metres, optional
-        In place of the project's setting.
+    settings : Settings, optional
+        In place of the project's.
+    mounting : Mounting, optional
+        Places the points to find neighbours; the prior where not given.
 
     Raises
     ------
     AdjustmentError
         Where no target, or a target on one line only, is left.
     """
+    settings = settings or project.settings
+    averages = settings.pos_errors == "correlated"
     sightings: list[Sighting] = []
     indices = []
-    distance = project.settings.subsample if subsample is None else subsample
+    radii = {}
     for target in project.of_role("target"):
         used = target.used_sightings
         if not target.used:
@@ -55,9 +70,13 @@ def observations_of(
                 f"Target {target.name} is seen {where}, so nothing compares it; seed it on another "
                 "line or leave the target out."
             )
+        if target.shape == "sphere":
+            radii[target.name] = target.sphere_radius
         for sighting in used:
-            points = survey.clouds[sighting.line][sighting.indices]
-            indices.append(sighting.indices[thin(points, distance)])
+            chosen = sighting.indices
+            if not averages:
+                chosen = chosen[thin(survey.clouds[sighting.line][chosen], settings.subsample)]
+            indices.append(chosen)
             sightings.append(Sighting(target.name, sighting.line))
     if not sightings:
         raise AdjustmentError(
@@ -66,91 +85,148 @@ def observations_of(
     scans = [survey.scans[sighting.line] for sighting in sightings]
     points = np.concatenate([s.points_lidar[i] for s, i in zip(scans, indices, strict=True)])
     time = np.concatenate([s.time[i] for s, i in zip(scans, indices, strict=True)])
-    poses = survey.trajectory.at(time)
+    poses = survey.trajectory.at(time + settings.latency)
     sigma_position, sigma_attitude = survey.accuracy.at(time)
-    return Observations(
+    times_matter = any(parameter.name == "latency" for parameter in settings.parameters)
+    observations = Observations(
         points_lidar=points,
         position=poses.position,
         attitude=poses.attitude,
-        sigma_lidar=np.full(points.shape, project.settings.lidar_sigma),
+        sigma_lidar=_lidar_sigma(points, settings),
+        beam_sigmas=settings.lidar_beam_sigma is not None,
         sigma_position=sigma_position,
         sigma_attitude=sigma_attitude,
+        pose_rate=survey.trajectory.rate_at(time + settings.latency) if times_matter else None,
+        latency=settings.latency,
         time=time,
         sighting=np.repeat(np.arange(len(sightings)), [len(i) for i in indices]),
         sightings=tuple(sightings),
+        radii=radii,
     )
+    if not averages:
+        return observations
+    return averaged(observations, mounting or project.mounting("prior"), settings.subsample)
+
+
+def _lidar_sigma(points_lidar: Array, settings: Settings) -> Array:
+    """Sigmas along x, y, z, or along the beam and twice across it, shape (n, 3), metres."""
+    if settings.lidar_beam_sigma is not None:
+        along, angle_deg = settings.lidar_beam_sigma
+        across = np.linalg.norm(points_lidar, axis=1) * np.radians(angle_deg)
+        return np.column_stack([np.full(len(points_lidar), along), across, across])
+    axes = settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3
+    return np.tile(np.array(axes, dtype=float), (len(points_lidar), 1))
 
 
 def estimate(
     project: Project,
     survey: Survey,
     *,
-    subsample: float | None = None,
-    pos_errors: PosErrors | None = None,
+    settings: Settings | None = None,
     reselections: int = RESELECTIONS,
+    cross_check: bool = True,
     progress: Progress = no_progress,
 ) -> Project:
     """Adjust the boresight on the project's targets.
 
-    The picks were made with the prior boresight, which smears a surface that is seen from a moving
-    platform. So the points of each target are selected again with the boresight found, and the
-    adjustment repeated; the picks in the project stay as they were.
-
     Parameters
     ----------
-    subsample : float, metres, optional
-        Changes the project's setting; 0 keeps all points.
-    pos_errors : {"correlated", "independent"}, optional
-        Changes the project's setting.
+    settings : Settings, optional
+        In place of the project's.
     reselections : int
         How often the points are selected again; 0 takes the picks as they are.
+    cross_check : bool
+        Whether to adjust parts of the data too.
 
     Raises
     ------
     AdjustmentError
         Where targets and lines cannot give an answer.
     """
-    settings = project.settings
-    if subsample is not None:
-        settings = replace(settings, subsample=subsample)
-    if pos_errors is not None:
-        settings = replace(settings, pos_errors=pos_errors)
+    settings = settings or project.settings
     settings.require_sound()
     if settings != project.settings:
         project = project.with_settings(settings)
     started = perf_counter()
-    prior, selected = project.mounting("prior"), project
-    coarse = max(settings.subsample, SELECTION_SPACING)
+    selected = select(project, survey, rounds=reselections, progress=part(progress, 0.0, 0.7))
+    solved = solve(
+        project, selected, survey, cross_check=cross_check, progress=part(progress, 0.7, 1.0)
+    )
+    assert solved.result is not None
+    result = replace(solved.result, elapsed=perf_counter() - started)
+    return replace(solved, result=result)
+
+
+def select(
+    project: Project,
+    survey: Survey,
+    *,
+    rounds: int = RESELECTIONS,
+    progress: Progress = no_progress,
+) -> Project:
+    """The project with its targets' points selected again, with a boresight found on the way.
+
+    The picks were made with the prior boresight, which smears a surface that is seen from a moving
+    platform. The answer is for `solve`; the picks in the project stay as they were.
+    """
+    settings, selected = project.settings, replace(project, result=None)
+    prior = project.mounting("prior")
+    coarse = replace(
+        settings,
+        pos_errors="independent",
+        subsample=max(settings.subsample, SELECTION_SPACING),
+        parameters=(),
+    )
     angles = prior.boresight
-    for k in range(reselections):
-        step = part(progress, 0.9 * k / reselections, 0.9 * (k + 1) / reselections)
-        step(0.0, f"Selecting the points again, round {k + 1} of {reselections}")
+    for k in range(rounds):
+        step = part(progress, k / rounds, (k + 1) / rounds)
+        step(0.0, f"Selecting the points again, round {k + 1} of {rounds}")
         # Points of another surface among the picks would be taken for POS errors by the correlated
         # model; this one leaves them to stand out.
-        thinned = observations_of(selected, survey, subsample=coarse)
-        result = adjust(thinned, prior, StochasticModel("independent"))
+        thinned = observations_of(selected, survey, settings=coarse)
+        result = adjust(thinned, prior, StochasticModel("independent"), diagnostics=False)
         moved = np.abs(result.boresight - angles)
         if k > 0 and (moved < SETTLED * result.sigma).all():
             break
         angles = result.boresight
         selected = reselect(selected.with_result(result), survey, progress=step)
-    result = adjust(
-        observations_of(selected, survey),
-        prior,
-        StochasticModel(settings.pos_errors),
-        progress=part(progress, 0.9, 1.0),
+    return selected
+
+
+def solve(
+    project: Project,
+    selected: Project,
+    survey: Survey,
+    *,
+    cross_check: bool = True,
+    progress: Progress = no_progress,
+) -> Project:
+    """Adjust the points of ``selected``, those of the sightings that ``project`` uses.
+
+    Fast enough to follow a click: a target or line switched off needs no new selection.
+    """
+    settings, prior = project.settings, project.mounting("prior")
+    near = selected.result.mounting if selected.result else prior
+    observations = observations_of(
+        project.with_points_of(selected), survey, settings=settings, mounting=near
     )
-    return project.with_result(replace(result, elapsed=perf_counter() - started))
+    result = adjust(
+        observations,
+        prior,
+        settings.stochastic_model,
+        parameters=settings.parameters,
+        components=settings.variance_components,
+        progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
+    )
+    solved = project.with_result(result)
+    if not cross_check:
+        return solved
+    checks = cross_checks(
+        observations, prior, result, settings.parameters, progress=part(progress, 0.4, 1.0)
+    )
+    return solved.with_cross_checks(checks)
 
 
-def thinned_counts(
-    project: Project, survey: Survey, subsample: float
-) -> Mapping[tuple[str, str], int]:
-    """Points that a subsampling distance would keep, by (target, line)."""
-    return {
-        (target.name, sighting.line): len(
-            thin(survey.clouds[sighting.line][sighting.indices], subsample)
-        )
-        for target in project.of_role("target")
-        for sighting in target.used_sightings
-    }
+def count_of(project: Project, survey: Survey, settings: Settings) -> int:
+    """Points that would take part with these settings."""
+    return len(observations_of(project, survey, settings=settings))

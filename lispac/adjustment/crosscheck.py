@@ -1,0 +1,126 @@
+"""What parts of the data say by themselves, beside the answer of all."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.result import AdjustmentResult, CrossCheck, CrossChecks
+from lispac.adjustment.solver import adjust
+from lispac.errors import AdjustmentError
+from lispac.progress import Progress, no_progress
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+Part = tuple[str, str, NDArray[np.bool_]]
+
+
+def cross_checks(
+    observations: Observations,
+    mounting: Mounting,
+    result: AdjustmentResult,
+    parameters: tuple[Parameter, ...] = (),
+    *,
+    progress: Progress = no_progress,
+) -> CrossChecks:
+    """Adjust again without each line, without each target, and each half of the survey in time.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        As it went into the adjustment of ``result``.
+    """
+    start = mounting.with_boresight(result.boresight)
+    parts = [*_left_out(observations), *_halves(observations)]
+    found: list[CrossCheck] = []
+    for k, (kind, name, keep) in enumerate(parts):
+        progress(k / len(parts), f"Cross-checking: {kind} {name}")
+        found.append(_check(observations, start, result, parameters, kind, name, keep))
+    progress(1.0)
+    return CrossChecks(
+        tuple(_between_halves(found)),
+        _jackknife([c.boresight for c in found if c.kind == "line"]),
+        _jackknife([c.boresight for c in found if c.kind == "target"]),
+        result.sigma,
+    )
+
+
+def _left_out(observations: Observations) -> Iterator[Part]:
+    for line in observations.lines:
+        yield "line", line, np.array([s.line != line for s in observations.sightings])
+    for target in observations.targets:
+        yield "target", target, np.array([s.target != target for s in observations.sightings])
+
+
+def _halves(observations: Observations) -> Iterator[Part]:
+    """Lines in the order they were sailed, cut in the middle."""
+    times = observations.mean_by_sighting(observations.time)
+    sailed = sorted(
+        observations.lines,
+        key=lambda line: np.mean(
+            [t for t, s in zip(times, observations.sightings, strict=True) if s.line == line]
+        ),
+    )
+    middle = (len(sailed) + 1) // 2
+    for name, lines in (("first", sailed[:middle]), ("second", sailed[middle:])):
+        yield "half", name, np.array([s.line in lines for s in observations.sightings])
+
+
+def _check(
+    observations: Observations, start: Mounting, result: AdjustmentResult,
+    parameters: tuple[Parameter, ...], kind: str, name: str, keep: NDArray[np.bool_],
+) -> CrossCheck:  # fmt: skip
+    keep = keep & _seen_twice(observations, keep)
+    if not keep.any():
+        return CrossCheck(kind, name, reason="No target is left on two lines.")
+    try:
+        part = adjust(
+            observations.of_sightings(keep), start, result.model,
+            parameters=parameters, diagnostics=False,
+        )  # fmt: skip
+    except AdjustmentError as error:
+        return CrossCheck(kind, name, reason=str(error))
+    difference = part.boresight - result.boresight
+    # A part of the data has the larger variance, by that of the difference (Hausman 1978).
+    spread = np.sqrt(np.maximum(np.diag(part.covariance - result.covariance), 0))
+    floor = 0.05 * result.sigma  # both have been rounded by re-weighting
+    return CrossCheck(
+        kind, name, part.boresight, part.sigma, difference, difference / np.maximum(spread, floor)
+    )
+
+
+def _seen_twice(observations: Observations, keep: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Sightings of targets that are on two lines at least; one sighting compares nothing."""
+    owners = observations.target_of_sighting
+    counts = np.bincount(owners[keep], minlength=len(observations.targets))
+    return np.asarray(counts[owners] >= 2)
+
+
+def _between_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
+    """The halves are compared with each other: they share no line."""
+    halves = [check for check in found if check.kind == "half"]
+    yield from (check for check in found if check.kind != "half")
+    first, second = halves
+    if first.boresight is None or first.sigma is None or second.boresight is None \
+            or second.sigma is None:  # fmt: skip
+        yield from halves
+        return
+    difference = first.boresight - second.boresight
+    significance = difference / np.hypot(first.sigma, second.sigma)
+    for half, sign in ((first, 1), (second, -1)):
+        yield CrossCheck(
+            "half", half.without, half.boresight, half.sigma, sign * difference, sign * significance
+        )
+
+
+def _jackknife(answers: list[Array | None]) -> Array | None:
+    """Standard deviation of the whole from answers that leave out one part each (Tukey 1958)."""
+    known = np.array([answer for answer in answers if answer is not None])
+    if len(known) < 3 or len(known) < len(answers):
+        return None
+    count = len(known)
+    return np.asarray(
+        np.sqrt((count - 1) / count * ((known - known.mean(axis=0)) ** 2).sum(axis=0))
+    )

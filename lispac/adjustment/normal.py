@@ -1,0 +1,255 @@
+"""The normal equations: put together from the sums, reduced, solved.
+
+Unknowns are the estimated values of the mounting, the shapes of the targets, with the correlated
+model how each sighting's surface departs from its shape, and the POS error at its knots. The
+POS error is eliminated first: its normal matrix is banded, for a group of points couples two
+neighbouring knots and so does the Gauss-Markov prior.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import NDArray
+
+from lispac.adjustment.sums import Groups
+from lispac.errors import RankDeficient
+
+Array = NDArray[np.float64]
+
+_LOWER = np.tril_indices(12)
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Which unknown stands where.
+
+    Attributes
+    ----------
+    active : ndarray of shape (a,), int
+        Estimated values of the mounting; they come first, boresight at the head.
+    shapes : tuple of slice
+        Unknowns of each target.
+    surfaces : tuple of slice
+        Unknowns of each sighting; empty in thesis mode.
+    size : int
+    index : ndarray of shape (sightings, a + 7), int
+        Unknowns behind the columns of a sighting's points: mounting, shape (4), surface (3).
+        ``size`` stands for a column that has none.
+    """
+
+    active: NDArray[np.int64]
+    shapes: tuple[slice, ...]
+    surfaces: tuple[slice, ...]
+    size: int
+    index: NDArray[np.int64]
+
+    @classmethod
+    def of(
+        cls,
+        active: NDArray[np.int64],
+        widths: list[int],
+        target_of_sighting: NDArray[np.int64],
+        *,
+        surfaces: bool,
+    ) -> "Layout":
+        """Lay out ``active``, shapes of the given widths and three unknowns a sighting."""
+        ends = len(active) + np.cumsum([0, *widths])
+        shapes = tuple(slice(int(a), int(b)) for a, b in pairwise(ends))
+        count = len(target_of_sighting)
+        first = int(ends[-1])
+        size = first + (3 * count if surfaces else 0)
+        index = np.full((count, len(active) + 7), size, dtype=np.int64)
+        index[:, : len(active)] = np.arange(len(active))
+        for s, k in enumerate(target_of_sighting):
+            own = np.arange(shapes[k].start, shapes[k].stop)
+            index[s, len(active) : len(active) + len(own)] = own
+            if surfaces:
+                index[s, len(active) + 4 :] = first + 3 * s + np.arange(3)
+        slices = (slice(first + 3 * s, first + 3 * s + 3) for s in range(count if surfaces else 0))
+        return cls(active, shapes, tuple(slices), size, index)
+
+
+@dataclass(frozen=True, eq=False)
+class Normal:
+    """Normal equations at one point of linearisation.
+
+    Attributes
+    ----------
+    layout : Layout
+    matrix : ndarray of shape (u, u)
+        Of all unknowns but the POS error, their priors included.
+    right : ndarray of shape (u,)
+    quadratic : float
+        ``v' P v`` at the point of linearisation, priors included.
+    band : ndarray of shape (12, 6 knots)
+        Lower diagonals of the POS error's normal matrix, as LAPACK wants them.
+    mixed : ndarray of shape (u, 6 knots)
+        What the two share.
+    pull : ndarray of shape (6 knots,)
+        Right-hand side of the POS error.
+    """
+
+    layout: Layout
+    matrix: Array
+    right: Array
+    quadratic: float
+    band: Array
+    mixed: Array
+    pull: Array
+
+    @cached_property
+    def factor(self) -> Array:
+        """Cholesky factor of ``band``."""
+        return np.asarray(scipy.linalg.cholesky_banded(self.band, lower=True))
+
+    @cached_property
+    def by_unknowns(self) -> Array:
+        """Change of the POS error by each other unknown, shape (6 knots, u), times minus one."""
+        return np.asarray(scipy.linalg.cho_solve_banded((self.factor, True), self.mixed.T))
+
+    @cached_property
+    def reduced(self) -> Array:
+        """Normal matrix with the POS error eliminated, shape (u, u)."""
+        if not len(self.pull):
+            return self.matrix
+        reduced = self.matrix - self.mixed @ self.by_unknowns
+        return np.asarray((reduced + reduced.T) / 2)
+
+    @cached_property
+    def pulled(self) -> Array:
+        """Change of the POS error by its own right-hand side alone, shape (6 knots,)."""
+        return np.asarray(scipy.linalg.cho_solve_banded((self.factor, True), self.pull))
+
+    @cached_property
+    def reduced_right(self) -> Array:
+        """Right-hand side with the POS error eliminated, shape (u,)."""
+        return self.right - self.mixed @ self.pulled if len(self.pull) else self.right
+
+    @cached_property
+    def covariance(self) -> Array:
+        """Covariance of all unknowns but the POS error, shape (u, u).
+
+        Raises
+        ------
+        RankDeficient
+            Where the points do not determine them.
+        """
+        return inverse(self.reduced)
+
+    def information(self, count: int) -> Array:
+        """Normal matrix of the first ``count`` unknowns, all others eliminated."""
+        rest = self.reduced[count:, count:].copy()
+        unseen = np.flatnonzero(np.diag(rest) <= 0)
+        rest[unseen, unseen] = 1.0  # a target that no point is left of
+        mixed = self.reduced[:count, count:]
+        scale = 1 / np.sqrt(np.maximum(np.diag(rest), np.finfo(float).tiny))
+        try:
+            factor = scipy.linalg.cho_factor(rest * np.outer(scale, scale))
+        except np.linalg.LinAlgError as error:
+            raise RankDeficient(
+                "A target's shape is not determined by its points; pick points that spread over "
+                "it in two directions."
+            ) from error
+        solved = scipy.linalg.cho_solve(factor, (mixed * scale).T)
+        information = self.reduced[:count, :count] - (mixed * scale) @ solved
+        return np.asarray((information + information.T) / 2)
+
+    def solve(self) -> tuple[Array, Array]:
+        """Corrections of the unknowns, shape (u,), and of the POS error, shape (knots, 6)."""
+        correction = self.covariance @ self.reduced_right
+        if not len(self.pull):
+            return correction, np.zeros((0, 6))
+        return correction, (self.pulled - self.by_unknowns @ correction).reshape(-1, 6)
+
+
+def inverse(matrix: Array) -> Array:
+    """Inverse of a symmetric positive definite matrix of mixed units.
+
+    Raises
+    ------
+    RankDeficient
+    """
+    scale = 1 / np.sqrt(np.maximum(np.diag(matrix), np.finfo(float).tiny))
+    try:
+        factor = scipy.linalg.cho_factor(matrix * np.outer(scale, scale))
+    except np.linalg.LinAlgError as error:
+        raise RankDeficient(
+            "These points do not determine boresight and targets; add targets or lines."
+        ) from error
+    solved = scipy.linalg.cho_solve(factor, np.diag(scale))
+    return np.asarray(solved * scale[:, None])
+
+
+@dataclass(frozen=True, eq=False)
+class Bases:
+    """The directions behind the unknowns of shapes and surfaces.
+
+    Attributes
+    ----------
+    shapes : list of ndarray of shape (4, 3) or (4, 4)
+        Of each target.
+    surfaces : ndarray of shape (sightings, 4, 3)
+    """
+
+    shapes: list[Array]
+    surfaces: Array
+
+
+def sum_by_sighting(sums: Array, groups: Groups, sightings: int, own: int) -> Array:
+    """Sums of the first ``own`` columns and the misclosure, shape (sightings, own + 1, own + 1)."""
+    summed = np.zeros((sightings, own + 1, own + 1))
+    kept = np.r_[:own, sums.shape[1] - 1]
+    np.add.at(summed, groups.sighting, sums[:, kept[:, None], kept])
+    return summed
+
+
+def normal_equations(
+    sums: Array, groups: Groups, layout: Layout, target_of_sighting: NDArray[np.int64],
+    bases: Bases, effects: Array,
+) -> Normal:  # fmt: skip
+    """Put the equations together, with the prior of the POS error but no other.
+
+    Parameters
+    ----------
+    sums : ndarray of shape (groups, width, width)
+        From `sum_by_group`.
+    effects : ndarray of shape (knots, 6), metres and radians
+        POS error found so far.
+    """
+    a, own = len(layout.active), len(layout.active) + 4
+    sightings = len(layout.index)
+    basis = np.zeros((sightings, own, a + 7))
+    basis[:, :a, :a] = np.eye(a)
+    for s, k in enumerate(target_of_sighting):
+        basis[s, a:, a : a + bases.shapes[k].shape[1]] = bases.shapes[k]
+    if layout.surfaces:
+        basis[:, a:, a + 4 :] = bases.surfaces
+    summed = sum_by_sighting(sums, groups, sightings, own)
+    turned = np.swapaxes(basis, 1, 2)
+    matrix, right = np.zeros((layout.size + 1,) * 2), np.zeros(layout.size + 1)
+    squares = layout.index[:, :, None], layout.index[:, None, :]
+    np.add.at(matrix, squares, turned @ summed[:, :own, :own] @ basis)
+    np.add.at(right, layout.index, -(turned @ summed[:, :own, own, None])[..., 0])
+    quadratic = float(summed[:, own, own].sum())
+    band, pull = np.zeros((12, effects.size)), np.zeros(effects.size)
+    mixed = np.zeros((layout.size + 1, effects.size))
+    if groups.knots is not None:
+        prior = groups.knots.weighted(effects)
+        band[0] = groups.knots.precision_diagonal.reshape(-1)
+        band[6, : effects.size - 6] = groups.knots.precision_beside.reshape(-1)
+        pull[:] = -prior.reshape(-1)
+        quadratic += float((prior * effects).sum())
+        unknowns = 6 * groups.knot[:, None] + np.arange(12)
+        pose = slice(own, own + 12)
+        lower, upper = _LOWER
+        products = sums[:, pose, pose][:, lower, upper]
+        np.add.at(
+            band, (np.broadcast_to(lower - upper, products.shape), unknowns[:, upper]), products
+        )
+        np.add.at(pull, unknowns, -sums[:, pose, -1])
+        shared = layout.index[groups.sighting][:, :, None], unknowns[:, None, :]
+        np.add.at(mixed, shared, turned[groups.sighting] @ sums[:, :own, pose])
+    return Normal(layout, matrix[:-1, :-1], right[:-1], quadratic, band, mixed[:-1], pull)

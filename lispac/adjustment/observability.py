@@ -1,0 +1,214 @@
+"""What the geometry sees: eigenvalues, weak directions, refusals, in numbers and in words."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.parameters import LIMITS, Estimate
+from lispac.adjustment.problem import Linearised
+from lispac.adjustment.result import ANGLES, Observability
+from lispac.errors import RankDeficient
+from lispac.survey.georeferencing import CALIBRATION
+
+Array = NDArray[np.float64]
+
+WORST_SIGMA = np.radians(1.0)
+"""An angle that the geometry cannot tell to better than this is not determined by it: a look at
+the mounting knows it as well."""
+
+PARALLEL = np.radians(10.0)
+"""Lines, or normals, that differ by less count as one direction."""
+
+MATTERS = 1.25
+"""Factor by which a sigma grows without a line that is worth naming."""
+
+NAMES = {
+    "lever_x": "the lever arm's X", "lever_y": "the lever arm's Y", "lever_z": "the lever arm's Z",
+    "range_offset": "the range offset", "scan_angle_offset": "the scan-angle offset",
+    "latency": "the latency", "roll": "roll", "pitch": "pitch", "yaw": "yaw",
+}  # fmt: skip
+
+
+def unseen(linearised: Linearised) -> tuple[Estimate, ...]:
+    """Parameters that the geometry does not see, the worst first, each with the reason in words.
+
+    One at a time: of two that can only not be told from each other, one stays.
+    """
+    problem = linearised.problem
+    active = problem.active
+    information = linearised.normal.information(len(active))
+    limits = LIMITS[active]
+    own = {p.index: p.sigma**-2 if p.sigma else 0.0 for p in problem.parameters}
+    hidden: list[Estimate] = []
+    left = {p.index: p for p in problem.parameters}
+    while left:
+        free = information.copy()
+        for index in left:
+            k = int(np.searchsorted(active, index))
+            free[k, k] -= own[index]
+        kept = np.array([
+            CALIBRATION[i] not in {h.name for h in hidden if h.prior_sigma is None} for i in active
+        ])  # fmt: skip
+        # Scaled to the limits; a trace of a prior keeps what is wholly unseen finite.
+        scaled = (free * np.outer(limits, limits))[np.ix_(kept, kept)] + 1e-4 * np.eye(kept.sum())
+        covariance = np.linalg.inv(scaled)
+        sigmas = dict(zip(active[kept], np.sqrt(np.diag(covariance)), strict=True))
+        worst = max(left, key=lambda index: sigmas[index])
+        if sigmas[worst] <= 1:
+            break
+        k = int(np.searchsorted(active[kept], worst))
+        hidden.append(_hidden(linearised, worst, covariance[k], active[kept], left[worst].sigma))
+        del left[worst]
+    return tuple(hidden)
+
+
+def _hidden(
+    linearised: Linearised, index: int, row: Array, active: NDArray[np.int64], sigma: float | None
+) -> Estimate:
+    name = CALIBRATION[index]
+    prior = float(linearised.problem.prior.values[index])
+    shares = np.where(active == index, 0.0, np.abs(row))
+    like = NAMES[CALIBRATION[int(active[np.argmax(shares)])]]
+    if name == "scan_angle_offset":
+        why = "it turns the points about the scanner's axis, as the boresight does"
+    elif name == "lever_z":
+        why = "on level passes it lifts the points of every line alike"
+    else:
+        why = f"what it does to the points cannot be told from {like} or the place of the targets"
+    held = "its stated sigma goes into those of the angles" if sigma else "it is held"
+    reason = f"These lines and targets do not see {NAMES[name]}: {why}; {held}."
+    return Estimate(name, prior, sigma, reason=reason)
+
+
+def require_determined(linearised: Linearised) -> None:
+    """Refuse a geometry that leaves an angle open.
+
+    Raises
+    ------
+    RankDeficient
+        With the reason: one line, parallel lines, one target, parallel normals.
+    """
+    problem = linearised.problem
+    lines, targets = problem.observations.lines, problem.observations.targets
+    if len(lines) < 2 and _one_course(linearised):
+        raise RankDeficient(
+            f"All sightings are on line {lines[0]}: a surface seen once fits any boresight. Add "
+            "lines in other directions over the same targets."
+        )
+    information = linearised.normal.information(3)
+    eigenvalues, directions = np.linalg.eigh(information)
+    if eigenvalues[0] >= max(WORST_SIGMA**-2, 1e-12 * eigenvalues[2]):
+        return
+    reasons = []
+    if _parallel_lines(linearised):
+        reasons.append("all lines run parallel")
+    if len(targets) == 1:
+        reasons.append(f"{targets[0]} is the only target")
+    elif _parallel_normals(linearised):
+        reasons.append("all targets face the same way")
+    because = f": {' and '.join(reasons)}" if reasons else ""
+    raise RankDeficient(
+        f"These lines and targets do not determine the boresight, mainly not "
+        f"{_mixture(directions[:, 0])}{because}. Add a target of another inclination, or lines in "
+        "other directions: a vertical target shows roll on lines along it, pitch and yaw on lines "
+        "at 45 deg to it."
+    )
+
+
+def headings(linearised: Linearised) -> dict[str, float]:
+    """Mean heading of each line over its points, radians."""
+    observations = linearised.problem.observations
+    sines = observations.mean_by_sighting(np.sin(observations.attitude[:, 2]))
+    cosines = observations.mean_by_sighting(np.cos(observations.attitude[:, 2]))
+    found = {}
+    for line in observations.lines:
+        own = [k for k, s in enumerate(observations.sightings) if s.line == line]
+        found[line] = float(np.arctan2(sines[own].sum(), cosines[own].sum()))
+    return found
+
+
+def _one_course(linearised: Linearised) -> bool:
+    """Whether all points were seen on one heading; what is called a line may hold several."""
+    heading = linearised.problem.observations.attitude[:, 2]
+    middle = np.angle(np.exp(1j * heading).mean())
+    return bool((np.abs(np.angle(np.exp(1j * (heading - middle)))) < 2 * PARALLEL).all())
+
+
+def _parallel_lines(linearised: Linearised) -> bool:
+    doubled = 2 * np.array(list(headings(linearised).values()))  # 0 and 180 deg are one direction
+    apart = np.angle(np.exp(1j * (doubled - doubled[0]))) / 2
+    return bool((np.abs(apart) < PARALLEL).all())
+
+
+def _parallel_normals(linearised: Linearised) -> bool:
+    spheres = linearised.problem.observations.is_sphere
+    normals = linearised.state.shapes[:, :3]
+    return not spheres.any() and bool((np.abs(normals @ normals[0]) > np.cos(PARALLEL)).all())
+
+
+def observability(linearised: Linearised) -> Observability:
+    """How well lines and targets see the three angles."""
+    information = linearised.normal.information(3)
+    eigenvalues, directions = np.linalg.eigh(information)
+    sigma = np.sqrt(np.diag(np.linalg.inv(information)))
+    observations = linearised.problem.observations
+    without = {}
+    for line in observations.lines:
+        gone = np.array([sighting.line == line for sighting in observations.sightings])
+        without[line] = _sigma(linearised, gone)
+    sentences = [_weakest(eigenvalues, directions), *_seen_by(sigma, without)]
+    condition = float(eigenvalues[2] / eigenvalues[0])
+    return Observability(eigenvalues, directions, condition, without, tuple(sentences))
+
+
+def _sigma(linearised: Linearised, gone: NDArray[np.bool_]) -> Array | None:
+    if len({s.line for s, g in zip(linearised.problem.observations.sightings, gone, strict=True)
+            if not g}) < 2:  # fmt: skip
+        return None
+    information = linearised.without(gone).information(3)
+    if np.linalg.eigvalsh(information)[0] < WORST_SIGMA**-2:
+        return None
+    return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
+
+
+def _mixture(direction: Array) -> str:
+    """A direction in angle space in words: its largest part, and what else has a say."""
+    share = direction**2
+    order = np.argsort(-share)
+    names = [ANGLES[k] for k in order if share[k] > 0.15]
+    return names[0] if len(names) == 1 else f"{names[0]} together with {' and '.join(names[1:])}"
+
+
+def _weakest(eigenvalues: Array, directions: Array) -> str:
+    sigma = np.degrees(eigenvalues[0] ** -0.5)
+    better = np.degrees(eigenvalues[2] ** -0.5)
+    return (
+        f"The weakest direction is {_mixture(directions[:, 0])}, known to {sigma:.3f} deg; the "
+        f"strongest is {_mixture(directions[:, 2])}, known to {better:.3f} deg (1 sigma)."
+    )
+
+
+def _seen_by(sigma: Array, without: dict[str, Array | None]) -> Sequence[str]:
+    said = []
+    needed = [line for line, value in without.items() if value is None]
+    if needed:
+        said.append(f"Without {_listed(needed)} the angles would not be determined.")
+    for k, angle in enumerate(ANGLES):
+        grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
+        lines = sorted((line for line in grown if grown[line] > MATTERS), key=lambda x: -grown[x])
+        if lines:
+            worst = np.degrees(grown[lines[0]] * sigma[k])
+            said.append(
+                f"{angle.capitalize()} is seen mainly by {_listed(lines)}: without {lines[0]} its "
+                f"sigma would be {worst:.3f} instead of {np.degrees(sigma[k]):.3f} deg."
+            )
+        elif not needed:
+            said.append(f"{angle.capitalize()} hangs on no single line.")
+    return said
+
+
+def _listed(lines: Sequence[str]) -> str:
+    if len(lines) == 1:
+        return f"line {lines[0]}"
+    return f"lines {', '.join(lines[:-1])} and {lines[-1]}"

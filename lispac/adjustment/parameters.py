@@ -1,0 +1,65 @@
+"""Which values of the mounting are estimated besides the boresight, and what is known of them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.georeferencing import CALIBRATION
+
+Array = NDArray[np.float64]
+
+BORESIGHT = CALIBRATION[:3]
+SWITCHED = CALIBRATION[3:]
+"""Values that are estimated only where the user says so."""
+
+LIMITS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
+"""Radians, metres, seconds, in the order of `CALIBRATION`. What the geometry cannot tell to better
+than this is not determined by it: a tape measure, or a look at the mounting, knows it better."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A value to estimate.
+
+    Attributes
+    ----------
+    name : str
+        One of `SWITCHED`.
+    sigma : float or None, radians, metres or seconds
+        How well the value in the mounting is known; None where it is not to be relied on.
+    """
+
+    name: str
+    sigma: float | None = None
+
+    @property
+    def index(self) -> int:
+        """Place in `CALIBRATION`."""
+        return CALIBRATION.index(self.name)
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """What became of a parameter.
+
+    Attributes
+    ----------
+    name : str
+    value, sigma : float or None, radians, metres or seconds
+        None where the geometry does not see it.
+    prior, prior_sigma : float, None
+        What went in.
+    significance : float or None
+        Change from the prior over its standard deviation.
+    reason : str
+        Why there is no number, in words; empty where there is one.
+    """
+
+    name: str
+    prior: float
+    prior_sigma: float | None
+    value: float | None = None
+    sigma: float | None = None
+    significance: float | None = None
+    reason: str = ""

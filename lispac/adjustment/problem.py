@@ -1,0 +1,234 @@
+"""An adjustment between two iterations: points, model and unknowns, and the step to the next."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.normal import Bases, Layout, Normal, normal_equations, sum_by_sighting
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.robust import Loss
+from lispac.adjustment.shapes import (
+    SPHERE_SURFACE,
+    centre_and_extent,
+    moved,
+    plane_tangent,
+    sphere_tangent,
+    surface_tangent,
+)
+from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
+from lispac.adjustment.sums import Groups, State, Weights, grouped, standardised, sum_by_group
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+NO_LOSS = Loss("none")
+
+FIRST_SURFACE = 0.003
+"""Metres: sigma of the surfaces until the data have told it."""
+
+RELEASED = 10.0
+"""Metres: sigma of the surface of a sighting that is no longer held to its target's shape."""
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """What stays the same from iteration to iteration.
+
+    Attributes
+    ----------
+    observations : Observations
+        Sorted by group.
+    order : ndarray of shape (n,), int
+        Its points in the observations that were given.
+    prior : Mounting
+    parameters : tuple of Parameter
+        Estimated besides the boresight.
+    surface_sigma : ndarray of shape (sightings,), metres
+    scale : ndarray of shape (targets,)
+        Spread of the standardised residuals that the loss measures strays with.
+    noise : ndarray of shape (targets,)
+        LiDAR noise over the stated one.
+    """
+
+    observations: Observations
+    groups: Groups
+    order: NDArray[np.int64]
+    model: StochasticModel
+    prior: Mounting
+    parameters: tuple[Parameter, ...]
+    surface_sigma: Array
+    scale: Array
+    noise: Array
+
+    @classmethod
+    def of(
+        cls,
+        observations: Observations,
+        prior: Mounting,
+        model: StochasticModel,
+        parameters: tuple[Parameter, ...] = (),
+    ) -> "Problem":
+        """Sort the points and lay the knots of the POS error."""
+        knots = PosErrorKnots.of(observations, model) if model.correlated else None
+        ordered, groups, order = grouped(observations, knots)
+        surface = FIRST_SURFACE if model.surface is None else model.surface
+        sigma = np.full(len(observations.sightings), surface)
+        ones = np.ones(len(observations.targets))
+        return cls(ordered, groups, order, model, prior, parameters, sigma, ones, ones)
+
+    @cached_property
+    def active(self) -> NDArray[np.int64]:
+        """Estimated values of the mounting, shape (a,)."""
+        return np.array([0, 1, 2, *sorted(p.index for p in self.parameters)], dtype=np.int64)
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Which unknown stands where."""
+        radii = self.observations.radii
+        widths = [
+            4 if target in radii and radii[target] is None else 3
+            for target in self.observations.targets
+        ]
+        owners = self.observations.target_of_sighting
+        has_surfaces = self.model.correlated and self.model.surface != 0
+        return Layout.of(self.active, widths, owners, surfaces=has_surfaces)
+
+    def with_surface(self, sigma: float) -> "Problem":
+        """The same with another sigma of the surfaces, metres, but for those released."""
+        kept = self.surface_sigma >= RELEASED
+        return replace(self, surface_sigma=np.where(kept, RELEASED, sigma))
+
+    def released(self, sighting: int) -> "Problem":
+        """The same with one sighting no longer held to its target's shape."""
+        sigma = self.surface_sigma.copy()
+        sigma[sighting] = RELEASED
+        return replace(self, surface_sigma=sigma)
+
+    def start(self, mounting: Mounting, shapes: Array) -> State:
+        """Point of linearisation without any effect."""
+        knots = 0 if self.groups.knots is None else len(self.groups.knots.time)
+        sightings = len(self.observations.sightings)
+        return State(mounting, shapes, np.zeros((sightings, 4)), np.zeros((knots, 6)))
+
+    def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Problem":
+        """The same with factors on the stated sigmas."""
+        stated = self.observations
+        observations = replace(
+            stated,
+            sigma_lidar=lidar * stated.sigma_lidar,
+            sigma_position=position * stated.sigma_position,
+            sigma_attitude=attitude * stated.sigma_attitude,
+        )
+        problem = Problem.of(observations, self.prior, self.model, self.parameters)
+        return replace(
+            problem, surface_sigma=self.surface_sigma, scale=self.scale, noise=self.noise
+        )
+
+    def with_parameters(self, parameters: tuple[Parameter, ...]) -> "Problem":
+        """The same with other values to estimate."""
+        return replace(self, parameters=parameters)
+
+    def linearised(self, state: State, loss: Loss = NO_LOSS) -> "Linearised":
+        """Normal equations at ``state``."""
+        weights = Weights(loss, self.scale, self.noise)
+        sums = sum_by_group(self.observations, self.groups, state, self.active, weights)
+        bases = self._bases(state, sums)
+        # What is left of a sighting's departure in the basis of this state
+        departures = np.einsum("sij,sj->si", np.linalg.pinv(bases.surfaces), state.surface)
+        return Linearised(self, state, loss, sums, bases, departures)
+
+    def equations(self, state: State, sums: Array, bases: Bases, departures: Array) -> Normal:
+        """Normal equations from sums over groups, with all priors."""
+        owners = self.observations.target_of_sighting
+        normal = normal_equations(sums, self.groups, self.layout, owners, bases, state.effects)
+        matrix, right, quadratic = normal.matrix, normal.right, normal.quadratic
+        for parameter in self.parameters:
+            if parameter.sigma is None:
+                continue
+            k = int(np.searchsorted(self.active, parameter.index))
+            off = state.mounting.values[parameter.index] - self.prior.values[parameter.index]
+            matrix[k, k] += parameter.sigma**-2
+            right[k] -= off * parameter.sigma**-2
+            quadratic += (off / parameter.sigma) ** 2
+        if self.layout.surfaces:
+            places = np.arange(self.layout.surfaces[0].start, self.layout.size)
+            precision = np.repeat(self.surface_sigma, 3) ** -2.0
+            found = departures.reshape(-1)
+            matrix[places, places] += precision
+            right[places] -= found * precision
+            quadratic += float((found * precision) @ found)
+        return replace(normal, quadratic=quadratic)
+
+    def _bases(self, state: State, sums: Array) -> Bases:
+        observations, a = self.observations, len(self.active)
+        owners = observations.target_of_sighting
+        summed = sum_by_sighting(sums, self.groups, len(owners), a + 4)[:, a : a + 4, a : a + 4]
+        shapes = []
+        for k, (target, shape) in enumerate(zip(observations.targets, state.shapes, strict=True)):
+            if observations.is_sphere[k]:
+                shapes.append(sphere_tangent(known_radius=observations.radii[target] is not None))
+            else:
+                centre, _ = centre_and_extent(summed[owners == k].sum(axis=0))
+                shapes.append(plane_tangent(shape[:3], centre))
+        surfaces = np.zeros((len(owners), 4, 3))
+        for s, k in enumerate(owners):
+            if observations.is_sphere[k]:
+                surfaces[s] = SPHERE_SURFACE
+            else:
+                surfaces[s] = surface_tangent(state.shapes[k, :3], *centre_and_extent(summed[s]))
+        return Bases(shapes, surfaces)
+
+    def standardised(self, state: State) -> Array:
+        """Residuals over the standard deviation of their noise, shape (n,), in sorted order."""
+        return standardised(self.observations, self.groups, state)
+
+
+@dataclass(frozen=True, eq=False)
+class Linearised:
+    """A problem at one state: the sums over its points, and the equations they make.
+
+    Attributes
+    ----------
+    departures : ndarray of shape (sightings, 3), metres
+        Tilts, at the border, and offset of each sighting's surface found so far.
+    """
+
+    problem: Problem
+    state: State
+    loss: Loss
+    sums: Array
+    bases: Bases
+    departures: Array
+
+    @cached_property
+    def normal(self) -> Normal:
+        """Normal equations of all points."""
+        return self.problem.equations(self.state, self.sums, self.bases, self.departures)
+
+    def without(self, sightings: NDArray[np.bool_]) -> Normal:
+        """Normal equations as they would be without some sightings, shape (sightings,)."""
+        kept = self.sums * ~sightings[self.problem.groups.sighting][:, None, None]
+        return self.problem.equations(self.state, kept, self.bases, self.departures)
+
+    def step(self) -> tuple[State, Array]:
+        """Solve: the next state, and the corrections, shape (u,)."""
+        problem, state, layout = self.problem, self.state, self.normal.layout
+        correction, change = self.normal.solve()
+        values = state.mounting.values
+        values[layout.active] += correction[: len(layout.active)]
+        pairs = zip(self.bases.shapes, layout.shapes, strict=True)
+        changes = np.stack([basis @ correction[place] for basis, place in pairs])
+        surface = state.surface
+        if layout.surfaces:
+            departures = self.departures + correction[layout.surfaces[0].start :].reshape(-1, 3)
+            surface = np.einsum("sij,sj->si", self.bases.surfaces, departures)
+        new = State(
+            Mounting.of_values(values),
+            moved(state.shapes, changes, problem.observations.is_sphere),
+            surface,
+            state.effects + change,
+        )
+        return new, correction

@@ -1,0 +1,247 @@
+"""Whether points and sightings check each other, and which do not agree (Baarda 1968)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.stats
+from numba import njit
+from numpy.typing import NDArray
+
+from lispac.adjustment.conditions import columns, row, turns
+from lispac.adjustment.normal import Normal
+from lispac.adjustment.problem import RELEASED, Linearised
+from lispac.adjustment.result import SightingReliability
+from lispac.adjustment.robust import weight
+from lispac.adjustment.sums import pos_between_knots, residual
+
+Array = NDArray[np.float64]
+
+CRITICAL = 3.29
+"""Test value that one point in a thousand exceeds by chance."""
+
+POWER = 4.13
+"""Standard deviations that the test at 0.1 % finds with a power of 80 %."""
+
+FAMILY = 0.01
+"""Chance that any of the sightings is called a blunder where none is."""
+
+
+@dataclass(frozen=True, eq=False)
+class SightingTests:
+    """A shift of each sighting as a whole, tested one by one.
+
+    Attributes
+    ----------
+    shift, sigma : ndarray of shape (sightings,), metres
+        Best estimate if the sighting were not held to its target, and its standard deviation,
+        which holds that surfaces differ.
+    effect : ndarray of shape (sightings, 3), radians per metre
+        Of a shift on roll, pitch, yaw.
+    worst : int or None
+        The sighting to let go of, if one disagrees and its target is left with two others.
+    """
+
+    shift: Array
+    sigma: Array
+    effect: Array
+    worst: int | None
+
+    @property
+    def w(self) -> Array:
+        """Test values, shape (sightings,)."""
+        return self.shift / self.sigma
+
+
+def sighting_tests(linearised: Linearised) -> SightingTests:
+    """Test each sighting of the correlated model.
+
+    A shift is what the sighting's own offset would be without its prior: the prior is taken out
+    of the solution, not the solution repeated.
+    """
+    problem, covariance = linearised.problem, linearised.normal.covariance
+    places = np.array([place.stop - 1 for place in linearised.normal.layout.surfaces])
+    prior = problem.surface_sigma**2
+    after = covariance[places, places]
+    # What all other data say of the offset, as a variance; infinite where only the prior does
+    open_to_data = np.maximum(1 / after - 1 / prior, 1e-9)
+    shift = linearised.departures[:, 2] / after / open_to_data
+    held = problem.surface_sigma < RELEASED
+    usual = float(prior[held].min()) if held.any() else 0.0
+    sigma = np.sqrt(usual + 1 / open_to_data)
+    owners = problem.observations.target_of_sighting
+    others = np.bincount(owners[held], minlength=len(problem.noise))[owners] - 1
+    w = np.where(held & (others >= 2), np.abs(shift / sigma), 0.0)
+    worst = int(np.argmax(w))
+    critical = scipy.stats.norm.isf(FAMILY / 2 / len(w))
+    effect = covariance[:3, places].T / prior[:, None]
+    return SightingTests(shift, sigma, effect, worst if w[worst] > critical else None)
+
+
+def reliability(linearised: Linearised) -> tuple[SightingReliability, ...]:
+    """Tests and minimal detectable biases of all points and sightings (correlated model)."""
+    problem, normal = linearised.problem, linearised.normal
+    observations, knots = problem.observations, problem.groups.knots
+    assert knots is not None
+    tests = sighting_tests(linearised)
+    knot_covariance = _knot_covariance(normal)
+    redundancy, w, detectable, weights = _points(linearised, _local(linearised, knot_covariance))
+    mean = observations.mean_by_sighting
+    times = mean(observations.time)
+    nearest = np.clip(np.searchsorted(knots.time, times), 1, len(knots.time) - 1)
+    nearest -= times - knots.time[nearest - 1] < knots.time[nearest] - times
+    variance = np.diagonal(knot_covariance[0], axis1=1, axis2=2) + np.einsum(
+        "iu,uv,iv->i", normal.by_unknowns, normal.covariance, normal.by_unknowns
+    ).reshape(-1, 6)
+    prior = np.hstack([mean(observations.sigma_position), mean(observations.sigma_attitude)])
+    strays = np.bincount(observations.sighting, np.abs(w) > CRITICAL)
+    largest = np.zeros(len(observations.sightings))
+    np.maximum.at(largest, observations.sighting, np.abs(w))
+    mean_redundancy, mean_weight = mean(redundancy), mean(weights)
+    found = []
+    for s, sighting in enumerate(observations.sightings):
+        own = detectable[observations.sighting == s]
+        found.append(
+            SightingReliability(
+                sighting=sighting,
+                pos_error=linearised.state.effects[nearest[s]],
+                pos_sigma=prior[s],
+                pos_sigma_after=np.sqrt(variance[nearest[s]]),
+                shift=float(tests.shift[s]),
+                w=float(tests.w[s]),
+                detectable=float(POWER * tests.sigma[s]),
+                effect=tests.effect[s] * POWER * tests.sigma[s],
+                redundancy=float(mean_redundancy[s]),
+                strays=int(strays[s]),
+                largest_w=float(largest[s]),
+                point_detectable=float(np.median(own)),
+                weight=float(mean_weight[s]),
+                released=bool(problem.surface_sigma[s] >= RELEASED),
+            )
+        )
+    return tuple(found)
+
+
+def _knot_covariance(normal: Normal) -> tuple[Array, Array]:
+    """Blocks of the inverse of the POS error's normal matrix alone (Takahashi 1973).
+
+    Returns
+    -------
+    own : ndarray of shape (knots, 6, 6)
+        Of each knot.
+    beside : ndarray of shape (knots - 1, 6, 6)
+        Between the next knot (rows) and each (columns).
+    """
+    count = normal.band.shape[1] // 6
+    own, coupling = np.zeros((count, 6, 6)), np.zeros((count - 1, 6, 6))
+    for i in range(6):
+        for j in range(6):
+            if i >= j:
+                own[:, i, j] = own[:, j, i] = normal.band[i - j, j::6]
+            coupling[:, i, j] = normal.band[6 + i - j, j : 6 * (count - 1) : 6]
+    pivots = np.empty_like(own)
+    pivots[0] = own[0]
+    for k in range(count - 1):
+        pivots[k + 1] = own[k + 1] - coupling[k] @ np.linalg.solve(pivots[k], coupling[k].T)
+    covariance, beside = np.linalg.inv(pivots), np.empty_like(coupling)
+    for k in range(count - 2, -1, -1):
+        passed = covariance[k] @ coupling[k].T
+        beside[k] = -covariance[k + 1] @ passed.T
+        covariance[k] = covariance[k] - passed @ beside[k]
+    return covariance, beside
+
+
+def _local(linearised: Linearised, knot_covariance: tuple[Array, Array]) -> Array:
+    """Covariance of what the columns of a group's sums stand for, shape (groups, m, m)."""
+    normal, groups, bases = linearised.normal, linearised.problem.groups, linearised.bases
+    layout, a = normal.layout, len(normal.layout.active)
+    covariance, by_unknowns = normal.covariance, normal.by_unknowns
+    own, beside = knot_covariance
+    padded = np.zeros((layout.size + 1, layout.size + 1))
+    padded[:-1, :-1] = covariance
+    mixed = np.zeros((layout.size + 1, len(by_unknowns)))
+    mixed[:-1] = -covariance @ by_unknowns.T
+    local = np.zeros((len(groups.sighting), a + 16, a + 16))
+    owners = linearised.problem.observations.target_of_sighting
+    for g, (s, k) in enumerate(zip(groups.sighting, groups.knot, strict=True)):
+        basis = np.zeros((a + 4, a + 7))
+        basis[:a, :a] = np.eye(a)
+        shape = bases.shapes[owners[s]]
+        basis[a:, a : a + shape.shape[1]] = shape
+        if layout.surfaces:
+            basis[a:, a + 4 :] = bases.surfaces[s]
+        index = layout.index[s]
+        effects = slice(6 * k, 6 * k + 12)
+        local[g, : a + 4, : a + 4] = basis @ padded[np.ix_(index, index)] @ basis.T
+        local[g, : a + 4, a + 4 :] = basis @ mixed[index, effects]
+        local[g, a + 4 :, : a + 4] = local[g, : a + 4, a + 4 :].T
+        pose = by_unknowns[effects] @ covariance @ by_unknowns[effects].T
+        pose[:6, :6] += own[k]
+        pose[6:, 6:] += own[k + 1]
+        pose[6:, :6] += beside[k]
+        pose[:6, 6:] += beside[k].T
+        local[g, a + 4 :, a + 4 :] = pose
+    return local
+
+
+def _points(linearised: Linearised, local: Array) -> tuple[Array, Array, Array, Array]:
+    """Redundancy, test value, minimal detectable bias (metres), and weight of each point."""
+    problem, state = linearised.problem, linearised.state
+    observations, groups = problem.observations, problem.groups
+    out = np.empty((4, len(observations)))
+    _test(
+        *columns(observations), observations.sighting, *turns(observations, state.mounting),
+        state.shapes,
+        state.surface, problem.active, groups.start, groups.knot, *pos_between_knots(groups),
+        state.effects,
+        observations.sigma_lidar, observations.beam_sigmas, observations.sigma_position,
+        observations.sigma_attitude, linearised.loss.code, linearised.loss.tuning, problem.scale,
+        problem.noise, local, out,
+    )  # fmt: skip
+    redundancy, w, detectable, weights = out
+    return redundancy, w, detectable, weights
+
+
+@njit(nogil=True, cache=True)
+def _test(  # type: ignore[no-untyped-def]
+    points, position, attitude, rate, target, spheres, sighting,
+    values, rotation, derivatives, turn, shapes, surface,
+    active, start, knot, fraction, stray, effects,
+    sigma_lidar, beam, sigma_position, sigma_attitude,
+    loss, tuning, scale, noise, local, result,
+):  # fmt: skip
+    out, lidar = np.empty(20), np.empty(3)
+    count = len(active)
+    wide = np.empty(count + 16)
+    for g in range(len(knot)):
+        covariance = local[g]
+        for i in range(start[g], start[g + 1]):
+            t = target[i]
+            row(
+                i, points, position, attitude, rate, values, rotation, derivatives, turn,
+                spheres[t], shapes[t], out, lidar,
+            )  # fmt: skip
+            misclosure, variance = residual(
+                i, knot[g], points, surface[sighting[i]], fraction, stray, effects, sigma_lidar,
+                beam, sigma_position, sigma_attitude, out, lidar,
+            )  # fmt: skip
+            for k in range(count):
+                wide[k] = out[active[k]]
+            for k in range(4):
+                wide[count + k] = out[9 + k]
+            for k in range(6):
+                wide[count + 4 + k] = (1 - fraction[i]) * out[13 + k]
+                wide[count + 10 + k] = fraction[i] * out[13 + k]
+            explained = 0.0
+            for j in range(count + 16):
+                for k in range(count + 16):
+                    explained += wide[j] * covariance[j, k] * wide[k]
+            weighted = 1.0
+            if loss > 0:
+                weighted = weight(loss, tuning, misclosure / np.sqrt(variance) / scale[t])
+            variance *= noise[t] ** 2
+            redundancy = min(max(1 - weighted * explained / variance, 0.0), 1.0)
+            sigma = np.sqrt(variance * max(redundancy, 1e-12))
+            result[0, i] = redundancy
+            result[1, i] = misclosure / sigma
+            result[2, i] = 4.13 * variance / sigma
+            result[3, i] = weighted

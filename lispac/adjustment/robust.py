@@ -1,0 +1,73 @@
+"""Losses that keep stray points from moving the answer.
+
+A point far off its surface (a bird, a mixed echo, a bolt) does not belong to the normal
+distribution the other residuals have. Its weight is lowered by how many standard deviations it
+lies off, and the adjustment repeated until the weights settle (iteratively reweighted least
+squares).
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+LossName = Literal["none", "huber", "tukey"]
+LOSSES: tuple[LossName, ...] = ("none", "huber", "tukey")
+
+_TUNING = {"none": 0.0, "huber": 1.345, "tukey": 4.685}
+"""Standard deviations: 95 % efficient where the residuals are normal after all."""
+
+
+@dataclass(frozen=True)
+class Loss:
+    """Weight of a point by its standardised residual.
+
+    ``none`` weights all points alike. ``huber`` lowers the weight of the far ones but never to
+    zero. ``tukey`` redescends: points beyond 4.7 standard deviations have no say.
+    """
+
+    name: LossName = "none"
+
+    @property
+    def code(self) -> int:
+        """Number by which the compiled kernels know the loss."""
+        return LOSSES.index(self.name)
+
+    @property
+    def tuning(self) -> float:
+        """Standard deviations at which the loss bends."""
+        return _TUNING[self.name]
+
+    @property
+    def start(self) -> "Loss":
+        """Loss to begin with: a redescending one needs a start near the answer."""
+        return Loss("huber") if self.name == "tukey" else self
+
+
+def robust_scale(residuals: NDArray[np.float64]) -> float:
+    """Spread of standardised residuals by their median, at least 1.
+
+    Where a surface is rougher than the LiDAR noise says, all its points would be strays.
+    """
+    return max(1.0, float(np.median(np.abs(residuals))) / 0.6745)
+
+
+def noise_found(residuals: NDArray[np.float64]) -> float:
+    """Root mean square of standardised residuals, at least 1.
+
+    A surface that is rougher than the LiDAR noise says tells as much less as it is rougher.
+    """
+    return max(1.0, float(np.sqrt(np.mean(residuals**2))))
+
+
+@njit(nogil=True, cache=True, inline="always")
+def weight(code, tuning, residual):  # type: ignore[no-untyped-def]
+    """Weight between 0 and 1 of a standardised residual."""
+    size = abs(residual)
+    if code == 1:
+        return 1.0 if size <= tuning else tuning / size
+    if size >= tuning:
+        return 0.0
+    return (1 - (residual / tuning) ** 2) ** 2

@@ -1,0 +1,156 @@
+"""From the last iteration to the result."""
+
+import time
+
+import numpy as np
+import scipy.stats
+from numpy.typing import NDArray
+
+from lispac.adjustment.conditions import linearise
+from lispac.adjustment.observability import observability
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.problem import RELEASED, Linearised, Problem
+from lispac.adjustment.reliability import reliability
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    ChiSquare,
+    Component,
+    SightingResidual,
+    TargetResidual,
+)
+from lispac.adjustment.sums import State
+from lispac.survey.georeferencing import CALIBRATION
+
+Array = NDArray[np.float64]
+
+
+def summary(
+    observations: Observations,
+    linearised: Linearised,
+    state: State,
+    fitted: Array,
+    *,
+    path: Array,
+    held: tuple[Estimate, ...],
+    components: tuple[Component, ...],
+    diagnostics: bool,
+    started: float,
+) -> AdjustmentResult:
+    """Gather what the adjustment found.
+
+    Parameters
+    ----------
+    observations : Observations
+        As given.
+    linearised : Linearised
+        Of the last iteration; its correction is below any figure shown, so that what it was
+        computed from describes the solution.
+    fitted : ndarray of shape (targets, 4)
+        Best shapes with the prior mounting.
+    """
+    problem, normal = linearised.problem, linearised.normal
+    layout = normal.layout
+    unknowns = len(layout.active) + sum(s.stop - s.start for s in layout.shapes)
+    known = sum(p.sigma is not None for p in problem.parameters)
+    freedom = len(observations) + known - unknowns
+    lower, upper = scipy.stats.chi2.ppf([0.025, 0.975], freedom) if freedom > 0 else (0.0, 0.0)
+    statistic = _statistic(linearised, state)
+    targets, sightings, rms = _residuals(
+        observations, linearise(observations, problem.prior, fitted).misclosure,
+        linearise(observations, state.mounting, state.shapes).misclosure, state.shapes,
+        problem.noise,
+    )  # fmt: skip
+    estimates = _estimates(problem, state, normal.covariance, held)
+    shown = [0, 1, 2, *(CALIBRATION.index(e.name) for e in estimates if e.value is not None)]
+    places = np.searchsorted(layout.active, sorted(shown))
+    held_sigma = problem.surface_sigma[problem.surface_sigma < RELEASED]
+    correlated = problem.model.correlated
+    return AdjustmentResult(
+        mounting=state.mounting,
+        prior_boresight=np.array(problem.prior.boresight, dtype=float),
+        estimated=tuple(CALIBRATION[k] for k in sorted(shown)),
+        covariance_all=normal.covariance[np.ix_(places, places)],
+        parameters=estimates,
+        path=path,
+        model=problem.model,
+        variance_factor=statistic / freedom if freedom > 0 else float("nan"),
+        degrees_of_freedom=freedom,
+        chi_square=ChiSquare(statistic, float(lower), float(upper)),
+        iterations=len(path),
+        targets=targets,
+        sightings=sightings,
+        rms_before=rms[0],
+        rms_after=rms[1],
+        surface=float(held_sigma[0]) if layout.surfaces and len(held_sigma) else 0.0,
+        observability=observability(linearised) if diagnostics else None,
+        reliability=(
+            reliability(linearised) if diagnostics and correlated and layout.surfaces else ()
+        ),
+        components=components,
+        elapsed=time.perf_counter() - started,
+    )
+
+
+def _statistic(linearised: Linearised, state: State) -> float:
+    """``v' P v`` with the sigmas as stated and every point's full weight."""
+    problem = linearised.problem
+    residuals = problem.standardised(state)
+    statistic = float(residuals @ residuals)
+    if problem.groups.knots is not None:
+        statistic += float((problem.groups.knots.weighted(state.effects) * state.effects).sum())
+    if problem.layout.surfaces:
+        statistic += float(((linearised.departures / problem.surface_sigma[:, None]) ** 2).sum())
+    off = state.mounting.values - problem.prior.values
+    return statistic + sum(
+        (float(off[p.index]) / p.sigma) ** 2 for p in problem.parameters if p.sigma is not None
+    )
+
+
+def _estimates(
+    problem: Problem, state: State, covariance: Array, held: tuple[Estimate, ...]
+) -> tuple[Estimate, ...]:
+    unseen = {estimate.name for estimate in held}
+    found = list(held)
+    for parameter in problem.parameters:
+        if parameter.name in unseen:
+            continue
+        k = int(np.searchsorted(problem.active, parameter.index))
+        prior = float(problem.prior.values[parameter.index])
+        value = float(state.mounting.values[parameter.index])
+        sigma = float(np.sqrt(covariance[k, k]))
+        # A change from a known value has the smaller variance of the two
+        spread = sigma if parameter.sigma is None else np.sqrt(parameter.sigma**2 - sigma**2)
+        found.append(
+            Estimate(
+                parameter.name, prior, parameter.sigma, value, sigma,
+                float((value - prior) / spread) if spread > 0 else 0.0,
+            )
+        )  # fmt: skip
+    return tuple(sorted(found, key=lambda estimate: CALIBRATION.index(estimate.name)))
+
+
+def _residuals(
+    observations: Observations, before: Array, after: Array, shapes: Array, noise: Array
+) -> tuple[tuple[TargetResidual, ...], tuple[SightingResidual, ...], tuple[float, float]]:
+    squares = observations.mean_by_sighting(np.stack([before**2, after**2], axis=1))
+    means = observations.mean_by_sighting(after)
+    sightings = tuple(
+        SightingResidual(sighting, int(count), float(b), float(a), float(mean))
+        for sighting, count, (b, a), mean in zip(
+            observations.sightings, observations.counts, np.sqrt(squares), means, strict=True
+        )
+    )
+    targets = []
+    for k, name in enumerate(observations.targets):
+        own = observations.target_of_sighting == k
+        counts = observations.counts[own]
+        b, a = np.sqrt(counts @ squares[own] / counts.sum())
+        targets.append(
+            TargetResidual(
+                name, int(counts.sum()), float(b), float(a), shapes[k],
+                bool(observations.is_sphere[k]), float(noise[k]),
+            )
+        )  # fmt: skip
+    both = np.sqrt(observations.counts @ squares / len(observations))
+    return tuple(targets), sightings, (float(both[0]), float(both[1]))

@@ -1,0 +1,310 @@
+"""`lispac estimate`: adjust a project or plane files, and say what came of it."""
+
+from argparse import Namespace
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
+from lispac.adjustment.result import (
+    ANGLES,
+    AdjustmentResult,
+    CrossChecks,
+    SightingReliability,
+)
+from lispac.adjustment.solver import adjust
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.io.plane_file import read_plane_files
+from lispac.project import Project, Settings
+from lispac.survey.georeferencing import Mounting
+from lispac.workflow import calibration, projects
+from lispac.workflow.survey import load_survey
+
+DEFAULT_LIDAR_SIGMA = 0.005
+
+UNITS: Mapping[str, tuple[float, str]] = {
+    "lever_x": (1.0, "m"), "lever_y": (1.0, "m"), "lever_z": (1.0, "m"),
+    "range_offset": (1.0, "m"), "scan_angle_offset": (float(np.degrees(1)), "deg"),
+    "latency": (1.0, "s"),
+}  # fmt: skip
+"""Factor from what is stored to what is shown, and its unit."""
+
+
+def estimate(arguments: Namespace) -> None:
+    """Adjust the boresight of a project, or of plane files."""
+    if arguments.planes:
+        result, checks = _estimate_planes(arguments)
+        if arguments.json:
+            print_json(numbers(result, checks))
+        else:
+            print_result(result, checks)
+        return
+    if arguments.project is None:
+        raise UsageError("estimate: name a project, or plane files with --planes.")
+    for option in ("lever_arm", "boresight", "lidar_sigma"):
+        if getattr(arguments, option) is not None:
+            name = option.replace("_", "-")
+            raise UsageError(f"estimate: --{name} goes with --planes; a project has its own.")
+    with ConsoleProgress() as progress:
+        project = projects.open_project(arguments.project)
+        survey = load_survey(project, progress=progress)
+        project = calibration.estimate(
+            project,
+            survey,
+            settings=asked_settings(project.settings, arguments),
+            cross_check=not arguments.no_cross_checks,
+            progress=progress,
+        )
+    projects.save_project(project)
+    if arguments.json:
+        print_json(project_numbers(project))
+    else:
+        assert project.result is not None
+        print_result(project.result, project.cross_checks)
+
+
+def asked_settings(settings: Settings, arguments: Namespace) -> Settings:
+    """The settings with what the command line changes."""
+    given: dict[str, Any] = {
+        "subsample": arguments.subsample,
+        "pos_errors": arguments.pos_errors,
+        "position_time": arguments.position_time,
+        "attitude_time": arguments.attitude_time,
+        "loss": arguments.loss,
+        "parameters": parameters_of(arguments.estimate),
+        "variance_components": True if arguments.components else None,
+    }
+    if arguments.surface is not None:
+        settings = replace(
+            settings, surface=None if arguments.surface == "auto" else arguments.surface
+        )
+    return replace(settings, **{key: value for key, value in given.items() if value is not None})
+
+
+def parameters_of(named: Iterable[str] | None) -> tuple[Parameter, ...] | None:
+    """Parameters from ``NAME`` or ``NAME=SIGMA``; none at all from ``none``.
+
+    Raises
+    ------
+    UsageError
+    """
+    if named is None:
+        return None
+    found = []
+    for text in named:
+        if text == "none":
+            continue
+        name, _, sigma = text.partition("=")
+        name = name.replace("-", "_")
+        if name not in SWITCHED:
+            choices = ", ".join(each.replace("_", "-") for each in SWITCHED)
+            raise UsageError(f"estimate: there is no parameter {name}; give one of {choices}.")
+        try:
+            found.append(Parameter(name, float(sigma) / UNITS[name][0] if sigma else None))
+        except ValueError:
+            raise UsageError(f"estimate: {sigma!r} in {text} is not a number.") from None
+    return tuple(found)
+
+
+def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossChecks | None]:
+    if arguments.project is not None:
+        raise UsageError("estimate: give a project or plane files, not both.")
+    if arguments.lever_arm is None:
+        raise UsageError("estimate: --planes needs --lever-arm X Y Z (0 0 0 where there is none).")
+    sigma = DEFAULT_LIDAR_SIGMA if arguments.lidar_sigma is None else arguments.lidar_sigma
+    if arguments.subsample:
+        raise UsageError("estimate: --subsample goes with a project; plane files are thinned.")
+    if len({path.resolve() for path in arguments.planes}) < len(arguments.planes):
+        raise UsageError("estimate: a plane file is given twice; its points would count double.")
+    observations, planes = read_plane_files(arguments.planes, sigma)
+    mounting = Mounting(
+        np.array(arguments.lever_arm), np.radians(arguments.boresight or (0.0, 0.0, 0.0))
+    )
+    settings = asked_settings(Settings(lever_arm=tuple(arguments.lever_arm)), arguments)
+    settings.require_sound()
+    with ConsoleProgress() as progress:
+        result = adjust(
+            observations, mounting, settings.stochastic_model, parameters=settings.parameters,
+            shapes=planes, components=settings.variance_components, progress=progress,
+        )  # fmt: skip
+        if arguments.no_cross_checks:
+            return result, None
+        return result, cross_checks(
+            observations, mounting, result, settings.parameters, progress=progress
+        )
+
+
+def _angles(values: Iterable[float] | None) -> dict[str, float] | None:
+    if values is None:
+        return None
+    return {name: float(value) for name, value in zip(ANGLES, values, strict=True)}
+
+
+def _degrees(values: Any) -> dict[str, float] | None:
+    return None if values is None else _angles(np.degrees(values))
+
+
+def project_numbers(project: Project) -> dict[str, Any]:
+    """What `numbers` says, of a project."""
+    assert project.result is not None
+    said = numbers(project.result, project.cross_checks)
+    return said | {"subsample_m": project.settings.subsample}
+
+
+def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, Any]:
+    """The answer as plain values, in degrees and metres."""
+    chi_square, seen = result.chi_square, result.observability
+    return {
+        "boresight_deg": _degrees(result.boresight),
+        "sigma_deg": _degrees(result.sigma),
+        "correlation": result.correlation.tolist(),
+        "variance_factor": result.variance_factor,
+        "chi_square": {
+            "statistic": chi_square.statistic,
+            "lower": chi_square.lower,
+            "upper": chi_square.upper,
+            "passed": chi_square.passed,
+        },
+        "iterations": result.iterations,
+        "points": result.points,
+        "sightings": len(result.sightings),
+        "planes": len(result.targets),
+        "elapsed_s": result.elapsed,
+        "pos_errors": result.model.pos_errors,
+        "loss": result.model.loss,
+        "surface_sigma_m": result.surface,
+        "noise_factor": {target.target: target.noise for target in result.targets},
+        "prior_boresight_deg": _degrees(result.prior_boresight),
+        "joint_plane_rms_m": {"before": result.rms_before, "after": result.rms_after},
+        "parameters": {p.name: _parameter(p) for p in result.parameters},
+        "observability": seen
+        and {
+            "condition": seen.condition,
+            "direction_sigma_deg": np.degrees(seen.eigenvalues**-0.5).tolist(),
+            "in_words": list(seen.sentences),
+        },
+        "reliability": [_reliability(item) for item in result.reliability],
+        "suspects": [f"{s.target} on {s.line}" for s in result.suspects],
+        "components": {
+            c.name: {"factor": c.factor, "lower": c.lower, "upper": c.upper}
+            for c in result.components
+        },
+        "cross_checks": checks and _checks(checks),
+    }
+
+
+def _parameter(estimate: Estimate) -> dict[str, Any]:
+    factor, unit = UNITS[estimate.name]
+
+    def shown(value: float | None) -> float | None:
+        return None if value is None else factor * value
+
+    return {
+        "unit": unit,
+        "prior": shown(estimate.prior),
+        "prior_sigma": shown(estimate.prior_sigma),
+        "value": shown(estimate.value),
+        "sigma": shown(estimate.sigma),
+        "significance": estimate.significance,
+        "reason": estimate.reason,
+    }
+
+
+def _reliability(item: SightingReliability) -> dict[str, Any]:
+    return {
+        "target": item.sighting.target,
+        "line": item.sighting.line,
+        "shift_m": item.shift,
+        "w": item.w,
+        "detectable_m": item.detectable,
+        "effect_deg": _degrees(item.effect),
+        "redundancy": item.redundancy,
+        "strays": item.strays,
+        "released": item.released,
+    }
+
+
+def _checks(checks: CrossChecks) -> dict[str, Any]:
+    return {
+        "spread_lines_deg": _degrees(checks.spread_lines),
+        "spread_targets_deg": _degrees(checks.spread_targets),
+        "parts": [
+            {
+                "kind": part.kind,
+                "part": part.without,
+                "boresight_deg": _degrees(part.boresight),
+                "difference_deg": _degrees(part.difference),
+                "significance": _angles(part.significance),
+                "disagrees": part.disagrees,
+                "reason": part.reason,
+            }
+            for part in checks.parts
+        ],
+    }
+
+
+def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
+    """The answer for people."""
+    chi_square = result.chi_square
+    verdict = "passed" if chi_square.passed else "FAILED"
+    print("degrees    " + "".join(f"{name:>12s}" for name in ANGLES))
+    rows = {
+        "prior": np.degrees(result.prior_boresight),
+        "boresight": np.degrees(result.boresight),
+        "sigma": np.degrees(result.sigma),
+        "95 %": 1.96 * np.degrees(result.sigma),
+    }
+    if checks is not None and checks.spread_lines is not None:
+        rows["by lines"] = np.degrees(checks.spread_lines)
+    for name, values in rows.items():
+        sign = "+" if name in ("prior", "boresight") else ""
+        print(f"{name:11s}" + "".join(f"{value:{sign}12.4f}" for value in values))
+    for estimate in result.parameters:
+        print(_parameter_line(estimate))
+    print(
+        f"POS errors {result.model.pos_errors}; {result.points:,} points, "
+        f"{len(result.sightings)} sightings, {len(result.targets)} targets, "
+        f"{result.iterations} iterations, {result.elapsed:.3f} s"
+    )
+    print(
+        f"variance factor {result.variance_factor:.3f}, chi-square {chi_square.statistic:.1f} "
+        f"({chi_square.lower:.1f} to {chi_square.upper:.1f}: {verdict})"
+    )
+    if result.model.pos_errors == "independent":
+        print("POS errors are taken as independent (thesis mode): the sigmas are too small")
+    print(
+        f"RMS to the joint surfaces {result.rms_before * 1000:.1f} mm before, "
+        f"{result.rms_after * 1000:.1f} mm after"
+    )
+    for component in result.components:
+        print(
+            f"{component.name} sigmas times {component.factor:.2f} "
+            f"({component.lower:.2f} to {component.upper:.2f})"
+        )
+    for sentence in result.observability.sentences if result.observability else ():
+        print(sentence)
+    for item in result.reliability:
+        if item.released:
+            print(
+                f"{item.sighting.target} on line {item.sighting.line} lies "
+                f"{abs(item.shift) * 1000:.0f} mm off what the others say (w = {item.w:.1f}): "
+                "left out of the answer"
+            )
+    for part in checks.disagreements if checks else ():
+        what = f"the {part.without} half" if part.kind == "half" else f"without {part.without}"
+        print(f"{what}: the answer differs by more than chance explains")
+
+
+def _parameter_line(estimate: Estimate) -> str:
+    factor, unit = UNITS[estimate.name]
+    name = estimate.name.replace("_", " ")
+    if estimate.value is None or estimate.sigma is None or estimate.significance is None:
+        return estimate.reason
+    earned = "significant" if abs(estimate.significance) > 1.96 else "not significant"
+    return (
+        f"{name} {factor * estimate.value:+.4f} {unit}, sigma {factor * estimate.sigma:.4f}, "
+        f"prior {factor * estimate.prior:+.4f}: {earned}"
+    )

@@ -1,0 +1,34 @@
+"""Project files of older versions, brought up to date one version after the other."""
+
+from collections.abc import Callable
+from typing import Any
+
+Content = dict[str, Any]
+
+SCHEMA_VERSION = 2
+
+
+def upgraded(content: Content) -> Content:
+    """The content of a project file as this version writes it."""
+    for version in range(content["schema_version"], SCHEMA_VERSION):
+        content = _UPGRADES[version](dict(content))
+    return content
+
+
+def _from_1(content: Content) -> Content:
+    """Version 2 knows more of an adjustment; one of version 1 has to be repeated.
+
+    The stated model is kept: a project that was set to thesis mode stays so.
+    """
+    targets = [target | {"shape": "plane", "sphere_radius": None} for target in content["targets"]]
+    return content | {
+        "schema_version": 2,
+        "targets": targets,
+        "result": None,
+        "cross_checks": None,
+        "validation": [],
+        "not_compared": {},
+    }
+
+
+_UPGRADES: dict[int, Callable[[Content], Content]] = {1: _from_1}

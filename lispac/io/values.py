@@ -1,0 +1,50 @@
+"""Results and settings as plain values for JSON, and back, by their type annotations."""
+
+from functools import cache
+from typing import Any, TypeVar
+
+import numpy as np
+
+Value = TypeVar("Value")
+
+
+@cache
+def _converter() -> Any:
+    from cattrs import Converter
+
+    converter = Converter(forbid_extra_keys=True)
+    converter.register_unstructure_hook_func(_is_array, lambda array: array.tolist())
+    converter.register_structure_hook_func(_is_array, lambda value, _: np.array(value, dtype=float))
+    return converter
+
+
+def _is_array(kind: Any) -> bool:
+    return getattr(kind, "__origin__", kind) is np.ndarray
+
+
+def encoded(value: Any) -> Any:
+    """A dataclass as dictionaries, lists, numbers and text; None stays None."""
+    return None if value is None else _converter().unstructure(value)
+
+
+def decoded(content: Any, kind: type[Value]) -> Value:
+    """The inverse of `encoded`.
+
+    Raises
+    ------
+    ValueError
+        Where the content does not fit the type.
+    """
+    from cattrs.errors import BaseValidationError, ForbiddenExtraKeysError
+
+    try:
+        return _converter().structure(content, kind)
+    except (BaseValidationError, ForbiddenExtraKeysError) as error:
+        raise ValueError(f"{kind.__name__} cannot be read: {_first(error)}") from error
+
+
+def _first(error: BaseException) -> str:
+    """The innermost of nested errors, in one line."""
+    while isinstance(error, BaseExceptionGroup):
+        error = error.exceptions[0]
+    return str(error).splitlines()[0] if str(error) else type(error).__name__

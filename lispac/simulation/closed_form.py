@@ -1,0 +1,219 @@
+"""Surveys of boards and balls in closed form: what a profiler would see, in a few milliseconds.
+
+No beam is traced: the points lie on a grid over each target, and each gets the instant at which the
+profile of the passing vessel meets it. That is all an adjustment sees of a survey, so thousands of
+them can be made where the port scene takes a minute for one.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
+from lispac.survey.georeferencing import Mounting, to_lidar
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Board:
+    """A flat rectangular target.
+
+    Attributes
+    ----------
+    centre, normal : tuple of float, metres, local; the normal looks to the vessel
+    width, height : float, metres
+    """
+
+    name: str
+    centre: tuple[float, float, float]
+    normal: tuple[float, float, float]
+    width: float = 1.23
+    height: float = 1.22
+    radius: None = None
+
+    def points(self, spacing: float, generator: np.random.Generator) -> Array:
+        """A grid of points with a random origin, shape (n, 3), metres, local."""
+        normal = np.array(self.normal) / np.linalg.norm(self.normal)
+        across = np.cross([0.0, 0.0, 1.0], normal)
+        across /= np.linalg.norm(across)
+        up = np.cross(normal, across)
+        u, v = (
+            np.arange(-side / 2 + start, side / 2, spacing)
+            for side, start in zip(
+                (self.width, self.height), generator.uniform(0, spacing, 2), strict=True
+            )
+        )
+        u, v = (grid.ravel() for grid in np.meshgrid(u, v))
+        return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
+
+
+@dataclass(frozen=True)
+class Course:
+    """A straight pass at constant speed.
+
+    Attributes
+    ----------
+    heading : float, radians clockwise from north
+    abeam : tuple of float, metres, local
+        Where the vessel is at ``time``.
+    time : float, seconds
+    speed : float, metres per second
+    """
+
+    name: str
+    heading: float
+    abeam: tuple[float, float]
+    time: float
+    speed: float = 1.0
+
+    @property
+    def direction(self) -> Array:
+        """Unit vector ahead, shape (3,), local."""
+        return np.array([np.cos(self.heading), -np.sin(self.heading), 0.0])
+
+
+BOARDS = (
+    Board("T1", (0.8, 15.0, 5.0), (0.0, -1.0, 0.0)),
+    Board("T2", (-0.8, 15.0, 5.0), (0.0, -1.0, 1.0)),
+)
+"""An upright and a leaning board 15 m from the vessel and 5 m above it (thesis 4.4)."""
+
+
+def six_courses(interval: float = 90.0, speed: float = 0.8) -> tuple[Course, ...]:
+    """The six-fold pattern of the thesis (figure 3.3) through the local origin."""
+    return tuple(
+        Course(f"L{k + 1}", float(np.radians(heading_deg)), (0.0, 0.0), 50.0 + k * interval, speed)
+        for k, heading_deg in enumerate((0, 180, 45, 225, 315, 135))
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Sea:
+    """The vessel's motion on top of its course: sines of random period and phase."""
+
+    sigma: Array  # drift north, west and heave (metres), roll, pitch, yaw (radians)
+    frequency: Array  # (6, sines), radians per second
+    phase: Array
+
+    @classmethod
+    def draw(cls, generator: np.random.Generator, sines: int = 3) -> "Sea":
+        """Motion of a small vessel in a harbour."""
+        sigma = np.array([0.03, 0.03, 0.05, *np.radians([0.9, 0.35, 0.3])])
+        period = generator.uniform(4.0, 9.0, (6, sines))
+        return cls(sigma, 2 * np.pi / period, generator.uniform(0, 2 * np.pi, (6, sines)))
+
+    def at(self, time: Array) -> Array:
+        """Motion, shape (n, 6)."""
+        waves = np.sin(time[:, None, None] * self.frequency + self.phase)
+        return np.asarray(self.sigma * waves.sum(axis=2) * np.sqrt(2 / self.phase.shape[1]))
+
+    def rate(self, time: Array) -> Array:
+        """Its derivative by time, shape (n, 6)."""
+        waves = self.frequency * np.cos(time[:, None, None] * self.frequency + self.phase)
+        return np.asarray(self.sigma * waves.sum(axis=2) * np.sqrt(2 / self.phase.shape[1]))
+
+
+def exact_survey(
+    mounting: Mounting,
+    targets: Sequence[Board],
+    courses: Sequence[Course],
+    spacing: float,
+    generator: np.random.Generator,
+    *,
+    pos: PosErrorModel = HYDROGRAPHIC_INS,
+    lidar_sigma: float = 0.003,
+) -> Observations:
+    """What would be observed without any error.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        The true one.
+    spacing : float, metres
+        Between the points of a target.
+    pos : PosErrorModel
+        Its standard deviations are those the observations state.
+    """
+    sea = Sea.draw(generator)
+    rows, sightings = [], []
+    for target in targets:
+        for course in courses:
+            points = target.points(spacing, generator)
+            # The profile stands across the course and meets a point when the scanner is abeam.
+            along = (points - [*course.abeam, 0.0]) @ course.direction - mounting.lever_arm[0]
+            time = course.time + along / course.speed
+            poses = _sail(course, sea, time + mounting.latency)
+            scan = to_lidar(points, poses, mounting)
+            recorded = _sail(course, sea, time)
+            rate = sea.rate(time)
+            rate[:, :3] += course.speed * course.direction
+            rows.append(np.column_stack([scan, recorded.position, recorded.attitude, rate, time]))
+            sightings.append(Sighting(target.name, course.name))
+    table = np.concatenate(rows)
+    count = len(table)
+    return Observations(
+        points_lidar=np.ascontiguousarray(table[:, :3]),
+        position=np.ascontiguousarray(table[:, 3:6]),
+        attitude=np.ascontiguousarray(table[:, 6:9]),
+        pose_rate=np.ascontiguousarray(table[:, 9:15]),
+        sigma_lidar=np.full((count, 3), lidar_sigma),
+        sigma_position=np.tile(pos.sigma_position, (count, 1)),
+        sigma_attitude=np.tile(pos.sigma_attitude, (count, 1)),
+        time=table[:, 15].copy(),
+        sighting=np.repeat(np.arange(len(sightings)), [len(part) for part in rows]),
+        sightings=tuple(sightings),
+        radii={target.name: target.radius for target in targets if target.radius is not None},
+    )
+
+
+def _sail(course: Course, sea: Sea, time: Array) -> Poses:
+    motion = sea.at(time)
+    position = (time - course.time)[:, None] * course.speed * course.direction + motion[:, :3]
+    position[:, :2] += course.abeam
+    return Poses(position, motion[:, 3:] + [0.0, 0.0, course.heading])
+
+
+def observed(
+    exact: Observations, pos: PosErrorModel, generator: np.random.Generator
+) -> Observations:
+    """The same survey with white LiDAR noise and POS errors that drift through it."""
+    noise = generator.standard_normal(exact.points_lidar.shape) * exact.sigma_lidar
+    return replace(
+        exact,
+        points_lidar=exact.points_lidar + noise,
+        position=exact.position
+        + exact.sigma_position * drift(exact.time, pos.time_position, generator),
+        attitude=exact.attitude
+        + exact.sigma_attitude * drift(exact.time, pos.time_attitude, generator),
+    )
+
+
+def drift(time: Array, correlation_time: float, generator: np.random.Generator) -> Array:
+    """Three unit first-order Gauss-Markov processes at any instants, shape (n, 3).
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds, in any order
+    correlation_time : float, seconds
+    """
+    order = np.argsort(time, kind="stable")
+    draws = generator.standard_normal((len(time), 3))
+    _remember(np.diff(time[order]) / correlation_time, draws)
+    drifting = np.empty_like(draws)
+    drifting[order] = draws
+    return drifting
+
+
+@njit(nogil=True, cache=True)
+def _remember(steps, draws):  # type: ignore[no-untyped-def]
+    for i in range(len(steps)):
+        kept = np.exp(-steps[i])
+        fresh = np.sqrt(-np.expm1(-2 * steps[i]))
+        for k in range(draws.shape[1]):
+            draws[i + 1, k] = kept * draws[i, k] + fresh * draws[i + 1, k]
