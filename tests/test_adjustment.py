@@ -87,6 +87,12 @@ def dense_rows(
     # Variance of a Gauss-Markov process between two knots about their chord
     between = 2 * KNOT_INTERVAL / np.repeat([300.0, 600.0], 3) * u * (1 - u)
     variance += (between * (by_pose * sigma) ** 2).sum(axis=1)
+    # Derivatives at the adjusted observations
+    pull = (misclosure / variance)[:, None]
+    noise = pull * conditions.by_lidar * observations.sigma_lidar**2
+    adjusted = replace(observations, points_lidar=observations.points_lidar - noise)
+    conditions = linearise(adjusted, here, PLANES)
+    by_pose = conditions.rows[:, POSE]
     rows = [conditions.rows[:, kept[:-1]], (1 - u) * by_pose, u * by_pose, misclosure[:, None]]
     return np.hstack(rows), variance
 

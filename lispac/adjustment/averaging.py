@@ -18,13 +18,19 @@ from lispac.survey.trajectory import Poses
 Array = NDArray[np.float64]
 
 
-def averaged(observations: Observations, mounting: Mounting, distance: float) -> Observations:
+def averaged(
+    observations: Observations,
+    mounting: Mounting,
+    distance: float,
+    *,
+    longest: float = KNOT_INTERVAL,
+) -> Observations:
     """Average the points of each sighting of a plane over squares of side ``distance``.
 
     The squares lie in the sighting's own plane: cubes would part the points by the sign of their
     noise where a plane runs along their border. Points of one square seen at different times have
-    POS errors of their own, so averages reach over one knot interval of the POS error at most. The
-    points of spheres stay as they are: the mean of a curved patch lies inside it.
+    POS errors of their own, so averages reach over a short time only. The points of spheres stay
+    as they are: the mean of a curved patch lies inside it.
 
     Parameters
     ----------
@@ -33,11 +39,13 @@ def averaged(observations: Observations, mounting: Mounting, distance: float) ->
         the change of the mounting with another one.
     distance : float, metres
         0 leaves all points as they are.
+    longest : float, seconds
+        Over which points are averaged: the knot interval of the POS error.
     """
     if distance <= 0:
         return observations
     points = points_local(observations, mounting)
-    order, start = _cells(observations, points, distance)
+    order, start = _cells(observations, points, distance, longest)
     counts = np.diff(np.append(start, len(order)))
 
     def mean(values: Array) -> Array:
@@ -75,7 +83,7 @@ def averaged(observations: Observations, mounting: Mounting, distance: float) ->
 
 
 def _cells(
-    observations: Observations, points: Array, distance: float
+    observations: Observations, points: Array, distance: float, longest: float
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """The points ordered by cell, and where each cell begins in that order."""
     across = np.empty((len(points), 2))
@@ -88,7 +96,7 @@ def _cells(
     alone = observations.is_sphere[observations.target_of_sighting[observations.sighting]]
     grid[alone, 0] = np.arange(alone.sum())
     key = observations.sighting.astype(np.int64)
-    for each in (*grid.T, np.floor(observations.time / KNOT_INTERVAL).astype(np.int64)):
+    for each in (*grid.T, np.floor(observations.time / longest).astype(np.int64)):
         # Joined one by one and renumbered, so that the numbers stay small.
         each = each - each.min()
         key = np.unique(key * (int(each.max()) + 1) + each, return_inverse=True)[1].reshape(-1)

@@ -71,7 +71,7 @@ def variance_components(linearised: Linearised) -> tuple[Component, ...]:
     )  # fmt: skip
     spread = np.sqrt(2 / np.maximum(_curvature(likelihood, found.x), 1e-3))
     return tuple(
-        Component(name, *(float(np.exp(v)) for v in (x, x - 1.96 * s, x + 1.96 * s)))
+        Component(name, *np.exp([x, x - 1.96 * s, x + 1.96 * s]).tolist())
         for name, x, s in zip(NAMES, found.x, spread, strict=True)
     )
 
@@ -91,7 +91,8 @@ class _Likelihood:
         problem, self.normal = linearised.problem, linearised.normal
         knots, effects = problem.groups.knots, linearised.state.effects
         assert knots is not None
-        self.points = len(problem.observations)
+        # A loss takes weight from the large residuals of a normal distribution too.
+        self.points = len(problem.observations) * linearised.loss.kept
         self.knots = len(knots.time)
         self.kind = np.tile([1, 1, 1, 2, 2, 2], self.knots)
         self.own = knots.precision_diagonal.reshape(-1)

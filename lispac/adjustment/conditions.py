@@ -87,8 +87,8 @@ def turns(observations: Observations, mounting: Mounting) -> tuple[Array, Array,
 
 
 @njit(nogil=True, cache=True, inline="always")
-def row(i, points, position, attitude, rate, values, rotation, derivatives, turn, sphere, shape, out, lidar):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
-    """The Jacobians of point ``i``, written to ``out`` (20) and ``lidar`` (3)."""
+def row(i, rx, ry, rz, position, attitude, rate, values, rotation, derivatives, turn, sphere, shape, out, lidar):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
+    """The Jacobians of point ``i`` at (rx, ry, rz), written to ``out`` (20) and ``lidar`` (3)."""
     roll, pitch, heading = attitude[i, 0], attitude[i, 1], attitude[i, 2]
     px, py, pz = position[i, 0], position[i, 1], position[i, 2]
     if len(rate) > 0 and values[8] != 0.0:
@@ -99,7 +99,6 @@ def row(i, points, position, attitude, rate, values, rotation, derivatives, turn
     cr, sr = np.cos(roll), np.sin(roll)
     cp, sp = np.cos(pitch), np.sin(pitch)
     ch, sh = np.cos(heading), np.sin(heading)
-    rx, ry, rz = points[i, 0], points[i, 1], points[i, 2]
     distance = np.sqrt(rx * rx + ry * ry + rz * rz)
     stretch = values[6] / distance
     # Turned by the scan-angle offset (about x), then with the range offset
@@ -162,9 +161,32 @@ def _linearise(points, position, attitude, rate, target, spheres, values, rotati
     for i in range(len(points)):
         t = target[i]
         row(
-            i, points, position, attitude, rate, values, rotation, derivatives, turn,
-            spheres[t], shapes[t], rows[i], by_lidar[i],
+            i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
+            rotation, derivatives, turn, spheres[t], shapes[t], rows[i], by_lidar[i],
         )  # fmt: skip
+
+
+@njit(nogil=True, cache=True, inline="always")
+def corrected(i, points, sigma, beam, lidar, pull):  # type: ignore[no-untyped-def]
+    """The adjusted observation: point ``i`` less its noise's share of the misclosure.
+
+    ``pull`` is the misclosure over its variance; the correction is ``Q B'`` times it.
+    """
+    x, y, z = points[i, 0], points[i, 1], points[i, 2]
+    if not beam:
+        return (
+            x - pull * lidar[0] * sigma[i, 0] ** 2,
+            y - pull * lidar[1] * sigma[i, 1] ** 2,
+            z - pull * lidar[2] * sigma[i, 2] ** 2,
+        )
+    along = (lidar[0] * x + lidar[1] * y + lidar[2] * z) / (x * x + y * y + z * z)
+    far, near = sigma[i, 0] ** 2, sigma[i, 1] ** 2
+    stretch = 1 - pull * along * (far - near)
+    return (
+        x * stretch - pull * lidar[0] * near,
+        y * stretch - pull * lidar[1] * near,
+        z * stretch - pull * lidar[2] * near,
+    )
 
 
 @njit(nogil=True, cache=True, inline="always")

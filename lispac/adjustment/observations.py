@@ -85,6 +85,15 @@ class Observations:
         """Which targets are spheres, shape (targets,)."""
         return np.array([target in self.radii for target in self.targets], dtype=bool)
 
+    def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
+        """The same with factors on the stated sigmas."""
+        return replace(
+            self,
+            sigma_lidar=lidar * self.sigma_lidar,
+            sigma_position=position * self.sigma_position,
+            sigma_attitude=attitude * self.sigma_attitude,
+        )
+
     def as_planes(self) -> "Observations":
         """The same points with every target taken for a plane."""
         return replace(self, radii={}) if self.radii else self

@@ -115,13 +115,7 @@ class Problem:
 
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Problem":
         """The same with factors on the stated sigmas."""
-        stated = self.observations
-        observations = replace(
-            stated,
-            sigma_lidar=lidar * stated.sigma_lidar,
-            sigma_position=position * stated.sigma_position,
-            sigma_attitude=attitude * stated.sigma_attitude,
-        )
+        observations = self.observations.with_sigmas(lidar, position, attitude)
         problem = Problem.of(observations, self.prior, self.model, self.parameters)
         return replace(
             problem, surface_sigma=self.surface_sigma, scale=self.scale, noise=self.noise

@@ -217,8 +217,8 @@ def _test(  # type: ignore[no-untyped-def]
         for i in range(start[g], start[g + 1]):
             t = target[i]
             row(
-                i, points, position, attitude, rate, values, rotation, derivatives, turn,
-                spheres[t], shapes[t], out, lidar,
+                i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
+                rotation, derivatives, turn, spheres[t], shapes[t], out, lidar,
             )  # fmt: skip
             misclosure, variance = residual(
                 i, knot[g], points, surface[sighting[i]], fraction, stray, effects, sigma_lidar,

@@ -151,17 +151,19 @@ class Component:
 
     Attributes
     ----------
-    name : {"LiDAR", "POS position", "POS attitude", "surface"}
+    name : {"LiDAR", "POS position", "POS attitude"}
     factor : float
-        For ``surface`` the sigma itself, in metres.
     lower, upper : float
         95 % interval by the likelihood.
+    applied : bool
+        Whether the sigmas were changed by it: where the interval does not hold 1.
     """
 
     name: str
     factor: float
     lower: float
     upper: float
+    applied: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,7 +184,8 @@ class AdjustmentResult:
     path : ndarray of shape (iterations, 3), radians
         Roll, pitch, yaw after each iteration.
     variance_factor : float
-        From the stated sigmas, before any noise was taken from the residuals.
+        From the stated sigmas, times the applied ``components``, before any noise was taken from
+        the residuals.
     surface : float, metres
         Sigma of how the sightings depart from their target's shape; 0 in thesis mode.
     reliability : tuple of SightingReliability
@@ -243,6 +246,14 @@ class AdjustmentResult:
         """Correlations between all of ``estimated``, shape (e, e)."""
         sigma = np.sqrt(np.diag(self.covariance_all))
         return np.asarray(self.covariance_all / np.outer(sigma, sigma))
+
+    @property
+    def sigma_factors(self) -> tuple[float, float, float]:
+        """Factors that were applied to the stated sigmas of LiDAR, POS position and attitude."""
+        if not self.components:
+            return 1.0, 1.0, 1.0
+        lidar, position, attitude = (c.factor if c.applied else 1.0 for c in self.components)
+        return lidar, position, attitude
 
     @property
     def suspects(self) -> tuple[Sighting, ...]:

@@ -41,6 +41,14 @@ class Loss:
         return _TUNING[self.name]
 
     @property
+    def kept(self) -> float:
+        """Share of the sum of squares of normal residuals that is left with its weights."""
+        z = np.linspace(-10, 10, 20_001)
+        weights = [1.0 if self.name == "none" else weight(self.code, self.tuning, v) for v in z]
+        density = np.exp(-(z**2) / 2) / np.sqrt(2 * np.pi)
+        return float(np.trapezoid(weights * z**2 * density, z))
+
+    @property
     def start(self) -> "Loss":
         """Loss to begin with: a redescending one needs a start near the answer."""
         return Loss("huber") if self.name == "tukey" else self

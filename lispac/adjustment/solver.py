@@ -137,7 +137,7 @@ def _iterate(
     problem: Problem, state: State, progress: Progress, earlier: Array | None = None
 ) -> Solution:
     final = Loss(problem.model.loss)
-    loss, settled = Loss("none"), not (problem.model.correlated or final.name != "none")
+    loss, settled = final.start, not (problem.model.correlated or final.name != "none")
     path = [] if earlier is None else list(earlier)
     for iteration in range(1, MAX_ITERATIONS + 1):
         progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
@@ -146,13 +146,12 @@ def _iterate(
         path.append(state.mounting.boresight)
         angles, others = np.abs(correction[:3]).max(), np.abs(correction[3:]).max()
         if angles > NEAR:
-            continue
-        if not settled or loss != final:
-            if loss != final:
-                loss = final.start if loss.name == "none" else final
-            adapted = _adapted(problem, linearised, state)
+            if not settled:
+                problem = _with_noise(problem, state)  # far from the answer all points are noisy
+        elif not settled:
+            adapted = _with_surface(_with_noise(problem, state), linearised)
             settled = loss == final and not _differ(problem, adapted)
-            problem = adapted
+            problem, loss = adapted, final
         elif angles < ANGLES_SETTLED and others < OTHERS_SETTLED:
             return Solution(linearised, state, np.array(path))
     raise NotConverged(
@@ -169,7 +168,8 @@ def _with_components(
     total = np.ones(3)
     for _ in range(COMPONENT_ROUNDS):
         found = variance_components(solution.linearised)
-        factors = np.clip(total * [c.factor for c in found], *FACTORS) / total
+        news = np.array([c.factor if c.lower > 1 or c.upper < 1 else 1.0 for c in found])
+        factors = np.clip(total * news, *FACTORS) / total
         total = total * factors
         problem = solution.linearised.problem.with_sigmas(*factors)
         solution = _iterate(problem, solution.state, progress, earlier=solution.path)
@@ -177,24 +177,29 @@ def _with_components(
             break
     final = variance_components(solution.linearised)
     return solution, tuple(
-        Component(c.name, float(t), float(t * c.lower / c.factor), float(t * c.upper / c.factor))
+        Component(c.name, float(t * c.factor), float(t * c.lower), float(t * c.upper), bool(t != 1))
         for c, t in zip(final, total, strict=True)
     )
 
 
-def _adapted(problem: Problem, linearised: Linearised, state: State) -> Problem:
-    """The same problem with the sigmas that the data tell."""
+def _with_noise(problem: Problem, state: State) -> Problem:
+    """The same problem with the noise that its residuals show."""
     residuals = problem.standardised(state)
     target = problem.observations.target_of_sighting[problem.observations.sighting]
     own = [residuals[target == k] for k in range(len(state.shapes))]
     robust = problem.model.loss != "none"
-    problem = replace(problem, scale=np.array([robust_scale(r) if robust else 1.0 for r in own]))
-    if problem.model.correlated:
-        noise = problem.scale if robust else np.array([noise_found(r) for r in own])
-        problem = replace(problem, noise=noise)
-        if problem.model.surface is None:
-            problem = problem.with_surface(surface_sigma(linearised))
-    return problem
+    scale = np.array([robust_scale(r) if robust else 1.0 for r in own])
+    if not problem.model.correlated:
+        return replace(problem, scale=scale)
+    noise = scale if robust else np.array([noise_found(r) for r in own])
+    return replace(problem, scale=scale, noise=noise)
+
+
+def _with_surface(problem: Problem, linearised: Linearised) -> Problem:
+    """The same problem with the surfaces that the data tell, where they were not stated."""
+    if not problem.model.correlated or problem.model.surface is not None:
+        return problem
+    return problem.with_surface(surface_sigma(linearised))
 
 
 def _differ(one: Problem, other: Problem) -> bool:

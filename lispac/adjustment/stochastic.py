@@ -51,12 +51,18 @@ class StochasticModel:
     loss: LossName = "none"
 
     @property
+    def knot_interval(self) -> float:
+        """Seconds between the knots of the POS error: closer for a process that forgets fast."""
+        fastest = min(self.position_time, self.attitude_time)
+        return float(np.clip(fastest / 250, SHORTEST_INTERVAL, KNOT_INTERVAL))
+
+    @property
     def correlated(self) -> bool:
         """Whether points share their POS errors."""
         return self.pos_errors == "correlated"
 
 
-KNOT_INTERVAL = 0.25
+SHORTEST_INTERVAL, KNOT_INTERVAL = 0.02, 0.25
 """Seconds between the knots of the POS error. Halfway between two, a process of 300 s and 12 mm
 strays from their chord by 0.25 mm; that much is added to the noise of the points."""
 
@@ -96,10 +102,11 @@ class PosErrorKnots:
     @classmethod
     def of(cls, observations: Observations, model: StochasticModel) -> "PosErrorKnots":
         """Lay the knots and their prior for the points of ``observations``."""
-        scaled = observations.time / KNOT_INTERVAL
+        interval = model.knot_interval
+        scaled = observations.time / interval
         cell = np.floor(scaled).astype(np.int64)
         grid = np.unique(np.concatenate([cell, cell + 1]))
-        time = grid * KNOT_INTERVAL
+        time = grid * interval
         order = np.argsort(observations.time, kind="stable")
         sigma_of_points = np.hstack([observations.sigma_position, observations.sigma_attitude])
         sigma = np.stack(
@@ -123,7 +130,7 @@ class PosErrorKnots:
             scaled - cell,
             diagonal / sigma**2,
             -kept / fresh / (sigma[:-1] * sigma[1:]),
-            2 * KNOT_INTERVAL / correlation_time,
+            2 * interval / correlation_time,
         )
 
     def reordered(self, order: NDArray[np.int64]) -> "PosErrorKnots":

@@ -13,9 +13,10 @@ from lispac.cli.angles import angles as angles
 from lispac.cli.console import ConsoleProgress, has_display, print_json
 from lispac.cli.estimate import DEFAULT_LIDAR_SIGMA, print_result, project_numbers
 from lispac.cli.estimate import estimate as estimate
+from lispac.cli.pick import pick as pick
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow import demo as demo_survey
-from lispac.workflow import export, picking, projects
+from lispac.workflow import export, projects
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate as compare
 
@@ -80,52 +81,6 @@ def new(arguments: Namespace) -> None:
         heading = math.degrees(survey.heading[name]) % 360
         print(f"{name:20s} {count:12,} points, heading {heading:5.1f} deg")
     print(f"project    {project.folder}")
-
-
-def pick(arguments: Namespace) -> None:
-    """Find a plane in every line and save it."""
-    project, survey = _open(arguments.project)
-    with ConsoleProgress() as progress:
-        project = picking.pick(
-            project,
-            survey,
-            tuple(arguments.seed),
-            name=arguments.name,
-            role=arguments.role,
-            line=arguments.line,
-            threshold=arguments.threshold,
-            radius=arguments.radius,
-            progress=progress,
-        )
-    projects.save_project(project)
-    target = project.target(arguments.name)
-    usual = picking.DEFAULT_RADII[target.role][0]
-    if arguments.radius is None and target.radius > usual:
-        print(
-            f"note: {target.name}: fewer than two lines have a plane within {usual:g} m of the "
-            f"seed; sought within {target.radius:g} m",
-            file=sys.stderr,
-        )
-    if arguments.json:
-        print_json(
-            {
-                "name": target.name,
-                "role": target.role,
-                "radius_m": target.radius,
-                "lines": {
-                    s.line: {"points": len(s.indices), "rms_m": s.rms} for s in target.sightings
-                },
-                "missing": dict(target.missing),
-            }
-        )
-        return
-    for sighting in target.sightings:
-        print(
-            f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
-            f"RMS {sighting.rms * 1000:.1f} mm"
-        )
-    for line, reason in target.missing.items():
-        print(f"{target.name} on {line:20s} not found: {reason}")
 
 
 def validate(arguments: Namespace) -> None:

@@ -85,19 +85,33 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
-    pick = _command(commands, "pick", "find the plane at a seed, in every line")
+    pick = _command(commands, "pick", "find the plane or sphere at a seed, in every line")
     pick.add_argument("project", type=Path, metavar="PROJECT")
     _triple(
         pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True
     )
     pick.add_argument("--name", required=True, help="name of the target, e.g. T1")
     pick.add_argument("--role", choices=("target", "validation"), default="target")
+    pick.add_argument(
+        "--shape",
+        choices=("plane", "sphere"),
+        default="plane",
+        help="of the target (default plane)",
+    )
+    pick.add_argument(
+        "--sphere-radius",
+        type=_positive,
+        metavar="METRES",
+        help="with --shape sphere: the radius of the ball, where it is known (otherwise 0.05 to "
+        "0.5 m are sought)",
+    )
     pick.add_argument("--line", help="seek in this line only")
     pick.add_argument(
         "--threshold",
         type=_positive,
         metavar="METRES",
-        help="RANSAC distance threshold (default 0.01, or 3 LiDAR sigma where larger)",
+        help="RANSAC distance threshold (default 0.01, or 3 LiDAR sigma where larger; for spheres "
+        "at least 0.03, or 0.3 of a known radius where that is smaller)",
     )
     pick.add_argument("--radius", type=_positive, metavar="METRES", help="search radius")
     _json(pick)

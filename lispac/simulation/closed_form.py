@@ -35,10 +35,17 @@ class Board:
     normal: tuple[float, float, float]
     width: float = 1.23
     height: float = 1.22
-    radius: None = None
 
-    def points(self, spacing: float, generator: np.random.Generator) -> Array:
-        """A grid of points with a random origin, shape (n, 3), metres, local."""
+    def points(
+        self, spacing: float, generator: np.random.Generator, scanner: Array | None = None
+    ) -> Array:
+        """A grid of points with a random origin, shape (n, 3), metres, local.
+
+        Parameters
+        ----------
+        scanner : ndarray of shape (3,), optional
+            Not needed: all of a board is seen from wherever it faces.
+        """
         normal = np.array(self.normal) / np.linalg.norm(self.normal)
         across = np.cross([0.0, 0.0, 1.0], normal)
         across /= np.linalg.norm(across)
@@ -51,6 +58,52 @@ class Board:
         )
         u, v = (grid.ravel() for grid in np.meshgrid(u, v))
         return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
+
+
+VISIBLE = np.radians(80.0)
+"""Beyond this angle of incidence the beam only grazes a ball."""
+
+
+@dataclass(frozen=True)
+class Ball:
+    """A spherical target.
+
+    Attributes
+    ----------
+    centre : tuple of float, metres, local
+    radius : float, metres
+    radius_known : bool
+        Whether the adjustment is told the radius.
+    """
+
+    name: str
+    centre: tuple[float, float, float]
+    radius: float = 0.1
+    radius_known: bool = True
+
+    def points(self, spacing: float, generator: np.random.Generator, scanner: Array) -> Array:
+        """Points of the cap that faces the scanner, shape (n, 3), metres, local.
+
+        They lie on a grid across the view, with a random origin, as beams would meet them: sparser
+        on the surface towards the rim.
+
+        Parameters
+        ----------
+        scanner : ndarray of shape (3,), metres, local
+            Where it is seen from.
+        """
+        towards = scanner - np.array(self.centre)
+        towards /= np.linalg.norm(towards)
+        across = np.cross([0.0, 0.0, 1.0], towards)
+        across /= np.linalg.norm(across)
+        up = np.cross(towards, across)
+        rim = self.radius * np.sin(VISIBLE)
+        u, v = (np.arange(-rim + start, rim, spacing) for start in generator.uniform(0, spacing, 2))
+        u, v = (grid.ravel() for grid in np.meshgrid(u, v))
+        seen = u**2 + v**2 <= rim**2
+        u, v = u[seen, None], v[seen, None]
+        depth = np.sqrt(self.radius**2 - u**2 - v**2)
+        return np.asarray(np.array(self.centre) + u * across + v * up + depth * towards)
 
 
 @dataclass(frozen=True)
@@ -121,7 +174,7 @@ class Sea:
 
 def exact_survey(
     mounting: Mounting,
-    targets: Sequence[Board],
+    targets: Sequence[Board | Ball],
     courses: Sequence[Course],
     spacing: float,
     generator: np.random.Generator,
@@ -144,7 +197,7 @@ def exact_survey(
     rows, sightings = [], []
     for target in targets:
         for course in courses:
-            points = target.points(spacing, generator)
+            points = target.points(spacing, generator, _abeam(mounting, target, course))
             # The profile stands across the course and meets a point when the scanner is abeam.
             along = (points - [*course.abeam, 0.0]) @ course.direction - mounting.lever_arm[0]
             time = course.time + along / course.speed
@@ -168,8 +221,21 @@ def exact_survey(
         time=table[:, 15].copy(),
         sighting=np.repeat(np.arange(len(sightings)), [len(part) for part in rows]),
         sightings=tuple(sightings),
-        radii={target.name: target.radius for target in targets if target.radius is not None},
+        radii={
+            target.name: target.radius if target.radius_known else None
+            for target in targets
+            if isinstance(target, Ball)
+        },
     )
+
+
+def _abeam(mounting: Mounting, target: Board | Ball, course: Course) -> Array:
+    """Where the scanner is when the middle of a target is abeam, on a calm sea, shape (3,)."""
+    foot, centre = np.array([*course.abeam, 0.0]), np.array(target.centre)
+    left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])
+    _, aside, above = mounting.lever_arm
+    along = ((centre - foot) @ course.direction) * course.direction
+    return np.asarray(foot + along + aside * left + [0.0, 0.0, above])
 
 
 def _sail(course: Course, sea: Sea, time: Array) -> Poses:

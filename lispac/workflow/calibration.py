@@ -14,6 +14,7 @@ from lispac.adjustment.stochastic import StochasticModel
 from lispac.errors import AdjustmentError
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
+from lispac.simulation.advice import advice
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.thinning import thin
 from lispac.workflow.reselection import reselect
@@ -105,7 +106,12 @@ def observations_of(
     )
     if not averages:
         return observations
-    return averaged(observations, mounting or project.mounting("prior"), settings.subsample)
+    return averaged(
+        observations,
+        mounting or project.mounting("prior"),
+        settings.subsample,
+        longest=settings.stochastic_model.knot_interval,
+    )
 
 
 def _lidar_sigma(points_lidar: Array, settings: Settings) -> Array:
@@ -218,9 +224,15 @@ def solve(
         components=settings.variance_components,
         progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
     )
+    seen = result.observability
+    if seen is not None and (said := advice(observations, result)):
+        said_too = replace(seen, sentences=(*seen.sentences, said))
+        result = replace(result, observability=said_too)
     solved = project.with_result(result)
     if not cross_check:
         return solved
+    # The parts are judged by the sigmas of the whole.
+    observations = observations.with_sigmas(*result.sigma_factors)
     checks = cross_checks(
         observations, prior, result, settings.parameters, progress=part(progress, 0.4, 1.0)
     )

@@ -1,0 +1,88 @@
+"""The command that picks a target."""
+
+import sys
+from argparse import Namespace
+from typing import Any
+
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.project import Target
+from lispac.targets.sphere_finder import SpherePatch
+from lispac.workflow import picking, projects
+from lispac.workflow.survey import load_survey
+
+
+def pick(arguments: Namespace) -> None:
+    """Find a plane or a sphere in every line and save it."""
+    if arguments.sphere_radius is not None and arguments.shape != "sphere":
+        raise UsageError("--sphere-radius is for spheres; add --shape sphere or leave it out")
+    project = projects.open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+    with ConsoleProgress() as progress:
+        project = picking.pick(
+            project,
+            survey,
+            tuple(arguments.seed),
+            name=arguments.name,
+            role=arguments.role,
+            shape=arguments.shape,
+            sphere_radius=arguments.sphere_radius,
+            line=arguments.line,
+            threshold=arguments.threshold,
+            radius=arguments.radius,
+            progress=progress,
+        )
+    projects.save_project(project)
+    target = project.target(arguments.name)
+    spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
+    usual = picking.DEFAULT_RADII[target.role][0]
+    if arguments.radius is None and target.shape == "plane" and target.radius > usual:
+        print(
+            f"note: {target.name}: fewer than two lines have a plane within {usual:g} m of the "
+            f"seed; sought within {target.radius:g} m",
+            file=sys.stderr,
+        )
+    if arguments.json:
+        print_json(_as_json(target, spheres))
+    else:
+        _print(target, spheres)
+
+
+def _as_json(target: Target, spheres: dict[str, SpherePatch]) -> dict[str, Any]:
+    lines: dict[str, dict[str, Any]] = {
+        s.line: {"points": len(s.indices), "rms_m": s.rms} for s in target.sightings
+    }
+    for line, patch in spheres.items():
+        lines[line] |= {
+            "centre_m": patch.centre.tolist(),
+            "sphere_radius_m": patch.sphere.radius,
+            "share_seen": patch.share,
+        }
+    return {
+        "name": target.name,
+        "role": target.role,
+        "shape": target.shape,
+        "sphere_radius_m": target.sphere_radius,
+        "radius_m": target.radius,
+        "lines": lines,
+        "missing": dict(target.missing),
+    }
+
+
+def _print(target: Target, spheres: dict[str, SpherePatch]) -> None:
+    for sighting in target.sightings:
+        print(
+            f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
+            f"RMS {sighting.rms * 1000:.1f} mm"
+        )
+        if sighting.line in spheres:
+            patch = spheres[sighting.line]
+            north, west, up = patch.centre
+            known = "known" if target.sphere_radius is not None else "found"
+            print(
+                f"    centre {north:.3f} {west:.3f} {up:.3f} m, "
+                f"radius {patch.sphere.radius:.3f} m ({known}), "
+                f"{100 * patch.share:.0f} % of the surface seen"
+            )
+    for line, reason in target.missing.items():
+        print(f"{target.name} on {line:20s} not found: {reason}")

@@ -1,0 +1,175 @@
+"""What a further line over the same targets would bring, before anybody sails it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.blas import one_thread
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.problem import Problem
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.adjustment.shapes import points_local
+from lispac.survey.georeferencing import to_lidar
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+HEADINGS = np.radians(np.arange(0, 360, 15))
+SPEED = 1.0  # metres per second
+STEEPEST = np.cos(np.radians(75.0))
+"""A board seen more obliquely than this gives few points and poor ones."""
+
+WORTH_IT = 0.85
+"""A line that leaves more than this share of the sigma is not worth sailing for it."""
+
+
+@dataclass(frozen=True, eq=False)
+class FurtherLine:
+    """A line that could be sailed.
+
+    Attributes
+    ----------
+    heading : float, radians clockwise from north
+    sigma : ndarray of shape (3,), radians
+        Of roll, pitch, yaw with the line added.
+    """
+
+    heading: float
+    sigma: Array
+
+
+def further_lines(observations: Observations, result: AdjustmentResult) -> tuple[FurtherLine, ...]:
+    """Every heading that sees a target, with the sigmas the survey would have then.
+
+    The line passes the targets at the distance and height of those there are, on the same side.
+    Sigmas follow from the geometry alone: the same model and Jacobians as in the adjustment.
+    """
+    shapes = np.stack([target.plane for target in result.targets])
+    found = []
+    with one_thread():
+        for heading in HEADINGS:
+            added = _with_line(observations, result, float(heading))
+            if added is None:
+                continue
+            problem = Problem.of(added, result.mounting, result.model)
+            problem = replace(
+                problem,
+                noise=np.array([target.noise for target in result.targets]),
+                surface_sigma=np.full(len(added.sightings), max(result.surface, 1e-5)),
+            )
+            state = problem.start(result.mounting, shapes)
+            information = problem.linearised(state).normal.information(3)
+            sigma = np.sqrt(np.diag(np.linalg.inv(information)))
+            found.append(FurtherLine(float(heading), sigma))
+    return tuple(found)
+
+
+def advice(observations: Observations, result: AdjustmentResult) -> str:
+    """The line that would help the least certain angle most, in a sentence."""
+    weakest = int(np.argmax(result.sigma))
+    lines = further_lines(observations, result)
+    if not lines:
+        return ""
+    best = min(lines, key=lambda line: float(line.sigma[weakest]))
+    now, then = np.degrees(result.sigma[weakest]), np.degrees(best.sigma[weakest])
+    if then > WORTH_IT * now:
+        return (
+            f"No single further line past these targets would bring the sigma of "
+            f"{ANGLES[weakest]} from {now:.3f} below {WORTH_IT * now:.3f} deg; targets elsewhere, "
+            "or the survey repeated later, when the POS error is another one, would."
+        )
+    return (
+        f"A further line headed {np.degrees(best.heading):.0f} deg{_off_wall(result, best)} would "
+        f"bring the sigma of {ANGLES[weakest]} from {now:.3f} to {then:.3f} deg."
+    )
+
+
+def _off_wall(result: AdjustmentResult, line: FurtherLine) -> str:
+    """How the heading lies to the face of the most upright plane."""
+    planes = [target for target in result.targets if not target.sphere]
+    if not planes:
+        return ""
+    upright = min(planes, key=lambda target: abs(float(target.plane[2])))
+    north, west = upright.plane[:2]
+    along = np.arctan2(north, west)  # heading along the face: at right angles to the normal
+    off = abs((line.heading - along + np.pi / 2) % np.pi - np.pi / 2)
+    return f" ({np.degrees(off):.0f} deg off the face of {upright.target})"
+
+
+def _with_line(
+    observations: Observations, result: AdjustmentResult, heading: float
+) -> Observations | None:
+    places = points_local(observations, result.mounting)
+    seen = [_best_sighting(observations, k) for k in range(len(observations.targets))]
+    vessel = np.stack([observations.position[own].mean(axis=0) for own in seen])
+    centres = np.stack([places[own].mean(axis=0) for own in seen])
+    reach = float(np.median(np.linalg.norm((vessel - centres)[:, :2], axis=1)))
+    course = np.array([np.cos(heading), -np.sin(heading), 0.0])
+    aside = np.array([-course[1], course[0], 0.0])
+    middle = centres.mean(axis=0)
+    if (vessel.mean(axis=0) - middle) @ aside < 0:
+        aside = -aside
+    start = middle + reach * aside
+    start[2] = float(vessel[:, 2].mean())
+    parts: list[Observations] = []
+    sightings: list[Sighting] = []
+    begin = float(observations.time.max()) + _pause(observations)
+    for k, (own, target) in enumerate(zip(seen, result.targets, strict=True)):
+        points = places[own]
+        along = (points - start) @ course
+        position = start + along[:, None] * course
+        rays = centres[k] - position.mean(axis=0)
+        incidence = abs(float(rays @ target.plane[:3])) / float(np.linalg.norm(rays))
+        faces = rays @ target.plane[:3] * ((centres[k] - vessel[k]) @ target.plane[:3]) > 0
+        if not target.sphere and (incidence < STEEPEST or not faces):
+            continue
+        attitude = observations.attitude[own].copy()
+        attitude[:] = [0.0, 0.0, heading]
+        scan = to_lidar(points, Poses(position, attitude), result.mounting)
+        part = observations.reordered(own)
+        parts.append(
+            replace(
+                part, points_lidar=scan, position=position, attitude=attitude,
+                time=begin + along / SPEED,
+                sighting=np.full(len(own), len(observations.sightings) + len(sightings)),
+            )
+        )  # fmt: skip
+        sightings.append(Sighting(target.target, "further line"))
+    if not parts:
+        return None
+    return _joined(observations, parts, sightings)
+
+
+def _joined(
+    observations: Observations, parts: Sequence[Observations], sightings: list[Sighting]
+) -> Observations:
+    columns = {
+        column.name: np.concatenate([values, *(getattr(part, column.name) for part in parts)])
+        for column in fields(observations)
+        if isinstance(values := getattr(observations, column.name), np.ndarray)
+    }
+    every = {"sightings": (*observations.sightings, *sightings)}
+    return Observations(
+        **{column.name: getattr(observations, column.name) for column in fields(observations)}
+        | columns
+        | every
+    )
+
+
+def _best_sighting(observations: Observations, target: int) -> NDArray[np.intp]:
+    own = np.flatnonzero(observations.target_of_sighting == target)
+    most = own[int(np.argmax(observations.counts[own]))]
+    return np.flatnonzero(observations.sighting == most)
+
+
+def _pause(observations: Observations) -> float:
+    """Usual time from one line to the next, seconds."""
+    times = observations.mean_by_sighting(observations.time)
+    lines = [s.line for s in observations.sightings]
+    middles = [
+        np.mean([t for t, name in zip(times, lines, strict=True) if name == line])
+        for line in observations.lines
+    ]
+    return float(np.median(np.diff(np.sort(middles)))) if len(middles) > 1 else 60.0

@@ -1,0 +1,140 @@
+"""Do the stated sigmas hold? Many surveys with known truth, adjusted in both models.
+
+    python -m tests.coverage_study [SURVEYS]
+
+prints the table for each correlation time and subsampling distance; `tests/test_coverage.py` runs
+a short form of it always and the long one where asked.
+"""
+
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.shapes import points_local
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.project import Settings
+from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting
+from lispac.targets.thinning import thin
+
+TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+PRIOR = TRUTH.with_boresight(np.zeros(3))
+RAW = 0.02  # metres between the points of the scanner
+CORRELATION_TIMES = ((300.0, 600.0), (3600.0, 3600.0), (5.0, 5.0))
+DISTANCES = (0.02, 0.05, 0.10, 0.20)
+
+
+@dataclass(frozen=True, eq=False)
+class Answers:
+    """Errors and stated sigmas of many surveys, each of shape (surveys, 3), degrees."""
+
+    errors: np.ndarray
+    sigmas: np.ndarray
+
+    @property
+    def ratios(self) -> np.ndarray:
+        """Error over sigma."""
+        return self.errors / self.sigmas
+
+    @property
+    def hits(self) -> np.ndarray:
+        """Share of the 95 % intervals that hold the truth."""
+        return (np.abs(self.ratios) < 1.96).mean(axis=0)
+
+    @property
+    def spread(self) -> np.ndarray:
+        """Root mean square of error over sigma."""
+        return np.sqrt((self.ratios**2).mean(axis=0))
+
+    @property
+    def rmse(self) -> np.ndarray:
+        """Root mean square error, degrees."""
+        return np.sqrt((self.errors**2).mean(axis=0))
+
+    @property
+    def sigma(self) -> np.ndarray:
+        """Mean stated sigma, degrees."""
+        return self.sigmas.mean(axis=0)
+
+
+def models(times: tuple[float, float]) -> dict[str, StochasticModel]:
+    """What the program uses by default, and thesis mode."""
+    settings = Settings(lever_arm=(0.0, 0.0, 0.0), position_time=times[0], attitude_time=times[1])
+    return {
+        "correlated": settings.stochastic_model,
+        "independent": replace(settings, pos_errors="independent").stochastic_model,
+    }
+
+
+def selected(survey: Observations, distance: float) -> Observations:
+    """One point a cube in each sighting, as thesis mode thins."""
+    places = points_local(survey, PRIOR)
+    own = [np.flatnonzero(survey.sighting == k) for k in range(len(survey.sightings))]
+    return survey.reordered(np.concatenate([i[thin(places[i], distance)] for i in own]))
+
+
+def _one(
+    times: tuple[float, float], distances: tuple[float, ...], seed: int
+) -> list[tuple[np.ndarray, np.ndarray]]:
+    pos = replace(HYDROGRAPHIC_INS, time_position=times[0], time_attitude=times[1])
+    generator = np.random.default_rng([2026, seed])
+    exact = exact_survey(TRUTH, BOARDS, six_courses(), RAW, generator, pos=pos)
+    survey = observed(exact, pos, generator)
+    found = []
+    for distance in distances:
+        for model in models(times).values():
+            if model.correlated:
+                points = averaged(survey, PRIOR, distance, longest=model.knot_interval)
+            else:
+                points = selected(survey, distance)
+            result = adjust(points, PRIOR, model, diagnostics=False)
+            error = np.degrees(result.boresight - TRUTH.boresight)
+            found.append((error, np.degrees(result.sigma)))
+    return found
+
+
+def study(
+    times: tuple[float, float], distances: tuple[float, ...], surveys: int, workers: int = 2
+) -> dict[tuple[str, float], Answers]:
+    """Answers by model and subsampling distance."""
+    arguments = ([times] * surveys, [distances] * surveys, range(surveys))
+    if workers == 1:
+        runs = list(map(_one, *arguments))
+    else:
+        with ProcessPoolExecutor(workers) as pool:
+            runs = list(pool.map(_one, *arguments, chunksize=4))
+    table = np.array(runs)  # surveys, distances x models, error and sigma, angles
+    keys = [(name, distance) for distance in distances for name in models(times)]
+    return {key: Answers(table[:, k, 0], table[:, k, 1]) for k, key in enumerate(keys)}
+
+
+def printed(times: tuple[float, float], answers: dict[tuple[str, float], Answers]) -> str:
+    """The table of one pair of correlation times."""
+    count = len(next(iter(answers.values())).errors)
+    lines = [
+        f"correlation times {times[0]:g} s, {times[1]:g} s; {count} surveys; roll, pitch, yaw",
+        "  cm  model         RMSE (deg)              sigma (deg)             sd(e/s)           95 %",
+    ]
+    for (name, distance), a in answers.items():
+        cells = [" ".join(f"{v:.4f}" for v in a.rmse), " ".join(f"{v:.4f}" for v in a.sigma)]
+        cells.append(" ".join(f"{v:5.2f}" for v in a.spread))
+        cells.append(" ".join(f"{100 * v:5.1f}" for v in a.hits))
+        lines.append(f"{100 * distance:4.0f}  {name:12s}  " + "   ".join(cells))
+    return "\n".join(lines)
+
+
+def main() -> None:
+    """Print the whole study."""
+    surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
+    for times in CORRELATION_TIMES:
+        print(printed(times, study(times, DISTANCES, surveys)), flush=True)
+
+
+if __name__ == "__main__":
+    main()
