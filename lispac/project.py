@@ -242,6 +242,25 @@ def require_name(name: str) -> None:
         raise ProjectError(f"{name}: a target's name cannot hold a slash or a colon.")
 
 
+def require_target(target: Target) -> None:
+    """Refuse a target whose name or shape cannot be worked with.
+
+    Raises
+    ------
+    ProjectError
+    """
+    require_name(target.name)
+    radius = target.sphere_radius
+    if radius is not None and target.shape != "sphere":
+        raise ProjectError(f"{target.name}: only a sphere has a radius; leave it out for a plane.")
+    if radius is not None and not 0 < radius < np.inf:
+        raise ProjectError(f"{target.name}: a sphere needs a radius above 0 m, or none if unknown.")
+    if target.shape == "sphere" and target.role == "validation":
+        raise ProjectError(
+            f"{target.name}: lines are compared on planes only; use the sphere as a target."
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class Project:
     """Everything a project folder holds; paths are absolute here and relative on disk."""
@@ -326,9 +345,9 @@ class Project:
         Raises
         ------
         ProjectError
-            Where its name cannot stand in a table or a file name.
+            Where its name or shape cannot be worked with.
         """
-        require_name(target.name)
+        require_target(target)
         kept = list(self.targets)
         names = [other.name for other in kept]
         old = kept[names.index(target.name)] if target.name in names else None

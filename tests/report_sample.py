@@ -6,14 +6,85 @@ from pathlib import Path
 import numpy as np
 
 from lispac.adjustment.observations import Sighting
-from lispac.adjustment.result import AdjustmentResult, ChiSquare, SightingResidual, TargetResidual
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    ChiSquare,
+    CrossCheck,
+    CrossChecks,
+    Observability,
+    SightingReliability,
+    SightingResidual,
+    TargetResidual,
+)
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
+from lispac.survey.georeferencing import Mounting
 from lispac.validation.results import DistanceStatistics, PairComparison, PlaneComparison
 
 HEADINGS = {"L1": 0.4, "L2": 180.2, "L3": 45.1, "L4": 224.7, "L5": 315.3, "L6": 134.8}
 MADE = datetime(2025, 6, 4, 14, 3, 20, tzinfo=UTC)
+
+
+POS_SIGMA = np.array([0.012, 0.012, 0.02, *np.radians([0.008, 0.008, 0.012])])
+
+
+def _reliability(sighting: SightingResidual, k: int) -> SightingReliability:
+    rng = np.random.default_rng(100 + k)
+    return SightingReliability(
+        sighting=sighting.sighting,
+        pos_error=POS_SIGMA * rng.uniform(-1.5, 1.5, 6),
+        pos_sigma=POS_SIGMA,
+        pos_sigma_after=0.4 * POS_SIGMA,
+        shift=float(rng.normal(0, 0.004)),
+        w=float(rng.uniform(-2.5, 2.5)),
+        detectable=float(rng.uniform(0.02, 0.04)),
+        effect=np.radians(rng.normal(0, 0.004, 3)),
+        redundancy=float(rng.uniform(0.95, 0.99)),
+        strays=0,
+        largest_w=2.9,
+        point_detectable=0.0071,
+        weight=0.98,
+        released=False,
+    )
+
+
+def _observability(sigma: np.ndarray, lines: dict[str, float]) -> Observability:
+    return Observability(
+        eigenvalues=1 / np.sort(sigma)[::-1] ** 2,
+        directions=np.eye(3)[:, ::-1],
+        condition=5.321,
+        sigma_without_line={
+            line: None if k == 5 else (1.1 + 0.05 * k) * sigma for k, line in enumerate(lines)
+        },
+        sentences=("The weakest direction is yaw, known to 0.038 deg.", "Roll hangs on no line."),
+    )
+
+
+def sample_checks(lines: dict[str, float], targets: tuple[str, ...]) -> CrossChecks:
+    """What parts of the sample say: all agree with the whole, T2 alone gives no answer."""
+    sigma = np.radians([0.0163, 0.0291, 0.0376])
+    rng = np.random.default_rng(7)
+
+    def part(kind: str, name: str, angles: np.ndarray) -> CrossCheck:
+        whole = np.radians([0.43951, -1.86812, 0.39923])
+        ratio = angles / (0.5 * sigma)
+        return CrossCheck(kind, name, whole + angles, 1.1 * sigma, angles, ratio)
+
+    halves = rng.normal(0, 0.4, 3) * sigma
+    return CrossChecks(
+        parts=(
+            *(part("line", line, rng.uniform(-0.5, 0.5, 3) * sigma) for line in lines),
+            CrossCheck("target", targets[0], reason="All targets left face the same way."),
+            part("target", targets[1], rng.uniform(-0.5, 0.5, 3) * sigma),
+            part("half", "first", halves),
+            part("half", "second", -halves),
+        ),
+        spread_lines=np.radians([0.0151, 0.0322, 0.0345]),
+        spread_targets=None,
+        sigma=sigma,
+    )
 
 
 def _result(lines: dict[str, float], targets: tuple[str, ...], model: str) -> AdjustmentResult:
@@ -32,10 +103,22 @@ def _result(lines: dict[str, float], targets: tuple[str, ...], model: str) -> Ad
         for line in lines
     )
     points = sum(s.points for s in sightings)
+    correlated = model == "correlated"
+    # The lever arm is estimated too, and told well from the angles
+    wider = np.eye(4)
+    wider[:3, :3] = correlation
+    wider[3, :3] = wider[:3, 3] = (0.031, -0.127, 0.208)
+    sigma_all = np.array([*sigma, 0.0048])
+    lever = Estimate("lever_x", -0.1856, None, -0.2017, 0.0048, -3.354)
     return AdjustmentResult(
-        boresight=np.radians([0.43951, -1.86812, 0.39923]),
+        mounting=Mounting(np.zeros(3), np.radians([0.43951, -1.86812, 0.39923])),
         prior_boresight=np.radians([0.0, -1.5, 0.0]),
-        covariance=correlation * np.outer(sigma, sigma),
+        estimated=("roll", "pitch", "yaw", "lever_x") if correlated else ("roll", "pitch", "yaw"),
+        covariance_all=wider * np.outer(sigma_all, sigma_all)
+        if correlated
+        else correlation * np.outer(sigma, sigma),
+        parameters=(lever,) if correlated else (),
+        path=np.radians([[0.0, -1.5, 0.0], [0.4, -1.9, 0.4], [0.43951, -1.86812, 0.39923]]),
         model=StochasticModel(model),  # type: ignore[arg-type]
         variance_factor=1.01234,
         degrees_of_freedom=points - 9,
@@ -54,6 +137,12 @@ def _result(lines: dict[str, float], targets: tuple[str, ...], model: str) -> Ad
         sightings=sightings,
         rms_before=0.05234,
         rms_after=0.00301,
+        surface=0.0004 if correlated else 0.0,
+        observability=_observability(sigma, lines),
+        reliability=tuple(_reliability(s, k) for k, s in enumerate(sightings))
+        if correlated
+        else (),
+        components=(),
         elapsed=0.0123,
     )
 
@@ -101,6 +190,7 @@ def sample_project(folder: Path, *, model: str = "correlated", target: str = "T1
             for name, role, seed in picked
         ),
         result=_result(HEADINGS, (target, "T2"), model),
+        cross_checks=sample_checks(HEADINGS, (target, "T2")),
         validation=(_plane("V1", 0.04, pairs), _plane("V2", 0.09, pairs), _plane("V3", 0.4, pairs)),
     )
 

@@ -93,6 +93,21 @@ def _shown_numbers(data: dict) -> list[str]:
     fits = [*adjustment["targets"], *adjustment["sightings"]]
     numbers += [f"{1000 * fit[f'rms_{w}_m']:.1f}" for fit in fits for w in ("before", "after")]
     numbers += [f"{1000 * s['mean_after_m']:+.1f}" for s in adjustment["sightings"]]
+    for extra in adjustment["parameters"]:
+        numbers += [f"{extra[key]:+.4f}" for key in ("prior", "value")]
+        numbers += [f"{extra['sigma']:.4f}", f"{extra['significance']:+.1f}"]
+    without = adjustment["observability"]["sigma_without_line_deg"]
+    numbers += [f"{v:.4f}" for sigma in without.values() for v in sigma or ()]
+    for sighting in adjustment["reliability"]:
+        numbers += [f"{1000 * sighting['shift_m']:+.1f}", f"{sighting['w']:+.1f}"]
+        numbers += [f"{1000 * sighting['detectable_m']:.1f}", f"{sighting['redundancy']:.2f}"]
+        numbers += [f"{v:+.4f}" for v in sighting["effect_deg"] + sighting["pos_error_deg"]]
+        numbers += [f"{1000 * v:+.1f}" for v in sighting["pos_error_m"]]
+    checks = data["cross_checks"]
+    numbers += [f"{v:.4f}" for v in checks["sigma_deg"] + checks["spread_lines_deg"]]
+    for part in checks["parts"][:-1]:  # the second half is the first with the other sign
+        numbers += [f"{v:+.4f}" for v in part["difference_deg"] or ()]
+        numbers += [f"{v:+.1f}" for v in part["significance"] or ()]
     for plane in data["validation"]:
         for compared in (plane, *plane["pairs"]):
             for state in (compared["before"], compared["after"]):
@@ -196,7 +211,7 @@ def test_json_holds_full_precision(content: ReportContent, tmp_path: Path) -> No
 def test_pdf_and_html_show_the_numbers_of_the_json(content: ReportContent, tmp_path: Path) -> None:
     write_json(content, tmp_path / "r.json")
     numbers = _shown_numbers(json.loads((tmp_path / "r.json").read_text(encoding="utf-8")))
-    assert len(numbers) > 150
+    assert len(numbers) > 400
     page = " ".join(_page(html_text(content, {})).words).replace("\u2212", "-")
     assert [n for n in numbers if not _has(page, n)] == []
     write_pdf(content, tmp_path / "r.pdf", {})

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.noise import blocks_of
 from lispac.adjustment.normal import Bases, Layout, Normal, normal_equations, sum_by_sighting
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
@@ -50,7 +51,9 @@ class Problem:
     scale : ndarray of shape (targets,)
         Spread of the standardised residuals that the loss measures strays with.
     noise : ndarray of shape (targets,)
-        LiDAR noise over the stated one.
+        Noise of the points over the stated one.
+    blocks : ndarray of shape (n,), int
+        Block of each point on its sighting's surface; empty in thesis mode.
     """
 
     observations: Observations
@@ -62,6 +65,7 @@ class Problem:
     surface_sigma: Array
     scale: Array
     noise: Array
+    blocks: NDArray[np.int64]
 
     @classmethod
     def of(
@@ -77,7 +81,8 @@ class Problem:
         surface = FIRST_SURFACE if model.surface is None else model.surface
         sigma = np.full(len(observations.sightings), surface)
         ones = np.ones(len(observations.targets))
-        return cls(ordered, groups, order, model, prior, parameters, sigma, ones, ones)
+        blocks = blocks_of(ordered, prior) if model.correlated else np.zeros(0, dtype=np.int64)
+        return cls(ordered, groups, order, model, prior, parameters, sigma, ones, ones, blocks)
 
     @cached_property
     def active(self) -> NDArray[np.int64]:

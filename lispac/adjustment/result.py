@@ -107,8 +107,8 @@ class TargetResidual:
         Unit normal and offset (metres); of a sphere centre and radius.
     sphere : bool
     noise : float
-        LiDAR noise found in the residuals over the stated one, at least 1; the sigmas of the
-        angles are computed with it (correlated model).
+        Noise found in the residuals over the stated one, at least 1, with what neighbouring points
+        have in common; the sigmas of the angles are computed with it (correlated model).
     """
 
     target: str

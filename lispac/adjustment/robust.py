@@ -62,14 +62,6 @@ def robust_scale(residuals: NDArray[np.float64]) -> float:
     return max(1.0, float(np.median(np.abs(residuals))) / 0.6745)
 
 
-def noise_found(residuals: NDArray[np.float64]) -> float:
-    """Root mean square of standardised residuals, at least 1.
-
-    A surface that is rougher than the LiDAR noise says tells as much less as it is rougher.
-    """
-    return max(1.0, float(np.sqrt(np.mean(residuals**2))))
-
-
 @njit(nogil=True, cache=True, inline="always")
 def weight(code, tuning, residual):  # type: ignore[no-untyped-def]
     """Weight between 0 and 1 of a standardised residual."""

@@ -4,6 +4,8 @@ A plane is a unit normal and an offset, a sphere a centre and a radius. Both may
 certain directions: a normal stays a unit vector, a known radius stays as it is.
 """
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,6 +25,57 @@ def points_local(observations: Observations, mounting: Mounting) -> Array:
     planes = np.tile([0.0, 0.0, 1.0, 0.0], (len(observations.targets), 1))
     # The Jacobian of a plane by (a, b, c) is the point itself.
     return linearise(observations.as_planes(), mounting, planes).rows[:, 9:12]
+
+
+def about_targets(observations: Observations, mounting: Mounting) -> tuple[Observations, Array]:
+    """The same points, each target counted from its own middle.
+
+    The origin of the local frame may be kilometres off; a turn of a plane about it would be
+    a large shift.
+
+    Returns
+    -------
+    observations : Observations
+    origins : ndarray of shape (targets, 3), metres, local
+        What was taken from the positions.
+    """
+    means = observations.mean_by_sighting(points_local(observations, mounting))
+    owners, counts = observations.target_of_sighting, observations.counts
+    total = np.bincount(owners, counts)
+    origins = np.stack([np.bincount(owners, counts * m) / total for m in means.T], axis=1)
+    position = observations.position - origins[owners[observations.sighting]]
+    return replace(observations, position=position), origins
+
+
+def counted_from(shapes: Array, origins: Array, is_sphere: NDArray[np.bool_]) -> Array:
+    """Shapes counted from ``origins``, shape (targets, 4); with minus these, back again."""
+    new = shapes.copy()
+    new[is_sphere, :3] -= origins[is_sphere]
+    new[~is_sphere, 3] += (shapes[:, :3] * origins).sum(axis=1)[~is_sphere]
+    return new
+
+
+def usual_radii(observations: Observations, mounting: Mounting) -> Observations:
+    """The same with unknown radii taken for known: the median of what each line alone says.
+
+    All lines together, misplaced by a boresight that is off by degrees, would say a wrong one.
+    """
+    unknown = [name for name, radius in observations.radii.items() if radius is None]
+    if not unknown:
+        return observations
+    points = points_local(observations, mounting)
+    found = dict(observations.radii)
+    for name in unknown:
+        found[name] = float(
+            np.median(
+                [
+                    fit_sphere(points[observations.sighting == s]).radius
+                    for s, sighting in enumerate(observations.sightings)
+                    if sighting.target == name
+                ]
+            )
+        )
+    return replace(observations, radii=found)
 
 
 def fit_shapes(observations: Observations, mounting: Mounting) -> Array:

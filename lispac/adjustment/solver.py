@@ -8,14 +8,15 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.components import FACTORS, surface_sigma, variance_components
+from lispac.adjustment.noise import noise_factors
 from lispac.adjustment.observability import require_determined, unseen
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Estimate, Parameter
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.reliability import sighting_tests
 from lispac.adjustment.result import AdjustmentResult, Component
-from lispac.adjustment.robust import Loss, noise_found, robust_scale
-from lispac.adjustment.shapes import fit_shapes
+from lispac.adjustment.robust import Loss, robust_scale
+from lispac.adjustment.shapes import about_targets, counted_from, fit_shapes, usual_radii
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
@@ -80,18 +81,27 @@ def adjust(
     started = time.perf_counter()
     observations.require_usable()
     with one_thread():
-        fitted = fit_shapes(observations, mounting)
-        problem = Problem.of(observations, mounting, model, parameters)
-        state = problem.start(mounting, fitted if shapes is None else shapes)
+        observations, origins = about_targets(observations, mounting)
+        # The radii of the balls are let go when the boresight is near.
+        first = usual_radii(observations, mounting)
+        fitted = fit_shapes(first, mounting)
+        start = fitted if shapes is None else counted_from(shapes, origins, first.is_sphere)
+        problem = Problem.of(first, mounting, model, parameters)
+        state = problem.start(mounting, start)
         problem, held = _seen(problem, state)
         iterate = _released if _may_release(model) else _iterate
+        if first is not observations:
+            near = _iterate(problem, state, progress).state
+            problem = Problem.of(observations, mounting, model, problem.parameters)
+            state = problem.start(near.mounting, near.shapes)
         solution = iterate(problem, state, progress)
         found: tuple[Component, ...] = ()
         if components and model.correlated:
             solution, found = _with_components(solution, progress)
         return summary(
-            observations, solution.linearised, solution.state, fitted, path=solution.path,
-            held=held, components=found, diagnostics=diagnostics, started=started,
+            observations, solution.linearised, solution.state, fitted, origins,
+            path=solution.path, held=held, components=found, diagnostics=diagnostics,
+            started=started,
         )  # fmt: skip
 
 
@@ -184,15 +194,16 @@ def _with_components(
 
 def _with_noise(problem: Problem, state: State) -> Problem:
     """The same problem with the noise that its residuals show."""
-    residuals = problem.standardised(state)
-    target = problem.observations.target_of_sighting[problem.observations.sighting]
-    own = [residuals[target == k] for k in range(len(state.shapes))]
-    robust = problem.model.loss != "none"
-    scale = np.array([robust_scale(r) if robust else 1.0 for r in own])
+    observations, residuals = problem.observations, problem.standardised(state)
+    if problem.model.loss != "none":
+        target = observations.target_of_sighting[observations.sighting]
+        own = [residuals[target == k] for k in range(len(state.shapes))]
+        problem = replace(problem, scale=np.array([robust_scale(r) for r in own]))
     if not problem.model.correlated:
-        return replace(problem, scale=scale)
-    noise = scale if robust else np.array([noise_found(r) for r in own])
-    return replace(problem, scale=scale, noise=noise)
+        return problem
+    robust = problem.model.loss != "none"
+    noise = noise_factors(observations, residuals, problem.blocks, robust=robust)
+    return replace(problem, noise=noise)
 
 
 def _with_surface(problem: Problem, linearised: Linearised) -> Problem:

@@ -19,6 +19,7 @@ from lispac.adjustment.result import (
     SightingResidual,
     TargetResidual,
 )
+from lispac.adjustment.shapes import counted_from
 from lispac.adjustment.sums import State
 from lispac.survey.georeferencing import CALIBRATION
 
@@ -30,6 +31,7 @@ def summary(
     linearised: Linearised,
     state: State,
     fitted: Array,
+    origins: Array,
     *,
     path: Array,
     held: tuple[Estimate, ...],
@@ -42,7 +44,7 @@ def summary(
     Parameters
     ----------
     observations : Observations
-        As given.
+        As given, but each target counted from its place in ``origins``.
     linearised : Linearised
         Of the last iteration; its correction is below any figure shown, so that what it was
         computed from describes the solution.
@@ -58,7 +60,8 @@ def summary(
     statistic = _statistic(linearised, state)
     targets, sightings, rms = _residuals(
         observations, linearise(observations, problem.prior, fitted).misclosure,
-        linearise(observations, state.mounting, state.shapes).misclosure, state.shapes,
+        linearise(observations, state.mounting, state.shapes).misclosure,
+        counted_from(state.shapes, -origins, observations.is_sphere),
         problem.noise,
     )  # fmt: skip
     estimates = _estimates(problem, state, normal.covariance, held)

@@ -33,7 +33,7 @@ from lispac.project import (
     Settings,
     Target,
     Triple,
-    require_name,
+    require_target,
 )
 from lispac.validation.comparison import PlaneComparison
 
@@ -91,11 +91,11 @@ def _require_consistent(project: Project) -> None:
     project.settings.require_sound()
     lines = {line.name for line in project.lines}
     for target in project.targets:
-        require_name(target.name)
         if target.role not in ROLES:
             raise ValueError(f"{target.name} has the role {target.role!r}")
         if target.shape not in SHAPES:
             raise ValueError(f"{target.name} has the shape {target.shape!r}")
+        require_target(target)
         if not (np.isfinite(target.seed).all() and target.threshold > 0 and target.radius > 0):
             raise ValueError(f"seed, threshold or radius of {target.name}")
         for sighting in target.sightings:

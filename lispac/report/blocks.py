@@ -1,5 +1,6 @@
 """What a report is set from: sections of paragraphs, lists, tables and pictures, all text."""
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -40,6 +41,16 @@ class Table:
     columns: tuple[Column, ...]
     rows: tuple[tuple[str, ...], ...]
     kind: str = "table"
+
+
+def rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
+    """Rows as a table holds them."""
+    return tuple(tuple(row) for row in cells)
+
+
+def facts(title: str, said: Iterable[tuple[str, str]]) -> Table:
+    """A table of names and what is to be said of each, without heads."""
+    return Table(title, (Column("", "left"), Column("", "left", wide=True)), tuple(said))
 
 
 @dataclass(frozen=True)

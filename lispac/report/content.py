@@ -16,6 +16,16 @@ from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
 from lispac.report.cautions import cautions_of
+from lispac.report.diagnostics import (
+    components_of,
+    critical_w,
+    cross_checked,
+    number,
+    parameters_of,
+    reliability_of,
+    seen,
+)
+from lispac.report.settings_used import CONVENTION, settings_used
 from lispac.report.values import (
     Adjustment,
     Angle,
@@ -27,7 +37,6 @@ from lispac.report.values import (
     Pair,
     PickedPlane,
     ReportContent,
-    SettingsUsed,
     SightingFit,
     TargetFit,
     ValidationPlane,
@@ -42,23 +51,6 @@ NORMAL_95 = 1.96
 """Half width of the 95 % interval of a normal variable, in standard deviations."""
 
 EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
-
-CONVENTION = (
-    "Local frame: north, west, up. Body frame: forward, left, up. Roll is positive with the left "
-    "side up, pitch positive with the bow down, yaw positive clockwise seen from above. The "
-    "boresight turns LiDAR axes into body axes: R = Rz(−yaw)·Ry(pitch)·Rx(roll). Other programs "
-    "use other signs and orders: convert before typing these angles into one."
-)
-
-POS_ERROR_WORDS = {
-    "correlated": (
-        "All points of one sighting share the errors of position and attitude they were placed "
-        "with, and sightings close in time share part of them (first-order Gauss-Markov process)."
-    ),
-    "independent": (
-        "Every point has errors of position and attitude of its own, independent of all others."
-    ),
-}
 
 
 def report_content(
@@ -107,37 +99,16 @@ def report_content(
         cautions=(),
         angles=_angles(project),
         adjustment=_adjustment(project.result, headings_deg) if project.result else None,
+        cross_checks=cross_checked(project.cross_checks),
         validation=tuple(_validation_plane(plane) for plane in project.validation),
         not_compared=tuple(project.not_compared.values()),
         planes=tuple(_picked(target) for target in project.targets),
         lines=lines,
-        settings=_settings(project),
+        settings=settings_used(project),
         files=_files(project, progress),
         notes=tuple(notes),
     )
     return replace(content, cautions=cautions_of(content))
-
-
-def _settings(project: Project) -> SettingsUsed:
-    settings = project.settings
-    typed = project.accuracy is None
-    model = project.result.model if project.result else None
-    # The answer on the page belongs to the model it was computed with.
-    pos_errors = model.pos_errors if model else settings.pos_errors
-    correlated = model if model and pos_errors == "correlated" else None
-    return SettingsUsed(
-        lever_arm_m=settings.lever_arm,
-        origin_deg_m=settings.origin_deg_m,
-        position_sigma_m=settings.position_sigma if typed else None,
-        attitude_sigma_deg=settings.attitude_sigma_deg if typed else None,
-        lidar_sigma_m=settings.lidar_sigma,
-        subsample_m=settings.subsample,
-        pos_errors=pos_errors,
-        position_correlation_time_s=correlated.position_time if correlated else None,
-        attitude_correlation_time_s=correlated.attitude_time if correlated else None,
-        pos_errors_in_words=POS_ERROR_WORDS[pos_errors],
-        convention=CONVENTION,
-    )
 
 
 def _files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
@@ -194,7 +165,14 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
     per_target = [s.sighting.target for s in result.sightings]
     return Adjustment(
         correlation=tuple(tuple(map(float, row)) for row in result.correlation),
-        variance_factor=_number(result.variance_factor),
+        estimated=result.estimated,
+        correlation_all=tuple(tuple(map(float, row)) for row in result.correlation_all),
+        parameters=parameters_of(result),
+        observability=seen(result.observability),
+        components=components_of(result),
+        critical_w=critical_w(result),
+        reliability=reliability_of(result),
+        variance_factor=number(result.variance_factor),
         degrees_of_freedom=result.degrees_of_freedom,
         chi_square=_chi_square(result),
         iterations=result.iterations,
@@ -204,7 +182,16 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
         effect_distances_m=EFFECT_DISTANCES_M,
         effects=_effects(result),
         targets=tuple(
-            TargetFit(t.target, per_target.count(t.target), t.points, t.rms_before, t.rms_after)
+            TargetFit(
+                t.target,
+                "sphere" if t.sphere else "plane",
+                float(t.plane[3]) if t.sphere else None,
+                per_target.count(t.target),
+                t.points,
+                t.rms_before,
+                t.rms_after,
+                t.noise,
+            )
             for t in result.targets
         ),
         sightings=tuple(
@@ -228,18 +215,20 @@ def _chi_square(result: AdjustmentResult) -> Chi2:
         words = "Not tested: there are no more points than unknowns."
         return Chi2(test.statistic, None, None, None, words)
     if test.passed:
-        words = "Passed: the residuals are as large as the stated accuracies let one expect."
+        words = "Passed: the residuals are as large as the stated sigmas let one expect."
     elif test.statistic > test.upper:
-        words = (
-            "Failed: the residuals are larger than the stated accuracies allow. Either those are "
-            "too small, or a target is not one plane on all lines; the sigmas of the angles are "
-            "then too small as well."
+        words = "Failed: the residuals are larger than the stated sigmas allow. "
+        words += (
+            "A LiDAR sigma stated too small, a rough target or stray points do that. The sigmas of "
+            "the angles are computed with the noise found in the residuals."
+            if result.model.correlated
+            else "Either those are too small, or a target is not one plane on all lines; the "
+            "sigmas of the angles are then too small as well."
         )
     else:
         words = (
-            "Failed: the residuals are smaller than the stated accuracies let one expect; the "
-            "accuracies stated for LiDAR or POS are larger than the true ones, and so are the "
-            "sigmas of the angles."
+            "Failed on the safe side: the residuals are smaller than the stated sigmas let one "
+            "expect. The LiDAR or POS sigmas are stated too large, and so those of the angles."
         )
     return Chi2(test.statistic, test.lower, test.upper, test.passed, words)
 
@@ -296,6 +285,8 @@ def _picked(target: Target) -> PickedPlane:
     return PickedPlane(
         name=target.name,
         role=target.role,
+        shape=target.shape,
+        sphere_radius_m=target.sphere_radius if target.shape == "sphere" else None,
         used=target.used,
         seed_local_m=target.seed,
         threshold_m=target.threshold,
@@ -304,8 +295,3 @@ def _picked(target: Target) -> PickedPlane:
         left_out=tuple(s.line for s in target.sightings if not s.used),
         missing=dict(target.missing),
     )
-
-
-def _number(value: float) -> float | None:
-    """The value, or None where it is not a number: JSON has no NaN."""
-    return float(value) if math.isfinite(value) else None

@@ -6,6 +6,9 @@ from pathlib import Path
 from lispac.errors import InputError
 from lispac.report import sections
 from lispac.report.blocks import Block, Document, Picture, Section, Signature, Status
+from lispac.report.boresight_section import boresight
+from lispac.report.checks_section import cross_checks, reliability
+from lispac.report.settings_section import settings
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
 
@@ -27,11 +30,13 @@ def document_of(content: ReportContent, pictures: Mapping[str, Path]) -> Documen
     serious = tuple(c.text for c in content.cautions if c.severity == "serious")
     status, verdict = _verdict(content, bool(serious))
     parts = [
-        _section("Boresight and its uncertainty", sections.boresight(content)),
+        _section("Boresight and its uncertainty", boresight(content)),
         _section("Targets and residuals", sections.residuals(content)),
+        _section("Reliability of the sightings", reliability(content)),
+        _section("Cross-checks", cross_checks(content)),
         _section("Validation", sections.validation(content)),
         _section("Site and lines", sections.site(content)),
-        _section("Settings and input files", sections.settings(content)),
+        _section("Settings and input files", settings(content)),
         _section("Pictures", [_picture(caption, path) for caption, path in pictures.items()]),
     ]
     return Document(

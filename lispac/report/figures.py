@@ -17,8 +17,15 @@ from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
 from numpy.typing import ArrayLike, NDArray
 
-from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.report.values import Line, PickedPlane, SightingFit, ValidationPlane
+from lispac.adjustment.result import AdjustmentResult
+from lispac.report.values import (
+    Line,
+    PickedPlane,
+    SightingCheck,
+    SightingFit,
+    ValidationPlane,
+)
+from lispac.report.wording import parameter
 from lispac.validation.comparison import PlaneComparison
 
 Array = NDArray[np.float64]
@@ -36,6 +43,9 @@ PER_RESIDUAL_FIGURE = 28
 """Sightings that fit on a page of bars."""
 
 LONGEST_LABEL = 24
+
+POS_COMPONENTS = ("North", "West", "Up", "Roll", "Pitch", "Heading")
+"""In the order of `SightingReliability.pos_error`."""
 
 _Summary = tuple[int, float, float, float]  # n, and median, RMS, 95th percentile in metres
 
@@ -63,16 +73,29 @@ def validation_figure(plane: ValidationPlane) -> Figure:
 
 
 def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
-    """Correlations between the three angles."""
-    figure = _blank(figure, (3.2, 2.8))
+    """Correlations between all estimated values."""
+    return correlation_figure_of(result.estimated, result.correlation_all, figure)
+
+
+def correlation_figure_of(
+    names: Sequence[str], correlation: ArrayLike, figure: Figure | None = None
+) -> Figure:
+    """`correlation_figure` of a report's content; names as in `AdjustmentResult.estimated`."""
+    matrix = np.asarray(correlation)
+    side = max(2.8, 0.9 + 0.42 * len(names))
+    figure = _blank(figure, (side + 0.6, side))
     axes = figure.add_subplot()
-    image = axes.imshow(result.correlation, cmap="PuOr", vmin=-1, vmax=1)
-    for (row, column), value in np.ndenumerate(result.correlation):
+    image = axes.imshow(matrix, cmap="PuOr", vmin=-1, vmax=1)
+    for (row, column), value in np.ndenumerate(matrix):
         colour = "white" if abs(value) > 0.7 else INK
         text = f"{value:+.2f}".replace("-", "\u2212")
-        axes.text(column, row, text, ha="center", va="center", color=colour, fontsize=TEXT)
-    axes.set_xticks(range(3), ANGLES)
-    axes.set_yticks(range(3), ANGLES)
+        axes.text(column, row, text, ha="center", va="center", color=colour, fontsize=SMALL)
+    labels = [parameter(name) for name in names]
+    axes.set_xticks(range(len(names)), labels)
+    if len(names) > 3:
+        for label in axes.get_xticklabels():
+            label.set(rotation=40, ha="right", rotation_mode="anchor")
+    axes.set_yticks(range(len(names)), labels)
     axes.tick_params(length=0, labelsize=TEXT, colors=INK)
     axes.spines[:].set_visible(False)
     figure.colorbar(image, ax=axes, shrink=0.85).ax.tick_params(labelsize=SMALL, colors=INK)
@@ -120,7 +143,7 @@ def site_figure_of(lines: Sequence[Line], planes: Sequence[PickedPlane]) -> Figu
 
 
 def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
-    """RMS of each sighting about its target's plane, before and after."""
+    """RMS of each sighting about its target's surface, before and after."""
     return _bars(
         figure,
         [f"{_label(s.sighting.target)}  {_label(s.sighting.line)}" for s in result.sightings],
@@ -138,6 +161,50 @@ def residual_figures_of(sightings: Sequence[SightingFit]) -> list[Figure]:
         before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
         figures.append(_bars(None, labels, before, after))
     return figures
+
+
+def pos_error_figures_of(sightings: Sequence[SightingCheck]) -> list[Figure]:
+    """Estimated POS errors with their prior, in as many figures as fill a page each."""
+    return [
+        _pos_errors(sightings[start : start + PER_RESIDUAL_FIGURE])
+        for start in range(0, len(sightings), PER_RESIDUAL_FIGURE)
+    ]
+
+
+def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
+    """A row a sighting, a panel a component: error, its 2 sigma, and the prior 2 sigma."""
+    figure = _blank(None, (6.3, 0.75 + 0.17 * len(sightings)))
+    panels = figure.subplots(1, 6, sharey=True)
+    values, prior, after = (
+        1000 * np.array([[*metres, *degrees] for metres, degrees in pairs])
+        for pairs in (
+            [(s.pos_error_m, s.pos_error_deg) for s in sightings],
+            [(s.pos_sigma_m, s.pos_sigma_deg) for s in sightings],
+            [(s.pos_sigma_after_m, s.pos_sigma_after_deg) for s in sightings],
+        )
+    )
+    at = np.arange(len(sightings))
+    for k, (axes, name) in enumerate(zip(panels, POS_COMPONENTS, strict=True)):
+        axes.barh(at, 4 * prior[:, k], left=-2 * prior[:, k], height=1.0, color="#e4e7ec")
+        beyond = np.abs(values[:, k]) > 2 * prior[:, k]
+        for own, colour in ((~beyond, BEFORE), (beyond, "#bb2222")):
+            axes.errorbar(
+                values[own, k], at[own], xerr=2 * after[own, k], fmt="o", markersize=2.6,
+                color=colour, elinewidth=0.8,
+            )  # fmt: skip
+        axes.axvline(0, color="#999999", linewidth=0.6)
+        widest = 1.15 * max(
+            float(np.max(2 * prior[:, k])), float(np.max(np.abs(values[:, k]) + 2 * after[:, k]))
+        )
+        axes.set_xlim(-widest, widest)
+        axes.locator_params(axis="x", nbins=3)
+        _dress(axes, "mm" if k < 3 else "0.001 deg", "")
+        axes.grid(False)
+        axes.set_title(name, fontsize=TEXT, color=INK)
+        axes.tick_params(axis="y", length=0)
+    panels[0].set_yticks(at, [f"{_label(s.target)}  {_label(s.line)}" for s in sightings])
+    panels[0].set_ylim(len(sightings) - 0.5, -0.5)
+    return figure
 
 
 def svg_of(figure: Figure) -> bytes:
@@ -230,7 +297,7 @@ def _bars(
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
     axes.margins(x=0.1)
-    _dress(axes, "RMS distance to the target's plane (mm)", "")
+    _dress(axes, "RMS distance to the target's surface (mm)", "")
     axes.grid(False, axis="y")
     axes.tick_params(axis="y", length=0)
     figure.legend(loc="outside upper right", ncols=2, fontsize=SMALL, frameon=False, labelcolor=INK)

@@ -6,7 +6,7 @@ on every machine.
 
 import json
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from datetime import datetime
 from importlib.resources import files
@@ -93,9 +93,18 @@ def _breakable(value: Any, key: str = "") -> Any:
 
 
 def _broken(word: str) -> str:
-    if len(word) <= LONGEST_WORD or (len(word) == 64 and word.isalnum()):
+    if len(word) == 64 and word.isalnum():
         return word  # digests stay whole: their column is made for them
-    return "\u200b".join(word[k : k + 8] for k in range(0, len(word), 8))
+    return "\u200b".join(_pieces(word))
+
+
+def _pieces(word: str) -> Iterator[str]:
+    """The word cut where it may break already, and into eights where these parts are too long."""
+    for run in word.split("\u200b"):
+        if len(run) <= LONGEST_WORD:
+            yield run
+        else:
+            yield from (run[k : k + 8] for k in range(0, len(run), 8))
 
 
 def _matplotlib_fonts() -> Path:

@@ -3,11 +3,29 @@
 Angles have four decimals in degrees, distances one in millimetres.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
-from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table
-from lispac.report.values import Adjustment, Distances, ReportContent, ValidationPlane
-from lispac.report.wording import angle, count, heading, known, minus, mm, origin, signed, triple
+from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, rows
+from lispac.report.values import (
+    Adjustment,
+    Distances,
+    ExtraParameter,
+    PickedPlane,
+    ReportContent,
+    ValidationPlane,
+)
+from lispac.report.wording import (
+    angle,
+    count,
+    heading,
+    known,
+    listed,
+    minus,
+    mm,
+    parameter,
+    quantity,
+    signed,
+)
 
 
 def summary(content: ReportContent) -> list[Block]:
@@ -20,10 +38,17 @@ def summary(content: ReportContent) -> list[Block]:
                 f"From {adjustment.points:,} points of {targets} in "
                 f"{count(len(adjustment.sightings), 'sighting')} on "
                 f"{count(len({s.line for s in adjustment.sightings}), 'line')}: RMS distance to "
-                f"the targets' planes {mm(adjustment.rms_before_m)}\u00a0mm before, "
+                f"the targets' surfaces {mm(adjustment.rms_before_m)}\u00a0mm before, "
                 f"{mm(adjustment.rms_after_m)}\u00a0mm after."
             )
         )
+        extra = [_with_sigma(p) for p in adjustment.parameters if p.value is not None]
+        if extra:
+            blocks.append(
+                Paragraph(
+                    f"The boresight goes with these values, estimated with it: {listed(extra)}."
+                )
+            )
     if content.validation:
         blocks.append(
             _distance_table(
@@ -32,18 +57,27 @@ def summary(content: ReportContent) -> list[Block]:
                 [((plane.name,), plane.before, plane.after) for plane in content.validation],
             )
         )
-    blocks.append(Paragraph(content.settings.convention.replace(" = ", "\u00a0=\u00a0")))
+    # The formula breaks between its factors alone
+    convention = content.settings.convention.replace(" = ", "\u00a0=\u00a0")
+    blocks.append(Paragraph(convention.replace("·", "·\u200b")))
     return blocks
+
+
+def _with_sigma(found: ExtraParameter) -> str:
+    assert found.value is not None
+    assert found.sigma is not None
+    value = quantity(found.value, found.unit, sign=True)
+    return f"{parameter(found.name)} {value} (1\u00a0sigma {quantity(found.sigma, found.unit)})"
 
 
 def _angle_table(content: ReportContent) -> Table:
     columns = [Column("Angle", "left"), Column("Prior\n(deg)")]
-    rows = [[a.name.capitalize(), angle(a.prior_deg)] for a in content.angles]
+    cells = [[a.name.capitalize(), angle(a.prior_deg)] for a in content.angles]
     if content.calibrated:
         columns += [
             Column("Estimated\n(deg)"), Column("1 sigma\n(deg)"), Column("95 % interval\n(deg)"),
         ]  # fmt: skip
-        for row, a in zip(rows, content.angles, strict=True):
+        for row, a in zip(cells, content.angles, strict=True):
             row += [
                 known(a.estimated_deg, angle),
                 known(a.sigma_deg, lambda v: f"{v:.4f}"),
@@ -51,65 +85,13 @@ def _angle_table(content: ReportContent) -> Table:
             ]
     if content.simulated:
         columns.append(Column("Truth\n(deg)"))
-        for row, a in zip(rows, content.angles, strict=True):
+        for row, a in zip(cells, content.angles, strict=True):
             row.append(known(a.truth_deg, angle))
         if content.calibrated:
             columns.append(Column("Error\n(deg)"))
-            for row, a in zip(rows, content.angles, strict=True):
+            for row, a in zip(cells, content.angles, strict=True):
                 row.append(known(a.error_deg, angle))
-    return Table("Boresight", tuple(columns), _rows(rows))
-
-
-def boresight(content: ReportContent) -> list[Block]:
-    adjustment = content.adjustment
-    if adjustment is None:
-        return [Paragraph("No boresight has been estimated yet.")]
-    names = [angle.name for angle in content.angles]
-    correlation = Table(
-        "Correlations",
-        (Column("", "left"), *(Column(name.capitalize()) for name in names)),
-        _rows(
-            [name.capitalize(), *(signed(value, 3) for value in row)]
-            for name, row in zip(names, adjustment.correlation, strict=True)
-        ),
-    )
-    test = adjustment.chi_square
-    bounds = (
-        f", bounds {test.lower:,.1f} to {test.upper:,.1f}"
-        if test.lower is not None and test.upper is not None
-        else ""
-    )
-    fit = _facts(
-        "Fit",
-        [
-            ("Points", f"{adjustment.points:,}"),
-            ("Iterations", str(adjustment.iterations)),
-            ("Degrees of freedom", f"{adjustment.degrees_of_freedom:,}"),
-            ("Variance factor", known(adjustment.variance_factor, lambda v: f"{v:.4f}")),
-            ("Chi-square test at 95 %", f"statistic {test.statistic:,.1f}{bounds}"),
-            ("", test.in_words),
-            ("RMS before", f"{mm(adjustment.rms_before_m)} mm"),
-            ("RMS after", f"{mm(adjustment.rms_after_m)} mm"),
-            ("Model of the POS errors", content.settings.pos_errors_in_words),
-        ],
-    )
-    effects = Table(
-        "Displacement of a point by 1 sigma of the boresight (cm)",
-        (
-            Column("Angle", "left"),
-            *(Column(f"at {distance:.0f} m") for distance in adjustment.effect_distances_m),
-        ),
-        _rows(
-            [_effect_name(e.angle), *(f"{100 * value:.2f}" for value in e.displacement_m)]
-            for e in adjustment.effects
-        ),
-    )
-    return [fit, correlation, effects]
-
-
-def _effect_name(angle: str) -> str:
-    together = "All three together, in the direction where they show most"
-    return together if angle == "worst direction" else angle.capitalize()
+    return Table("Boresight", tuple(columns), rows(cells))
 
 
 def residuals(content: ReportContent) -> list[Block]:
@@ -124,7 +106,7 @@ def residuals(content: ReportContent) -> list[Block]:
     if reasons:
         blocks += [Paragraph("Not found:"), Bullets(reasons)]
     if content.adjustment is not None:
-        blocks += _fit_tables(content.adjustment)
+        blocks += _fit_tables(content.adjustment, content.settings.pos_errors == "correlated")
     return blocks or [Paragraph("No target has been picked yet.")]
 
 
@@ -134,16 +116,18 @@ def _planes_table(content: ReportContent) -> Table:
         (
             Column("Name", "left"),
             Column("Role", "left"),
+            Column("Shape", "left"),
             Column("North\n(m)"),
             Column("West\n(m)"),
             Column("Up\n(m)"),
             Column("Threshold\n(mm)"),
             Column("Lines"),
         ),
-        _rows(
+        rows(
             [
                 plane.name,
                 plane.role if plane.used else f"{plane.role}, left out",
+                _picked_shape(plane),
                 *(minus(f"{value:.2f}") for value in plane.seed_local_m),
                 mm(plane.threshold_m),
                 f"{len(plane.lines)} of {len(content.lines)}",
@@ -153,25 +137,43 @@ def _planes_table(content: ReportContent) -> Table:
     )
 
 
-def _fit_tables(adjustment: Adjustment) -> list[Block]:
+def _picked_shape(plane: PickedPlane) -> str:
+    if plane.shape != "sphere":
+        return plane.shape
+    return "sphere" + known(plane.sphere_radius_m, lambda v: f", radius\u00a0{mm(v)}\u00a0mm", "")
+
+
+def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
     from lispac.report.figures import residual_figures_of, svg_of
 
     targets = Table(
-        "Fit of each target, all lines together, to one plane",
+        "Fit of each target, all lines together, to one surface",
         (
             Column("Target", "left"),
+            Column("Surface", "left"),
             Column("Sightings"),
             Column("Points"),
             Column("RMS\nbefore (mm)"),
             Column("RMS\nafter (mm)"),
+            Column("Noise\nfactor"),
         ),
-        _rows(
-            [t.target, str(t.sightings), f"{t.points:,}", mm(t.rms_before_m), mm(t.rms_after_m)]
+        rows(
+            [
+                t.target,
+                "sphere" + known(t.radius_m, lambda v: f", radius\u00a0{mm(v)}\u00a0mm", "")
+                if t.shape == "sphere"
+                else t.shape,
+                str(t.sightings),
+                f"{t.points:,}",
+                mm(t.rms_before_m),
+                mm(t.rms_after_m),
+                f"{t.noise_factor:.2f}",
+            ]
             for t in adjustment.targets
         ),
     )
     sightings = Table(
-        "Fit of each sighting to its target's plane",
+        "Fit of each sighting to its target's surface",
         (
             Column("Target", "left"),
             Column("Line", "left"),
@@ -181,7 +183,7 @@ def _fit_tables(adjustment: Adjustment) -> list[Block]:
             Column("RMS\nafter (mm)"),
             Column("Mean\nafter (mm)"),
         ),
-        _rows(
+        rows(
             [
                 s.target,
                 s.line,
@@ -198,7 +200,16 @@ def _fit_tables(adjustment: Adjustment) -> list[Block]:
         Picture("RMS of each sighting, before and after.", svg_of(figure), ".svg")
         for figure in residual_figures_of(adjustment.sightings)
     ]
-    return [targets, sightings, *figures]
+    told = Paragraph(
+        "RMS and mean are distances from the surface that all lines have in common. After the "
+        "adjustment they still hold the POS error of each sighting, which no boresight removes. "
+        "The noise factor is the LiDAR noise found in the residuals, with POS errors taken off, "
+        "over the stated one; where it is above 1 the sigmas of the angles are computed with it."
+        if correlated
+        else "RMS and mean are distances from the surface that all lines have in common. After the "
+        "adjustment they still hold the POS error of each sighting, which no boresight removes."
+    )
+    return [targets, sightings, told, *figures]
 
 
 def validation(content: ReportContent) -> list[Block]:
@@ -248,7 +259,7 @@ def _not_compared(plane: ValidationPlane) -> str:
 def _distance_table(
     title: str,
     head: Sequence[Column],
-    rows: Sequence[tuple[tuple[str, ...], Distances, Distances]],
+    compared: Sequence[tuple[tuple[str, ...], Distances, Distances]],
 ) -> Table:
     statistics = ("Median", "RMS", "95 %")
     columns = (
@@ -259,7 +270,7 @@ def _distance_table(
     return Table(
         title,
         columns,
-        _rows(
+        rows(
             [
                 *names,
                 f"{before.n:,}",
@@ -267,7 +278,7 @@ def _distance_table(
                 mm(before.rms_m), mm(after.rms_m),
                 mm(before.p95_m), mm(after.p95_m),
             ]
-            for names, before, after in rows
+            for names, before, after in compared
         ),
     )  # fmt: skip
 
@@ -288,7 +299,7 @@ def site(content: ReportContent) -> list[Block]:
                 Column("Heading\n(deg)"),
                 Column("Points"),
             ),
-            _rows(
+            rows(
                 [
                     line.name,
                     line.file,
@@ -300,64 +311,3 @@ def site(content: ReportContent) -> list[Block]:
         )
     )
     return blocks
-
-
-def settings(content: ReportContent) -> list[Block]:
-    used = content.settings
-    facts = [
-        ("Lever arm, forward, left, up", f"{triple(used.lever_arm_m, 4)} m"),
-        ("Origin of the local frame", origin(used.origin_deg_m)),
-        ("LiDAR sigma on each axis", f"{mm(used.lidar_sigma_m)} mm"),
-        (
-            "Position sigma, north, east, down",
-            f"{triple(used.position_sigma_m, 3)} m"
-            if used.position_sigma_m
-            else "from the trajectory accuracy file",
-        ),
-        (
-            "Attitude sigma, roll, pitch, heading",
-            f"{triple(used.attitude_sigma_deg, 4)} deg"
-            if used.attitude_sigma_deg
-            else "from the trajectory accuracy file",
-        ),
-        ("Distance between the points kept", f"{used.subsample_m:.3f} m" if used.subsample_m else
-         "all points kept"),
-        ("POS errors", used.pos_errors),
-    ]  # fmt: skip
-    if used.position_correlation_time_s and used.attitude_correlation_time_s:
-        facts.append(
-            (
-                "Correlation times, position, attitude",
-                f"{used.position_correlation_time_s:g} s, {used.attitude_correlation_time_s:g} s",
-            )
-        )
-    files = Table(
-        "Input files",
-        (
-            Column("Use", "left"),
-            Column("File", "left"),
-            Column("Bytes"),
-            Column("SHA-256", "left", code=True),
-        ),
-        _rows(
-            [
-                file.role,
-                file.name,
-                known(file.size_bytes, lambda v: f"{v:,.0f}"),
-                file.sha256 or "not readable",
-            ]
-            for file in content.files
-        ),
-    )
-    blocks: list[Block] = [_facts("Settings", facts), files]
-    if content.notes:
-        blocks += [Paragraph("Assumed while reading:"), Bullets(content.notes)]
-    return blocks
-
-
-def _facts(title: str, facts: Sequence[tuple[str, str]]) -> Table:
-    return Table(title, (Column("", "left"), Column("", "left", wide=True)), tuple(facts))
-
-
-def _rows(rows: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
-    return tuple(tuple(row) for row in rows)

@@ -18,6 +18,16 @@ class Caution:
     text: str
 
 
+def serious(code: str, text: str) -> Caution:
+    """Something that makes the answer doubtful."""
+    return Caution(code, "serious", text)
+
+
+def mild(code: str, text: str) -> Caution:
+    """Something to keep in mind."""
+    return Caution(code, "caution", text)
+
+
 @dataclass(frozen=True)
 class InputFile:
     """A file the answer rests on; size and digest are None where it could not be found."""
@@ -30,18 +40,34 @@ class InputFile:
 
 @dataclass(frozen=True)
 class SettingsUsed:
-    """Settings; the typed POS sigmas are None where an accuracy file was given."""
+    """Settings; the typed POS sigmas are None where an accuracy file was given.
+
+    The LiDAR noise is that along x, y, z, or of range and angle, where one of these is known, and
+    ``lidar_sigma_m`` on each axis otherwise. The surface sigma is the value used; None where it
+    is still to be found, and in thesis mode, as is where it came from.
+    """
 
     lever_arm_m: tuple[float, ...]
     origin_deg_m: tuple[float, ...] | None
     position_sigma_m: tuple[float, ...] | None
     attitude_sigma_deg: tuple[float, ...] | None
     lidar_sigma_m: float
+    lidar_sigma_xyz_m: tuple[float, ...] | None
+    lidar_range_sigma_m: float | None
+    lidar_angle_sigma_deg: float | None
+    range_offset_m: float
+    scan_angle_offset_deg: float
+    latency_s: float
     subsample_m: float
+    averaged: bool
     pos_errors: str
     position_correlation_time_s: float | None
     attitude_correlation_time_s: float | None
     pos_errors_in_words: str
+    surface_sigma_m: float | None
+    surface_from_data: bool | None
+    loss: str
+    loss_in_words: str
     convention: str
 
 
@@ -79,18 +105,24 @@ class Effect:
 
 @dataclass(frozen=True)
 class TargetFit:
-    """Fit of one target's points, over all lines, to their joint plane."""
+    """Fit of one target's points, over all lines, to their joint surface.
+
+    ``noise_factor`` is the LiDAR noise found in the residuals over the stated one, at least 1.
+    """
 
     target: str
+    shape: str
+    radius_m: float | None
     sightings: int
     points: int
     rms_before_m: float
     rms_after_m: float
+    noise_factor: float
 
 
 @dataclass(frozen=True)
 class SightingFit:
-    """Fit of one sighting's points to the adjusted plane of its target."""
+    """Fit of one sighting's points to the adjusted surface of its target."""
 
     target: str
     line: str
@@ -102,10 +134,125 @@ class SightingFit:
 
 
 @dataclass(frozen=True)
+class ExtraParameter:
+    """A value estimated besides the boresight, or why it was not; in its own ``unit``.
+
+    ``significance`` is the change from the prior over its standard deviation; ``significant`` at
+    95 %.
+    """
+
+    name: str
+    unit: str
+    prior: float
+    prior_sigma: float | None
+    value: float | None
+    sigma: float | None
+    significance: float | None
+    significant: bool | None
+    reason: str
+
+
+@dataclass(frozen=True)
+class Seen:
+    """How well lines and targets see the angles.
+
+    The directions are mixtures of roll, pitch and yaw, the weakest first; the sigmas without a
+    line are None where the rest does not determine the angles.
+    """
+
+    direction_sigma_deg: tuple[float, ...]
+    directions: tuple[tuple[float, ...], ...]
+    condition: float | None
+    sigma_without_line_deg: Mapping[str, tuple[float, ...] | None]
+    in_words: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class SightingCheck:
+    """Whether a sighting agrees with all others, and its estimated POS error.
+
+    Shift, test value, detectable shift and its effect are None where no other data check the
+    sighting. POS errors are north, west, up and roll, pitch, heading.
+    """
+
+    target: str
+    line: str
+    points: int
+    shift_m: float | None
+    w: float | None
+    detectable_m: float | None
+    effect_deg: tuple[float, ...] | None
+    redundancy: float
+    strays: int
+    largest_w: float
+    point_detectable_m: float | None
+    weight: float
+    released: bool
+    in_words: str
+    pos_error_m: tuple[float, ...]
+    pos_sigma_m: tuple[float, ...]
+    pos_sigma_after_m: tuple[float, ...]
+    pos_error_deg: tuple[float, ...]
+    pos_sigma_deg: tuple[float, ...]
+    pos_sigma_after_deg: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class VarianceComponent:
+    """How large a group of errors is by the data: ``factor`` on its stated sigma, 95 % interval.
+
+    For the surfaces the factor is the sigma itself, in metres.
+    """
+
+    name: str
+    factor: float
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class CheckedPart:
+    """The answer of a part of the data; None where the part does not determine the angles.
+
+    The difference of a half is that from the other half, of all other parts that from the whole.
+    """
+
+    kind: str
+    part: str
+    boresight_deg: tuple[float, ...] | None
+    sigma_deg: tuple[float, ...] | None
+    difference_deg: tuple[float, ...] | None
+    significance: tuple[float, ...] | None
+    disagrees: bool
+    reason: str
+
+
+@dataclass(frozen=True)
+class CrossChecked:
+    """Answers of parts of the data, and their spread beside the formal sigmas."""
+
+    sigma_deg: tuple[float, ...]
+    spread_lines_deg: tuple[float, ...] | None
+    spread_targets_deg: tuple[float, ...] | None
+    parts: tuple[CheckedPart, ...]
+
+
+@dataclass(frozen=True)
 class Adjustment:
-    """How well the adjustment went."""
+    """How well the adjustment went.
+
+    ``correlation`` is that of the three angles, ``correlation_all`` that of all ``estimated``.
+    ``critical_w`` is the test value beyond which a sighting disagrees.
+    """
 
     correlation: tuple[tuple[float, ...], ...]
+    estimated: tuple[str, ...]
+    correlation_all: tuple[tuple[float, ...], ...]
+    parameters: tuple[ExtraParameter, ...]
+    observability: Seen | None
+    components: tuple[VarianceComponent, ...]
+    critical_w: float | None
+    reliability: tuple[SightingCheck, ...]
     variance_factor: float | None
     degrees_of_freedom: int
     chi_square: Chi2
@@ -164,10 +311,12 @@ class ValidationPlane:
 
 @dataclass(frozen=True)
 class PickedPlane:
-    """A target or validation plane as picked."""
+    """A target or validation plane as picked; a sphere's radius is None where it is unknown."""
 
     name: str
     role: str
+    shape: str
+    sphere_radius_m: float | None
     used: bool
     seed_local_m: tuple[float, ...]
     threshold_m: float
@@ -200,6 +349,7 @@ class ReportContent:
     cautions: tuple[Caution, ...]
     angles: tuple[Angle, ...]
     adjustment: Adjustment | None
+    cross_checks: CrossChecked | None
     validation: tuple[ValidationPlane, ...]
     not_compared: tuple[str, ...]
     planes: tuple[PickedPlane, ...]

@@ -3,12 +3,14 @@
 from collections.abc import Callable, Sequence
 from datetime import datetime
 
+from lispac.report.values import CheckedPart, CrossChecked
+
 UNKNOWN = "\u2013"
 
 
-def known(value: float | None, formatted: Callable[[float], str]) -> str:
+def known(value: float | None, formatted: Callable[[float], str], unknown: str = UNKNOWN) -> str:
     """The value in words, or a dash where it is not known."""
-    return UNKNOWN if value is None else formatted(value)
+    return unknown if value is None else formatted(value)
 
 
 def minus(text: str) -> str:
@@ -48,6 +50,49 @@ def origin(origin: Sequence[float] | None) -> str:
         return "mean of the trajectory"
     latitude, longitude, height = origin
     return minus(f"latitude {latitude:.8f} deg, longitude {longitude:.8f} deg, {height:.3f} m")
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names as in a sentence: a, b and c."""
+    *head, last = names
+    return f"{', '.join(head)} and {last}" if head else last
+
+
+PARAMETERS = {
+    "lever_x": "lever arm X", "lever_y": "lever arm Y", "lever_z": "lever arm Z",
+    "range_offset": "range offset", "scan_angle_offset": "scan-angle offset",
+    "latency": "latency",
+}  # fmt: skip
+
+
+def parameter(name: str) -> str:
+    """A value of the mounting in words; an angle's name is its own."""
+    return PARAMETERS.get(name, name)
+
+
+def title(text: str) -> str:
+    """The text with a capital first letter, all others as they are."""
+    return text[:1].upper() + text[1:]
+
+
+def named_parts(checks: CrossChecked) -> list[tuple[str, CheckedPart]]:
+    """Cross-checked parts with their names; two halves that are compared with each other once."""
+    named = [(f"Without {p.kind} {p.part}", p) for p in checks.parts if p.kind != "half"]
+    halves = [part for part in checks.parts if part.kind == "half"]
+    if halves and all(half.boresight_deg is not None for half in halves):
+        return [*named, ("First half less second half", halves[0])]
+    return [*named, *((f"{title(half.part)} half alone", half) for half in halves)]
+
+
+def quantity(value: float, unit: str, *, sign: bool = False) -> str:
+    """A value of the mounting with its unit; seconds as milliseconds."""
+    factor, shown, decimals = (1000.0, "ms", 2) if unit == "s" else (1.0, unit, 4)
+    return minus(f"{factor * value:{'+' if sign else ''}.{decimals}f}\u00a0{shown}")
+
+
+def times(factor: float) -> str:
+    """How many times something is as large as something else."""
+    return f"{factor:.1f}\u00a0times"
 
 
 def count(number: int, what: str) -> str:

@@ -6,18 +6,19 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import PlaneNotFound
+from lispac.errors import TargetNotFound
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
-from lispac.targets.across_lines import find_in_lines
 from lispac.targets.finder import FinderSettings
+from lispac.workflow.seeking import Sought
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
 NARROWED = 2 / 3
 """Share of the pick's threshold that is left once the boresight no longer smears the surface: two
-LiDAR sigma where the pick took three."""
+LiDAR sigma where the pick took three. For planes alone: what displaces the profiles of a sphere is
+the motion of the vessel, and that stays."""
 
 
 def reselect(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Project:
@@ -41,11 +42,12 @@ def reselect(project: Project, survey: Survey, *, progress: Progress = no_progre
 
 def _again(target: Target, before: Mapping[str, Array], after: Mapping[str, Array]) -> Target:
     line, seed = _moved_seed(target, before, after)
-    settings = FinderSettings(threshold=NARROWED * target.threshold, radius=target.radius)
+    narrowed = NARROWED if target.shape == "plane" else 1.0
+    settings = FinderSettings(threshold=narrowed * target.threshold, radius=target.radius)
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:
-        found, _ = find_in_lines(lines, seed, settings, first_line=line)
-    except PlaneNotFound:
+        found, _ = Sought.of(target).in_lines(lines, seed, settings, first_line=line)
+    except TargetNotFound:
         return target
     return replace(
         target,

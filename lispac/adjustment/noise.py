@@ -1,0 +1,71 @@
+"""How large the noise of a target's points really is, from their residuals.
+
+A rough surface is noisier than the LiDAR, and its bumps are larger than the distance between
+points, so that neighbours lie off together: a thousand of them tell no more than a few. Sums over
+blocks of a surface show it. Where points are independent the square of such a sum grows with their
+number; where they are not, it grows faster by the design effect (Kish 1965).
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.robust import robust_scale
+from lispac.adjustment.shapes import points_local
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+SIDE = 4
+"""Blocks along each side of a sighting: few points each would show nothing, few blocks neither."""
+
+FAR = 3.0
+"""Standardised residuals beyond this are strays; they say nothing of the others."""
+
+
+def blocks_of(observations: Observations, mounting: Mounting) -> NDArray[np.int64]:
+    """Block of each point: sixteen a sighting, over its surface as placed with ``mounting``."""
+    points = points_local(observations, mounting)
+    block = np.empty(len(points), dtype=np.int64)
+    for s in range(len(observations.sightings)):
+        own = np.flatnonzero(observations.sighting == s)
+        centred = points[own] - points[own].mean(axis=0)
+        variances, directions = np.linalg.eigh(np.cov(centred.T))
+        # A uniform surface reaches to the square root of three standard deviations.
+        reach = np.sqrt(3 * np.maximum(variances[1:], np.finfo(float).tiny))
+        place = (centred @ directions[:, 1:] / reach + 1) / 2 * SIDE
+        row, column = np.clip(np.floor(place), 0, SIDE - 1).astype(np.int64).T
+        block[own] = SIDE**2 * s + SIDE * row + column
+    return block
+
+
+def noise_factors(
+    observations: Observations, residuals: Array, blocks: NDArray[np.int64], *, robust: bool
+) -> Array:
+    """Noise of each target over the stated one, at least 1, shape (targets,).
+
+    Parameters
+    ----------
+    residuals : ndarray of shape (n,)
+        Over the standard deviations of their conditions.
+    robust : bool
+        Whether strays have no weight in the adjustment.
+    """
+    target = observations.target_of_sighting[observations.sighting]
+    factors = np.empty(len(observations.targets))
+    for k in range(len(factors)):
+        own = residuals[target == k]
+        size = robust_scale(own) if robust else max(1.0, float(np.sqrt(np.mean(own**2))))
+        near = np.clip(own / size, -FAR, FAR) if robust else own / size
+        factors[k] = size * np.sqrt(_design_effect(near, blocks[target == k]))
+    return factors
+
+
+def _design_effect(residuals: Array, blocks: NDArray[np.int64]) -> float:
+    """Variance of sums over blocks against that of independent residuals, at least 1."""
+    counts = np.bincount(blocks)
+    sums = np.bincount(blocks, residuals)[counts > 0]
+    square = float(np.mean(residuals**2))
+    if square == 0:
+        return 1.0
+    return max(1.0, float(np.mean(sums**2 / counts[counts > 0])) / square)

@@ -1,0 +1,176 @@
+"""What an adjustment says about itself, as a report's values: parameters, observability, checks."""
+
+import math
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+import scipy.stats
+from numpy.typing import ArrayLike
+
+from lispac.adjustment.reliability import FAMILY
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    CrossCheck,
+    CrossChecks,
+    Observability,
+    SightingReliability,
+)
+from lispac.report.values import (
+    CheckedPart,
+    CrossChecked,
+    ExtraParameter,
+    Seen,
+    SightingCheck,
+    VarianceComponent,
+)
+
+UNITS: Mapping[str, tuple[float, str]] = {
+    "lever_x": (1.0, "m"), "lever_y": (1.0, "m"), "lever_z": (1.0, "m"),
+    "range_offset": (1.0, "m"), "scan_angle_offset": (math.degrees(1), "deg"),
+    "latency": (1.0, "s"),
+}  # fmt: skip
+"""Factor from what is stored to what is reported, and its unit."""
+
+SIGNIFICANT = 1.96
+"""Standard deviations that a change by chance exceeds one time in twenty."""
+
+UNCHECKED = 1.0
+"""Metres: a shift that has to be larger to be found is not checked by anything."""
+
+
+def number(value: float) -> float | None:
+    """The value, or None where it is not a number: JSON has no NaN."""
+    return float(value) if math.isfinite(value) else None
+
+
+def parameters_of(result: AdjustmentResult) -> tuple[ExtraParameter, ...]:
+    """What became of every value switched on besides the boresight."""
+    found = []
+    for estimate in result.parameters:
+        factor, unit = UNITS[estimate.name]
+        significance = estimate.significance
+        found.append(
+            ExtraParameter(
+                name=estimate.name,
+                unit=unit,
+                prior=factor * estimate.prior,
+                prior_sigma=_times(factor, estimate.prior_sigma),
+                value=_times(factor, estimate.value),
+                sigma=_times(factor, estimate.sigma),
+                significance=None if significance is None else number(significance),
+                significant=None if significance is None else abs(significance) > SIGNIFICANT,
+                reason=estimate.reason,
+            )
+        )
+    return tuple(found)
+
+
+def _times(factor: float, value: float | None) -> float | None:
+    return None if value is None else factor * value
+
+
+def seen(observability: Observability | None) -> Seen | None:
+    """How well the geometry sees the angles."""
+    if observability is None:
+        return None
+    return Seen(
+        direction_sigma_deg=_degrees(observability.eigenvalues**-0.5),
+        directions=tuple(_floats(column) for column in observability.directions.T),
+        condition=number(observability.condition),
+        sigma_without_line_deg={
+            line: None if sigma is None else _degrees(sigma)
+            for line, sigma in observability.sigma_without_line.items()
+        },
+        in_words=observability.sentences,
+    )
+
+
+def components_of(result: AdjustmentResult) -> tuple[VarianceComponent, ...]:
+    """How large the groups of errors are by the data."""
+    return tuple(VarianceComponent(c.name, c.factor, c.lower, c.upper) for c in result.components)
+
+
+def critical_w(result: AdjustmentResult) -> float | None:
+    """Test value beyond which a sighting disagrees with the others."""
+    if not result.reliability:
+        return None
+    return float(scipy.stats.norm.isf(FAMILY / 2 / len(result.reliability)))
+
+
+def reliability_of(result: AdjustmentResult) -> tuple[SightingCheck, ...]:
+    """Tests of every sighting; none in thesis mode."""
+    critical = critical_w(result) or math.inf
+    points = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
+    return tuple(
+        _sighting(item, points[item.sighting.target, item.sighting.line], critical)
+        for item in result.reliability
+    )
+
+
+def _sighting(item: SightingReliability, points: int, critical: float) -> SightingCheck:
+    checked = bool(item.detectable < UNCHECKED)
+    if item.released:
+        words = "left out"
+    elif not checked:
+        words = "not checked"
+    else:
+        words = "disagrees" if abs(item.w) > critical else "agrees"
+    return SightingCheck(
+        target=item.sighting.target,
+        line=item.sighting.line,
+        points=points,
+        shift_m=item.shift if checked else None,
+        w=item.w if checked else None,
+        detectable_m=item.detectable if checked else None,
+        effect_deg=_degrees(item.effect) if checked else None,
+        redundancy=item.redundancy,
+        strays=item.strays,
+        largest_w=item.largest_w,
+        point_detectable_m=number(item.point_detectable),
+        weight=item.weight,
+        released=item.released,
+        in_words=words,
+        pos_error_m=_floats(item.pos_error[:3]),
+        pos_sigma_m=_floats(item.pos_sigma[:3]),
+        pos_sigma_after_m=_floats(item.pos_sigma_after[:3]),
+        pos_error_deg=_degrees(item.pos_error[3:]),
+        pos_sigma_deg=_degrees(item.pos_sigma[3:]),
+        pos_sigma_after_deg=_degrees(item.pos_sigma_after[3:]),
+    )
+
+
+def cross_checked(checks: CrossChecks | None) -> CrossChecked | None:
+    """What parts of the data say by themselves."""
+    if checks is None:
+        return None
+    return CrossChecked(
+        sigma_deg=_degrees(checks.sigma),
+        spread_lines_deg=_known_degrees(checks.spread_lines),
+        spread_targets_deg=_known_degrees(checks.spread_targets),
+        parts=tuple(_part(part) for part in checks.parts),
+    )
+
+
+def _part(part: CrossCheck) -> CheckedPart:
+    return CheckedPart(
+        kind=part.kind,
+        part=part.without,
+        boresight_deg=_known_degrees(part.boresight),
+        sigma_deg=_known_degrees(part.sigma),
+        difference_deg=_known_degrees(part.difference),
+        significance=None if part.significance is None else _floats(part.significance),
+        disagrees=part.disagrees,
+        reason=part.reason,
+    )
+
+
+def _floats(values: Iterable[float]) -> tuple[float, ...]:
+    return tuple(float(value) for value in values)
+
+
+def _degrees(values: ArrayLike) -> tuple[float, ...]:
+    return _floats(np.degrees(values))
+
+
+def _known_degrees(values: ArrayLike | None) -> tuple[float, ...] | None:
+    return None if values is None else _degrees(values)

@@ -1,0 +1,61 @@
+"""The settings an answer was computed with, as a report's values."""
+
+from lispac.project import Project
+from lispac.report.values import SettingsUsed
+
+CONVENTION = (
+    "Local frame: north, west, up. Body frame: forward, left, up. Roll is positive with the left "
+    "side up, pitch positive with the bow down, yaw positive clockwise seen from above. The "
+    "boresight turns LiDAR axes into body axes: R = Rz(−yaw)·Ry(pitch)·Rx(roll). Other programs "
+    "use other signs and orders: convert before typing these angles into one."
+)
+
+POS_ERROR_WORDS = {
+    "correlated": (
+        "All points of one sighting share the errors of position and attitude they were placed "
+        "with, and sightings close in time share part of them (first-order Gauss-Markov process)."
+    ),
+    "independent": (
+        "Every point has errors of position and attitude of its own, independent of all others."
+    ),
+}
+
+LOSS_WORDS = {
+    "none": "All points have the same say, strays too.",
+    "huber": "Points beyond 1.3 standard deviations have less say, strays little.",
+    "tukey": "The farther off its surface a point lies, the less say it has; beyond 4.7 standard "
+    "deviations it has none.",
+}
+
+
+def settings_used(project: Project) -> SettingsUsed:
+    """Settings of the answer on the page, or of the project where there is none yet."""
+    settings, result = project.settings, project.result
+    typed = project.accuracy is None
+    model = result.model if result else settings.stochastic_model
+    beam = settings.lidar_beam_sigma
+    found = result.surface if result else model.surface
+    return SettingsUsed(
+        lever_arm_m=settings.lever_arm,
+        origin_deg_m=settings.origin_deg_m,
+        position_sigma_m=settings.position_sigma if typed else None,
+        attitude_sigma_deg=settings.attitude_sigma_deg if typed else None,
+        lidar_sigma_m=settings.lidar_sigma,
+        lidar_sigma_xyz_m=settings.lidar_sigma_xyz,
+        lidar_range_sigma_m=beam[0] if beam else None,
+        lidar_angle_sigma_deg=beam[1] if beam else None,
+        range_offset_m=settings.range_offset,
+        scan_angle_offset_deg=settings.scan_angle_offset_deg,
+        latency_s=settings.latency,
+        subsample_m=settings.subsample,
+        averaged=model.correlated,
+        pos_errors=model.pos_errors,
+        position_correlation_time_s=model.position_time if model.correlated else None,
+        attitude_correlation_time_s=model.attitude_time if model.correlated else None,
+        pos_errors_in_words=POS_ERROR_WORDS[model.pos_errors],
+        surface_sigma_m=found if model.correlated else None,
+        surface_from_data=model.surface is None if model.correlated else None,
+        loss=model.loss,
+        loss_in_words=LOSS_WORDS[model.loss],
+        convention=CONVENTION,
+    )

@@ -1,0 +1,132 @@
+"""Seeking a target of either shape, in one line or in all."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError
+from lispac.progress import Progress, no_progress
+from lispac.project import Role, Shape, Target
+from lispac.targets.across_lines import find_in_lines
+from lispac.targets.finder import FinderSettings, PlanePatch, find_plane
+from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
+from lispac.targets.spheres_across_lines import find_spheres_in_lines
+
+Array = NDArray[np.float64]
+Patch = PlanePatch | SpherePatch
+
+DEFAULT_RADII: dict[Role, tuple[float, ...]] = {"target": (2.0,), "validation": (4.0, 10.0, 20.0)}
+"""Metres about the seed, tried in turn until two lines have the plane.
+
+A board fits into two metres. A validation plane is a piece of a wall or a tower, where more points
+tell more, and the place given for its middle may be hidden from the lines or out of their reach.
+"""
+
+SPHERE_THRESHOLD, LARGEST_SHARE = 0.03, 0.3
+"""Metres, and share of a known radius: default threshold for spheres.
+
+A ball is small and crossed in a tenth of a second, in which a rolling vessel displaces its profiles
+against each other by up to a centimetre. Planes get by with less, for they are crossed for longer
+and only what lies across them counts. A threshold near the radius would take what is beside a small
+ball for its surface.
+"""
+
+SURROUNDED = 3.0
+"""Search radius about the seed in radii of a known sphere, where that is more than usual: the seed
+may lie on the far side, and what is around the ball tells where it is in the other lines."""
+
+
+@dataclass(frozen=True)
+class Sought:
+    """What is sought.
+
+    Attributes
+    ----------
+    shape : {"plane", "sphere"}
+    sphere_radius : float or None, metres
+        None where it is unknown, and for planes.
+    """
+
+    shape: Shape = "plane"
+    sphere_radius: float | None = None
+
+    @classmethod
+    def of(cls, target: Target) -> "Sought":
+        """A target already picked, again."""
+        return cls(target.shape, target.sphere_radius)
+
+    @property
+    def radii(self) -> RadiusSought:
+        """Radii a sphere may have."""
+        if self.sphere_radius is None:
+            return RadiusSought()
+        return RadiusSought.exactly(self.sphere_radius)
+
+    def search_radii(self, role: Role) -> tuple[float, ...]:
+        """Default search radii about the seed, metres, tried in turn."""
+        usual = DEFAULT_RADII[role]
+        return tuple(max(radius, SURROUNDED * (self.sphere_radius or 0.0)) for radius in usual)
+
+    def threshold(self, usual: float) -> float:
+        """Default threshold, metres, where that for planes is ``usual``."""
+        if self.shape == "plane":
+            return usual
+        if self.sphere_radius is None:
+            return max(usual, SPHERE_THRESHOLD)
+        return max(usual, min(SPHERE_THRESHOLD, LARGEST_SHARE * self.sphere_radius))
+
+    def require_same(self, known: Target) -> None:
+        """Refuse to add a sighting of another shape, or of another known radius, to a target.
+
+        Raises
+        ------
+        ProjectError
+        """
+        if known.shape != self.shape:
+            raise ProjectError(
+                f"{known.name} is a {known.shape} already; pick it in the same shape, or give "
+                "another name."
+            )
+        if known.sphere_radius != self.sphere_radius:
+            raise ProjectError(
+                f"{known.name} has {_radius_in_words(known.sphere_radius)}; pick it with the same, "
+                "or give another name."
+            )
+
+    def at(self, cloud: Array, seed: Array, settings: FinderSettings) -> Patch:
+        """The target at the seed in one line.
+
+        Raises
+        ------
+        TargetNotFound
+        """
+        if self.shape == "sphere":
+            return find_sphere(cloud, seed, self.radii, settings)
+        return find_plane(cloud, seed, settings)
+
+    def in_lines(
+        self,
+        clouds: Mapping[str, Array],
+        seed: Array,
+        settings: FinderSettings,
+        *,
+        first_line: str | None = None,
+        progress: Progress = no_progress,
+    ) -> tuple[Mapping[str, Patch], dict[str, str]]:
+        """The target at the seed in every line, and why it is missing in the others.
+
+        Raises
+        ------
+        TargetNotFound
+        """
+        if self.shape == "sphere":
+            return find_spheres_in_lines(
+                clouds, seed, self.radii, settings, first_line=first_line, progress=progress
+            )
+        return find_in_lines(clouds, seed, settings, first_line=first_line, progress=progress)
+
+
+def _radius_in_words(radius: float | None) -> str:
+    return "an unknown radius" if radius is None else f"a radius of {radius:g} m"

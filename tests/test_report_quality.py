@@ -1,0 +1,278 @@
+"""What the report says of the adjustment's own checks: parameters, reliability, cross-checks."""
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import AdjustmentResult, Component
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.project import Project
+from lispac.report import figures
+from lispac.report.blocks import Bullets, Document, Paragraph, Table
+from lispac.report.content import ReportContent
+from lispac.report.document import document_of
+from lispac.report.json_report import json_text
+from lispac.report.pdf import write_pdf
+from tests.report_sample import sample_content, sample_project
+
+Changed = Callable[..., ReportContent]
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("quality") / "harbour")
+
+
+@pytest.fixture
+def changed(project: Project) -> Changed:
+    """Content of the sample with other values in its result."""
+
+    def content(**values: Any) -> ReportContent:
+        assert project.result is not None
+        return sample_content(replace(project, result=replace(project.result, **values)))
+
+    return content
+
+
+def _result(project: Project) -> AdjustmentResult:
+    assert project.result is not None
+    return project.result
+
+
+def _caution(content: ReportContent, code: str) -> str:
+    texts = [caution.text for caution in content.cautions if caution.code == code]
+    assert len(texts) == 1, (code, [caution.code for caution in content.cautions])
+    return texts[0]
+
+
+def _tables(document: Document) -> dict[str, Table]:
+    blocks = [*document.summary, *(b for section in document.sections for b in section.blocks)]
+    return {block.title: block for block in blocks if isinstance(block, Table)}
+
+
+def _words(document: Document, title: str) -> str:
+    section = next(section for section in document.sections if section.title == title)
+    said: list[str] = []
+    for block in section.blocks:
+        if isinstance(block, Paragraph):
+            said.append(block.text)
+        elif isinstance(block, Bullets):
+            said += block.items
+        elif isinstance(block, Table):
+            said += [cell for row in block.rows for cell in row]
+    return "\n".join(said)
+
+
+def _settings(content: ReportContent) -> dict[str, str]:
+    return dict(_tables(document_of(content, {}))["Stochastic model"].rows)  # type: ignore[arg-type]
+
+
+def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
+    said = _settings(sample_content(project))
+    assert said["POS errors"].startswith("correlated. All points of one sighting share")
+    assert said["Correlation times, position, attitude"].startswith("300 s, 600 s: how long")
+    assert said["Surface sigma"].startswith("0.4 mm, found from the data")
+    assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
+    assert said["LiDAR noise found"] == "not above the stated LiDAR noise on any target"
+    first, second = _result(project).targets
+    noisy = changed(
+        targets=(first, replace(second, noise=1.42)),
+        model=StochasticModel(surface=0.0004, loss="tukey"),
+    )
+    said = _settings(noisy)
+    assert said["LiDAR noise found"].startswith(
+        "in the residuals 1.4\u00a0times (T2) the stated LiDAR noise; the sigmas"
+    )
+    assert "T1" not in said["LiDAR noise found"]
+    assert said["Surface sigma"].startswith("0.4 mm, as typed")
+    assert "beyond 4.7 standard deviations" in said["Stray points"]
+    assert "noise" not in {caution.code for caution in noisy.cautions}
+    assert "T2 is rougher than a plane" in _caution(
+        changed(targets=(first, replace(second, noise=2.4))), "noise"
+    )
+
+
+@pytest.mark.parametrize(
+    ("stated", "shown"),
+    [
+        ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, direction of the beam 0.0200 deg"),
+        ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm"),
+    ],
+)
+def test_lidar_noise_as_stated(project: Project, stated: dict[str, Any], shown: str) -> None:
+    other = replace(project, settings=replace(project.settings, **stated))
+    assert _settings(sample_content(other))["LiDAR noise, 1 sigma"] == shown
+
+
+def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> None:
+    for content, word in (
+        (sample_content(project), "averaged"),
+        (sample_content(sample_project(tmp_path / "p", model="independent")), "selected"),
+    ):
+        facts = dict(_tables(document_of(content, {}))["System and points"].rows)  # type: ignore[arg-type]
+        assert facts["Subsampling"].startswith(word)
+
+
+def test_variance_components_with_their_intervals(changed: Changed) -> None:
+    found = (Component("LiDAR", 0.82, 0.78, 0.87), Component("POS position", 1.3, 0.6, 2.9))
+    table = _tables(document_of(changed(components=found), {}))[
+        "Variance components: the sigmas used, over the stated ones"
+    ]
+    assert table.rows[0] == ("LiDAR", "0.82", "0.78 to 0.87", "smaller than stated")
+    assert table.rows[1][2:] == ("0.60 to 2.90", "as stated, within the interval")
+
+
+def test_extra_parameters(project: Project, changed: Changed) -> None:
+    document = document_of(sample_content(project), {})
+    row = _tables(document)["Estimated besides the boresight"].rows[0]
+    assert row == (
+        "Lever arm X", "\u22120.1856\u00a0m", "not stated", "\u22120.2017\u00a0m", "0.0048\u00a0m",
+        "\u22123.4", "significant",
+    )  # fmt: skip
+    first_page = [block.text for block in document.summary if isinstance(block, Paragraph)]
+    assert any("lever arm X \u22120.2017" in text for text in first_page)
+    late = Estimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
+    turned = Estimate("scan_angle_offset", 0.0, None, reason="These lines do not see it: so.")
+    content = changed(parameters=(*_result(project).parameters, turned, late))
+    assert "Latency does not earn its place: its change of +1.10\u00a0ms" in _caution(
+        content, "parameter_not_significant"
+    )
+    assert _caution(content, "parameter_not_seen").startswith("These lines do not see it: so.")
+    rows = _tables(document_of(content, {}))["Estimated besides the boresight"].rows
+    assert rows[1][-1] == "held"
+    assert rows[2][2] == "2.00\u00a0ms"
+
+
+def test_heat_map_only_beside_extra_parameters(project: Project, tmp_path: Path) -> None:
+    def captions(content: ReportContent) -> list[str]:
+        blocks = document_of(content, {}).sections[0].blocks
+        return [block.caption for block in blocks if block.kind == "picture"]
+
+    assert captions(sample_content(project)) == ["Correlations of all estimated values."]
+    assert captions(sample_content(sample_project(tmp_path / "p", model="independent"))) == []
+
+
+def test_released_sighting_is_named_on_page_one(project: Project, changed: Changed) -> None:
+    first, second, *rest = _result(project).reliability
+    gone = replace(first, released=True, shift=0.0483, w=9.34)
+    content = changed(reliability=(gone, replace(second, w=-4.2), *rest))
+    text = _caution(content, "released")
+    assert "contradict it: T1 on line L1 (off by 48.3\u00a0mm, w\u00a0+9.3)" in text
+    assert "T1 on line L2" in _caution(content, "sighting_disagrees")
+    rows = _tables(document_of(content, {}))["Agreement of the sightings"].rows
+    assert [row[-1] for row in rows[:3]] == ["left out", "disagrees", "agrees"]
+
+
+def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed: Changed) -> None:
+    first, *rest = _result(project).reliability
+    document = document_of(changed(reliability=(replace(first, detectable=1e5), *rest)), {})
+    row = _tables(document)["Agreement of the sightings"].rows[0]
+    assert row[2:8] == ("\u2013",) * 6
+    assert row[-1] == "not checked"
+    assert "No other data check T1 on line L1." in _words(document, "Reliability of the sightings")
+
+
+def test_strays_beyond_what_chance_explains(project: Project, changed: Changed) -> None:
+    reliability = _result(project).reliability
+    few = tuple(replace(item, strays=1) for item in reliability[:3]) + reliability[3:]
+    assert "strays" not in {caution.code for caution in changed(reliability=few).cautions}
+    many = (*reliability[:-1], replace(reliability[-1], strays=60))
+    text = _caution(changed(reliability=many), "strays")
+    assert text.startswith("60 stray points of")
+    assert "most on T2 on line L6" in text
+    assert "choose a loss" in text  # the sample has none
+
+
+def test_cross_checks_that_disagree(project: Project) -> None:
+    checks = project.cross_checks
+    assert checks is not None
+    plain = _tables(document_of(sample_content(project), {}))
+    rows = plain["Answers of parts of the data, as differences from the whole"].rows
+    assert [row[0] for row in rows[-3:]] == [
+        "Without target T1", "Without target T2", "First half less second half",
+    ]  # fmt: skip
+    assert rows[-3][-1] == "no answer"
+    words = _words(document_of(sample_content(project), {}), "Cross-checks")
+    assert "Without target T1: All targets left face the same way." in words
+    assert "The spread by targets needs three of them" in words
+    sigma = np.array([-0.2, 4.1, 1.0])
+    odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
+    wide = replace(
+        checks,
+        parts=(checks.parts[0], odd, *checks.parts[2:]),
+        spread_lines=checks.sigma * [1.0, 2.5, 1.9],
+    )
+    content = sample_content(replace(project, cross_checks=wide))
+    assert "without line L2 (pitch +0.0512\u00a0deg, 4.1\u00a0of its sigmas)" in _caution(
+        content, "cross_check"
+    )
+    assert "2.5\u00a0times as widely in pitch" in _caution(content, "spread")
+
+
+def test_failed_chi_square_is_serious_in_thesis_mode_alone(
+    project: Project, changed: Changed
+) -> None:
+    test = replace(_result(project).chi_square, statistic=1e6)
+    for model, severity in (("correlated", "caution"), ("independent", "serious")):
+        content = changed(chi_square=test, model=StochasticModel(model))  # type: ignore[arg-type]
+        assert [c.severity for c in content.cautions if c.code == "chi_square_high"] == [severity]
+
+
+def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
+    first, second = _result(project).targets
+    ball = replace(second, sphere=True, plane=np.array([1.0, 2.0, 3.0, 0.1004]))
+    content = changed(targets=(first, ball))
+    targets = tuple(
+        replace(target, shape="sphere", sphere_radius=0.1) if target.name == "T2" else target
+        for target in project.targets
+    )
+    picked = sample_content(replace(project, targets=targets))
+    shown = _tables(document_of(content, {}))[
+        "Fit of each target, all lines together, to one surface"
+    ]
+    assert shown.rows[1][1] == "sphere, radius\u00a0100.4\u00a0mm"
+    shown = _tables(document_of(picked, {}))[
+        "Targets and validation planes as picked (seed in the local frame)"
+    ]
+    assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
+
+
+def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p", model="independent")
+    content = sample_content(replace(project, cross_checks=None))
+    document = document_of(content, {})
+    assert "not tested by the model used" in _words(document, "Reliability of the sightings")
+    assert "Roll hangs on no line." in _words(document, "Boresight and its uncertainty")
+    assert "No part of the data" in _words(document, "Cross-checks")
+    data = json.loads(json_text(content))
+    assert data["adjustment"]["reliability"] == []
+    assert data["cross_checks"] is None
+    assert data["settings"]["surface_sigma_m"] is None
+    write_pdf(content, tmp_path / "thesis.pdf", {})
+
+
+def test_no_result_has_no_sections_on_checks(project: Project) -> None:
+    content = sample_content(replace(project, result=None, cross_checks=None))
+    titles = {section.title for section in document_of(content, {}).sections}
+    assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
+    assert _settings(content)["Surface sigma"].startswith("to be found from the data")
+
+
+def test_pos_error_figure_marks_what_lies_beyond_the_prior(
+    changed: Changed, project: Project
+) -> None:
+    first, *rest = _result(project).reliability
+    error = np.array([0.03, 0, 0, 0, 0, 0])
+    checks = changed(reliability=(replace(first, pos_error=error), *rest)).adjustment
+    assert checks is not None
+    (figure,) = figures.pos_error_figures_of(checks.reliability)
+    assert [axes.get_title() for axes in figure.axes] == list(figures.POS_COMPONENTS)
+    red = [line for line in figure.axes[0].lines if line.get_color() == "#bb2222"]
+    assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(30.0)]]
+    assert len(figures.pos_error_figures_of(checks.reliability * 5)) == 3

@@ -1,0 +1,216 @@
+"""Spheres in the adjustment and through the whole program: closed loops, noise, picks, files."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
+from lispac.cli.main import main
+from lispac.errors import ProjectError, SphereNotFound
+from lispac.geometry.spheres import share_seen
+from lispac.io.project_file import FILE_NAME
+from lispac.project import Project
+from lispac.simulation.closed_form import BOARDS, Ball, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting
+from lispac.workflow import calibration, picking
+from lispac.workflow.projects import open_project, save_project
+from tests.ball_survey import BALLS, BORESIGHT_DEG, NAMES, BallSurvey, make_ball_survey
+
+LEVER_ARM = np.array([-0.2, 0.04, 2.4])
+TRUTH = Mounting(LEVER_ARM, np.radians([2.0, 2.0, 2.0]))
+PLACES = ((0.0, 15.0, 5.0), (1.5, 12.0, 3.0), (-1.5, 20.0, 7.0))
+
+
+def three_balls(known):
+    return [Ball(f"S{k + 1}", place, 0.1, known) for k, place in enumerate(PLACES)]
+
+
+def prior(angle_deg):
+    return Mounting(LEVER_ARM, np.radians(np.full(3, angle_deg)))
+
+
+# -- in closed form --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("scanner", [(0.0, 0.0, 2.0), (-15.0, 15.0, 30.0)])
+def test_the_cap_of_a_ball_faces_the_scanner(scanner):
+    ball = Ball("S1", PLACES[0], 0.2)
+    points = ball.points(0.004, np.random.default_rng(0), np.array(scanner))
+    towards = np.array(scanner) - ball.centre
+    from_centre = points - ball.centre
+    np.testing.assert_allclose(np.linalg.norm(from_centre, axis=1), 0.2, atol=1e-12)
+    cosine = from_centre @ towards / (0.2 * np.linalg.norm(towards))
+    assert cosine.min() == pytest.approx(np.cos(np.radians(80.0)), abs=0.02)
+    assert cosine.max() > 0.999
+
+
+@pytest.mark.parametrize("model", POS_ERRORS)
+@pytest.mark.parametrize(
+    ("known", "with_board", "start_deg"),
+    # Without the radius a ball of 0.1 m and the first guess, 0.7 m off with all angles at zero,
+    # have little to do with each other; a board beside it then needs a prior within some tenths.
+    [(True, False, 0.0), (False, False, 0.0), (True, True, 0.0), (False, True, 1.7)],
+)
+def test_closed_loop_without_noise(model, known, with_board, start_deg):
+    targets = [*three_balls(known), *(BOARDS[1:] if with_board else ())]
+    exact = exact_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(1))
+    assert set(exact.radii.values()) == {0.1 if known else None}
+    result = adjust(exact, prior(start_deg), StochasticModel(model))
+    np.testing.assert_allclose(np.degrees(result.boresight), 2.0, rtol=0, atol=1e-6)
+    for found, place in zip(result.targets, PLACES, strict=False):
+        np.testing.assert_allclose(found.plane, [*place, 0.1], atol=1e-8)
+        assert found.sphere
+    assert result.rms_after < 1e-9
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize(
+    ("known", "with_board", "start_deg"),
+    [(True, False, 0.0), (True, True, 0.0), (False, True, 1.95)],  # near, as above
+)
+def test_error_is_within_the_stated_sigma(seed, known, with_board, start_deg):
+    """POS errors drift and the LiDAR is noisy, as the model says."""
+    targets = [*three_balls(known), *(BOARDS[1:] if with_board else ())]
+    exact = exact_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(seed))
+    noisy = observed(exact, HYDROGRAPHIC_INS, np.random.default_rng(100 + seed))
+    result = adjust(noisy, prior(start_deg), StochasticModel())
+    error = result.boresight - TRUTH.boresight
+    assert (np.abs(error) < 4.0 * result.sigma).all(), error / result.sigma
+    assert np.degrees(result.sigma).max() < 0.05
+    assert np.abs(error).max() > 0.0
+
+
+# -- from a seed to a saved project ----------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def balls(tmp_path_factory) -> BallSurvey:
+    return make_ball_survey(tmp_path_factory.mktemp("balls"))
+
+
+@pytest.fixture(scope="module")
+def picked(balls) -> Project:
+    """Three balls, the radius of the second not known, and the board."""
+    project = balls.project
+    for name, radius in (("S1", 0.15), ("S2", None), ("S3", 0.2)):
+        project = picking.pick(
+            project, balls.survey, balls.seed(name), name=name, shape="sphere", sphere_radius=radius
+        )
+    return picking.pick(project, balls.survey, balls.seed("board"), name="T1")
+
+
+def test_a_ball_is_picked_in_every_line(balls, picked):
+    for name, (_, radius) in BALLS.items():
+        target = picked.target(name)
+        assert target.shape == "sphere"
+        assert target.threshold == 0.03
+        assert {s.line for s in target.sightings} == set(balls.survey.lines), target.missing
+        spheres = picking.spheres_of(target, balls.survey)
+        for sighting in target.sightings:
+            on = balls.labels[sighting.line] == NAMES.index(name)
+            assert on[sighting.indices].all()
+            assert len(sighting.indices) > 0.85 * np.count_nonzero(on)
+            patch = spheres[sighting.line]
+            assert patch.sphere.radius == pytest.approx(radius, abs=0.003)
+            points = balls.survey.clouds[sighting.line][sighting.indices]
+            assert patch.share == share_seen(patch.sphere, points)
+
+
+@pytest.mark.parametrize("board", [False, True])
+def test_balls_give_the_boresight_and_survive_saving(balls, picked, board):
+    project = picked if board else picked.without_target("T1")
+    project = calibration.estimate(project, balls.survey, reselections=1, cross_check=False)
+    assert project.result is not None
+    error = np.degrees(project.result.boresight) - BORESIGHT_DEG
+    assert (np.abs(error) < 4.0 * np.degrees(project.result.sigma)).all(), error
+    assert np.abs(error).max() < 0.01
+    found = {target.target: target for target in project.result.targets}
+    for name, (centre, radius) in BALLS.items():
+        np.testing.assert_allclose(found[name].plane, [*centre, radius], atol=0.001)
+    assert [t.sphere for t in project.result.targets] == [True] * 3 + [False] * board
+    save_project(project)
+    again = open_project(project.folder)
+    for ours, theirs in zip(project.targets, again.targets, strict=True):
+        assert (theirs.shape, theirs.sphere_radius) == (ours.shape, ours.sphere_radius)
+    assert again.result is not None
+    np.testing.assert_array_equal(again.result.boresight, project.result.boresight)
+    observations = calibration.observations_of(again, balls.survey)
+    assert observations.radii == {"S1": 0.15, "S2": None, "S3": 0.2}
+
+
+def test_one_line_can_have_a_seed_of_its_own(balls, picked):
+    target = picked.target("S1")
+    lost = replace(
+        target,
+        sightings=tuple(s for s in target.sightings if s.line != "L3"),
+        missing={"L3": "not found"},
+    )
+    project = picked.with_target(lost)
+    how = {"name": "S1", "line": "L3", "shape": "sphere"}
+    seed = balls.seed("S1", "L3")
+    found = picking.find(project, balls.survey, seed, sphere_radius=0.15, **how)
+    assert [s.line for s in found.sightings] == list(balls.survey.lines)
+    assert found.missing == {}
+    with pytest.raises(ProjectError, match=r"S1 has a radius of 0\.15 m; pick it with the same"):
+        picking.find(project, balls.survey, seed, **how)
+    with pytest.raises(ProjectError, match="S1 is a sphere already; pick it in the same shape"):
+        picking.find(project, balls.survey, seed, name="S1", line="L3")
+
+
+def test_a_wall_is_no_ball(balls):
+    with pytest.raises(SphereNotFound):
+        picking.pick(balls.project, balls.survey, balls.seed("wall"), name="S9", shape="sphere")
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ({"shape": "sphere", "role": "validation"}, "compared on planes only"),
+        ({"shape": "plane", "sphere_radius": 0.1}, "only a sphere has a radius"),
+        ({"shape": "sphere", "sphere_radius": 0.0}, "radius above 0 m"),
+        ({"shape": "sphere", "sphere_radius": float("nan")}, "radius above 0 m"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(balls, asked, said):
+    with pytest.raises(ProjectError, match=said):
+        picking.pick(balls.project, balls.survey, balls.seed("S1"), name="S1", **asked)
+
+
+@pytest.mark.parametrize("wrong", [-0.1, 0.0, "plane"])
+def test_a_project_edited_by_hand_is_checked(balls, picked, wrong):
+    save_project(picked)
+    path = balls.project.folder / FILE_NAME
+    content = json.loads(path.read_text())
+    content["targets"][0]["shape" if wrong == "plane" else "sphere_radius"] = wrong
+    path.write_text(json.dumps(content))
+    with pytest.raises(ProjectError, match="S1"):
+        open_project(balls.project.folder)
+
+
+def test_the_command_line_picks_balls(balls, capsys):
+    save_project(balls.project)
+    words = ["pick", str(balls.project.folder), "--seed", *map(str, balls.seed("S1"))]
+    words += ["--name", "S1"]
+    assert main([*words, "--shape", "sphere", "--sphere-radius", "0.15", "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert (said["shape"], said["sphere_radius_m"]) == ("sphere", 0.15)
+    assert set(said["lines"]) == set(balls.survey.lines)
+    for line in said["lines"].values():
+        # Placed without a boresight, so a degree of error at 15 m
+        assert np.linalg.norm(np.array(line["centre_m"]) - BALLS["S1"][0]) < 0.5
+        assert line["sphere_radius_m"] == 0.15
+        assert 0.3 < line["share_seen"] < 0.5
+    assert main([*words, "--shape", "sphere"]) == 0
+    out = capsys.readouterr().out
+    assert "centre" in out
+    assert "(found)" in out
+    assert "% of the surface seen" in out
+    assert open_project(balls.project.folder).target("S1").sphere_radius is None
+    assert main([*words, "--sphere-radius", "0.1"]) == 2
+    assert "--shape sphere" in capsys.readouterr().err
+    assert main([*words, "--shape", "sphere", "--role", "validation"]) == 1
+    assert "compared on planes only" in capsys.readouterr().err
