@@ -9,8 +9,8 @@ import scipy.stats
 
 from lispac.adjustment.conditions import CALIBRATION, POSE, SHAPE, linearise
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.solver import adjust
 from lispac.adjustment.robust import Loss
+from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import KNOT_INTERVAL, PosErrorKnots, StochasticModel
 from lispac.adjustment.sums import State, Weights, grouped, sum_by_group
 from lispac.errors import AdjustmentError, Cancelled, RankDeficient

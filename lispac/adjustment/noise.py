@@ -62,10 +62,14 @@ def noise_factors(
 
 
 def _design_effect(residuals: Array, blocks: NDArray[np.int64]) -> float:
-    """Variance of sums over blocks against that of independent residuals, at least 1."""
+    """Variance of sums over blocks against that of independent residuals.
+
+    1 where no more than chance explains it.
+    """
     counts = np.bincount(blocks)
     sums = np.bincount(blocks, residuals)[counts > 0]
     square = float(np.mean(residuals**2))
     if square == 0:
         return 1.0
-    return max(1.0, float(np.mean(sums**2 / counts[counts > 0])) / square)
+    effect = float(np.mean(sums**2 / counts[counts > 0])) / square
+    return effect if effect > 1 + 2 * np.sqrt(2 / len(sums)) else 1.0

@@ -51,7 +51,8 @@ class Estimate:
     prior, prior_sigma : float, None
         What went in.
     significance : float or None
-        Change from the prior over its standard deviation.
+        How far off the prior the data alone want the value, in standard deviations of theirs; the
+        parameter earns its place beyond 2.
     reason : str
         Why there is no number, in words; empty where there is one.
     """

@@ -122,8 +122,9 @@ def _estimates(
         prior = float(problem.prior.values[parameter.index])
         value = float(state.mounting.values[parameter.index])
         sigma = float(np.sqrt(covariance[k, k]))
-        # A change from a known value has the smaller variance of the two
-        spread = sigma if parameter.sigma is None else np.sqrt(parameter.sigma**2 - sigma**2)
+        # Whether the data alone want another value than the one that was stated
+        told = sigma**-2 - (0.0 if parameter.sigma is None else parameter.sigma**-2)
+        spread = sigma**2 * np.sqrt(max(told, 0.0))
         found.append(
             Estimate(
                 parameter.name, prior, parameter.sigma, value, sigma,

@@ -1,4 +1,4 @@
-"""What is computed from a project: counts, the boresight, the comparison, and what is exported."""
+"""What is computed from a project: counts, the comparison, placed lines, and what is exported."""
 
 import tempfile
 from collections.abc import Mapping
@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from lispac.adjustment.stochastic import PosErrors
+from lispac.errors import AdjustmentError
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
@@ -21,11 +21,18 @@ from lispac.workflow.survey import Survey
 
 @dataclass(frozen=True)
 class PointCount:
-    """Points a subsampling distance keeps; ``kept`` is None while they are counted."""
+    """Points a subsampling distance keeps.
+
+    Attributes
+    ----------
+    kept : None while they are counted, and where they cannot be
+    reason : why they cannot be counted, in words
+    """
 
     kept: int | None
     total: int
     sightings: int
+    reason: str = ""
 
 
 class Computing(QObject):
@@ -64,49 +71,25 @@ class Computing(QObject):
             return
         self._stale_count = True
         self.counted.emit(PointCount(None, total, len(sightings)))
-        if self._runner.busy:
+        if self._runner.busy or self._document.awaits_result:
             return  # counted when the runner is idle
 
-        def work(_progress: Progress) -> int:
+        def work(_progress: Progress) -> int | str:
             from lispac.workflow.calibration import count_of
 
-            return count_of(project, survey, replace(project.settings, subsample=subsample))
+            try:
+                return count_of(project, survey, replace(project.settings, subsample=subsample))
+            except AdjustmentError as error:
+                return str(error)
 
-        def done(kept: int) -> None:
+        def done(kept: int | str) -> None:
             self._stale_count = False
-            self.counted.emit(PointCount(kept, total, len(sightings)))
+            if isinstance(kept, str):
+                self.counted.emit(PointCount(None, total, len(sightings), kept))
+            else:
+                self.counted.emit(PointCount(kept, total, len(sightings)))
 
         self._runner.run("Counting points", work, done, quiet=True, key="count")
-
-    def estimate(self, subsample: float, pos_errors: PosErrors) -> None:
-        """Adjust the boresight, then show the lines placed with it."""
-        project, survey = self._ready()
-        if project is None or survey is None:
-            return
-
-        def work(progress: Progress) -> tuple[Project, Mapping[str, Array]]:
-            from lispac.workflow.calibration import estimate
-
-            settings = replace(project.settings, subsample=subsample, pos_errors=pos_errors)
-            done = estimate(project, survey, settings=settings, progress=progress)
-            progress(1.0, "Placing the lines with the estimated boresight")
-            return done, survey.placed(done, "estimated", progress=progress)
-
-        def done(value: tuple[Project, Mapping[str, Array]]) -> None:
-            estimated, clouds = value
-            if estimated.result is None or self._document.project is not project:
-                return
-            self._scene.keep_estimated(estimated.result, clouds)
-            self._document.edit("estimate", estimated)
-            self._scene.show("estimated")
-            result = estimated.result
-            self._controller.noted.emit(
-                f"Estimated on {result.points:,} points in {result.elapsed:.2f} s; "
-                f"RMS {result.rms_before * 1000:.1f} → {result.rms_after * 1000:.1f} mm"
-            )
-
-        task = self._runner.run("Estimating the boresight", work, done, key="estimate")
-        self._controller.based_on_project(task)
 
     def validate(self) -> None:
         """Compare the lines on the validation planes."""

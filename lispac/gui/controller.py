@@ -14,7 +14,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.progress import Progress, part
-from lispac.project import Project, Role, Settings, Target
+from lispac.project import Project, Role, Settings, Shape, Target
 from lispac.workflow.survey import Survey, load_survey
 
 Opened = tuple[Project, Survey]
@@ -154,10 +154,13 @@ class Controller(QObject):
         selected: str | None,
         threshold: float | None,
         radius: float | None,
+        shape: Shape = "plane",
+        sphere_radius: float | None = None,
     ) -> None:
-        """Find the plane under a click and offer it.
+        """Find the target under a click and offer it.
 
-        With ``line`` it is sought there only, for the ``selected`` target where there is one.
+        With ``line`` it is sought there only, for the ``selected`` target where there is one, in
+        that target's role and shape.
         """
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None:
@@ -169,14 +172,17 @@ class Controller(QObject):
 
         name = picking.next_name(project, role)
         if line is not None and selected is not None:
-            name, role = selected, project.target(selected).role
+            known = project.target(selected)
+            name, role = selected, known.role
+            shape, sphere_radius = known.shape, known.sphere_radius
 
         position = self._scene.prior_position(point)
 
         def work(progress: Progress) -> Target:
             return picking.find(
-                project, survey, position, name=name, role=role, line=line,
-                first_line=point.line, threshold=threshold, radius=radius, progress=progress,
+                project, survey, position, name=name, role=role, shape=shape,
+                sphere_radius=sphere_radius, line=line, first_line=point.line,
+                threshold=threshold, radius=radius, progress=progress,
             )  # fmt: skip
 
         task = self._runner.run(f"Seeking {name} on {line or 'every line'}", work, self._found)

@@ -1,4 +1,4 @@
-"""The life of a project in the window: new, open, recent, export, and the question on leaving."""
+"""The life of a project in the window: what is asked before it is opened, computed or left."""
 
 from pathlib import Path
 
@@ -9,7 +9,9 @@ from lispac.gui.computing import Computing
 from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
+from lispac.gui.estimating import Estimating
 from lispac.gui.settings import AppSettings
+from lispac.project import Settings
 
 
 class ProjectLife(QObject):
@@ -20,11 +22,13 @@ class ProjectLife(QObject):
         document: Document,
         controller: Controller,
         computing: Computing,
+        estimating: Estimating,
         dialogs: Dialogs,
         settings: AppSettings,
     ) -> None:
         super().__init__(controller)
         self._document, self._controller, self._computing = document, controller, computing
+        self._estimating = estimating
         self._dialogs, self._settings = dialogs, settings
 
     def may_leave(self) -> bool:
@@ -73,6 +77,19 @@ class ProjectLife(QObject):
         else:
             menu.addSeparator()
             menu.addAction("Forget these").triggered.connect(self._settings.forget_recent)
+
+    def estimate(self, settings: Settings, cross_check: bool) -> None:
+        """Adjust the boresight; asks where a plane was found and not yet accepted."""
+        candidate = self._controller.candidate
+        if candidate is not None:
+            answer = self._dialogs.candidate_waits(candidate.name)
+            if answer == "cancel":
+                return
+            if answer == "accept":
+                self._controller.accept()
+            else:
+                self._controller.reject()
+        self._estimating.estimate(settings, cross_check)
 
     def export_report(self) -> None:
         """Ask where the report goes, and write it."""

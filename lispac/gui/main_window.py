@@ -12,11 +12,14 @@ from lispac.gui.computing import Computing, PointCount
 from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
+from lispac.gui.estimating import Estimating
 from lispac.gui.life import ProjectLife
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import TITLE as CONVENTION
 from lispac.gui.panels.convention import ConventionPanel
 from lispac.gui.panels.data import DataPanel
+from lispac.gui.panels.diagnostics import TITLE as DIAGNOSTICS
+from lispac.gui.panels.diagnostics import DiagnosticsPanel
 from lispac.gui.panels.histograms import HistogramsPanel
 from lispac.gui.panels.log import LogPanel
 from lispac.gui.panels.report import ReportPanel
@@ -30,6 +33,8 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import PickedPoint, Viewport
+from lispac.project import Project
+from lispac.workflow.survey import Survey
 
 Area = Qt.DockWidgetArea
 NOTE_MS = 6000
@@ -66,9 +71,11 @@ class MainWindow(QMainWindow):
         self.computing = Computing(
             self.document, self.runner, self.scene, self.controller, viewport
         )
+        self.estimating = Estimating(self.document, self.runner, self.scene, self.controller)
         self.life = ProjectLife(
-            self.document, self.controller, self.computing, self.dialogs, self.settings
-        )
+            self.document, self.controller, self.computing, self.estimating, self.dialogs,
+            self.settings,
+        )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self._build()
         self._join_panels()
@@ -88,6 +95,7 @@ class MainWindow(QMainWindow):
         self.results, self.log = ResultsPanel(), LogPanel()
         self.convention = ConventionPanel()
         self.table, self.histograms = SightingsTable(), HistogramsPanel()
+        self.diagnostics = DiagnosticsPanel()
         self.setCentralWidget(self.viewport.widget)
         self.centralWidget().setMinimumSize(240, 180)
         self.task_bar = TaskBar()
@@ -102,13 +110,15 @@ class MainWindow(QMainWindow):
             "Targets by lines": self._dock(
                 "Targets by lines", self.table, Area.BottomDockWidgetArea
             ),
+            DIAGNOSTICS: self._dock(DIAGNOSTICS, self.diagnostics, Area.BottomDockWidgetArea),
             "Histograms": self._dock("Histograms", self.histograms, Area.BottomDockWidgetArea),
             "Log": self._dock("Log", self.log, Area.BottomDockWidgetArea),
         }
         self.docks = docks
         self.setTabPosition(Area.BottomDockWidgetArea, QTabWidget.TabPosition.North)
         self.setTabPosition(Area.RightDockWidgetArea, QTabWidget.TabPosition.North)
-        self.tabifyDockWidget(docks["Targets by lines"], docks["Histograms"])
+        self.tabifyDockWidget(docks["Targets by lines"], docks[DIAGNOSTICS])
+        self.tabifyDockWidget(docks[DIAGNOSTICS], docks["Histograms"])
         self.tabifyDockWidget(docks["Histograms"], docks["Log"])
         self.tabifyDockWidget(docks["Results"], docks[CONVENTION])
         self.layout().setEnabled(True)
@@ -165,9 +175,11 @@ class MainWindow(QMainWindow):
         self.table.sighting_selected.connect(self._select)
         self.table.sightings.target_used.connect(control.use_target)
         self.table.sightings.sighting_used.connect(control.use_sighting)
+        self.table.sightings.line_used.connect(control.use_line)
+        self.diagnostics.followed.connect(self._select)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computing.count)
-        self.adjust.estimate_asked.connect(self.computing.estimate)
+        self.adjust.estimate_asked.connect(self.life.estimate)
         self.adjust.cancel_asked.connect(self.runner.cancel)
         self.validate.validate_asked.connect(self.computing.validate)
         self.validate.shown_changed.connect(self.computing.show)
@@ -224,6 +236,7 @@ class MainWindow(QMainWindow):
         self.computing.counted.connect(self._show_count)
         self.computing.validated.connect(self.docks["Histograms"].raise_)
         self.scene.which_changed.connect(self._show_which)
+        self.scene.placing_wanted.connect(lambda: self.computing.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._seeded)
         self.viewport.signals.missed.connect(
             lambda: self._note("No point there: Ctrl+click right on a target")
@@ -232,9 +245,8 @@ class MainWindow(QMainWindow):
     # -- what is shown -----------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        project = self.document.project
-        survey = self.document.survey if self.document.survey_is_current else None
-        statuses = status.steps(project, survey)
+        project, survey, statuses = self._state()
+        waiting = self.document.awaits_result
         busy = self.runner.busy
         self.workflow.show_status(statuses)
         self.data.show_project(project, survey)
@@ -243,11 +255,20 @@ class MainWindow(QMainWindow):
         self.validate.show_project(project, statuses[VALIDATE], busy)
         self.report.show_status(statuses[REPORT], survey is not None, busy)
         self.table.show_project(project, survey)
-        self.results.show_project(project)
+        self.results.show_project(project, waiting=waiting, refusal=self.document.refusal)
+        self.diagnostics.show_project(project, waiting=waiting)
         self.convention.show_project(project)
         self.histograms.show_project(project)
         self._enable(statuses, busy)
         self._name_window()
+
+    def _state(self) -> tuple[Project | None, Survey | None, tuple[status.StepStatus, ...]]:
+        document = self.document
+        survey = document.survey if document.survey_is_current else None
+        statuses = status.steps(
+            document.project, survey, waiting=document.awaits_result, refusal=document.refusal
+        )
+        return document.project, survey, statuses
 
     def _enable(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
         project, actions = self.document.project, self.actions_
@@ -277,11 +298,10 @@ class MainWindow(QMainWindow):
         self.task_bar.show_task(task)
         estimating = task if task is not None and task.key == "estimate" else None
         self.adjust.show_task(estimating)
-        survey = self.document.survey if self.document.survey_is_current else None
-        statuses = status.steps(self.document.project, survey)
+        project, survey, statuses = self._state()
         busy = self.runner.busy
-        self.adjust.show_project(self.document.project, statuses[ADJUST], busy)
-        self.validate.show_project(self.document.project, statuses[VALIDATE], busy)
+        self.adjust.show_project(project, statuses[ADJUST], busy)
+        self.validate.show_project(project, statuses[VALIDATE], busy)
         self.report.show_status(statuses[REPORT], survey is not None, busy)
         self._enable(statuses, busy)
 
@@ -297,7 +317,7 @@ class MainWindow(QMainWindow):
             self.actions_[name].setEnabled(candidate is not None)
 
     def _show_count(self, count: PointCount) -> None:
-        self.adjust.show_count(count.kept, count.total, count.sightings)
+        self.adjust.show_count(count.kept, count.total, count.sightings, count.reason)
 
     def _count(self) -> None:
         self.computing.count(self.adjust.subsample)
@@ -343,13 +363,15 @@ class MainWindow(QMainWindow):
         targets = self.targets
         self.controller.seed(
             point, role=targets.role, line=targets.line, selected=targets.current,
-            threshold=targets.threshold, radius=targets.radius,
+            threshold=targets.threshold, radius=targets.radius, shape=targets.shape,
+            sphere_radius=targets.sphere_radius,
         )  # fmt: skip
 
     def _select(self, name: str, line: str) -> None:
         self.scene.look_at(name, line)
         self.targets.select(name)
         self.table.select(name)
+        self.diagnostics.select(name, line)
         self.histograms.select(name)
 
     def _toggle(self) -> None:
@@ -369,6 +391,7 @@ class MainWindow(QMainWindow):
         self.settings.keep_layout(self.saveGeometry(), self.saveState())
         self.settings.sync()
         self.adjust.stop()
+        self.estimating.stop()
         self.runner.close()
         self.viewport.close()
         event.accept()

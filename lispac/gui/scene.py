@@ -55,7 +55,7 @@ class Scene(QObject):
         )
 
     def prior_position(self, point: PickedPoint) -> Triple:
-        """Where a clicked point lies with the prior boresight, in which planes are sought."""
+        """Where a clicked point lies with the prior boresight, in which targets are sought."""
         survey = self._document.survey
         if survey is None or self.which == "prior":
             return point.position
@@ -79,7 +79,7 @@ class Scene(QObject):
         self.which_changed.emit(self.which)
 
     def show_candidate(self, candidate: Target | None) -> None:
-        """Show a plane just found beside the others."""
+        """Show a target just found beside the others."""
         self.candidate = candidate
         self._draw_targets()
         self._viewport.select(None if candidate is None else (candidate.name, ""))
@@ -122,7 +122,7 @@ class Scene(QObject):
             elif not self._document.awaits_result:
                 self.which = "prior"
                 self.which_changed.emit(self.which)
-        if self.clouds is not self._drawn:
+        if self._document.survey is not None and self.clouds is not self._drawn:
             self._draw_clouds()
         self._draw_targets()
 

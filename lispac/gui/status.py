@@ -38,8 +38,20 @@ def point_count(number: int) -> str:
     return f"{number / 1e6:.1f} M points" if number >= 1_000_000 else counted(number, "point")
 
 
-def steps(project: Project | None, survey: Survey | None) -> tuple[StepStatus, ...]:
-    """Status of the five steps in order; ``survey`` is None while data are not loaded."""
+def steps(
+    project: Project | None, survey: Survey | None, *, waiting: bool = False, refusal: str = ""
+) -> tuple[StepStatus, ...]:
+    """Status of the five steps in order.
+
+    Parameters
+    ----------
+    survey : Survey or None
+        None while data are not loaded.
+    waiting : bool
+        Whether a result is to follow from the last edit by itself.
+    refusal : str
+        Why none follows, in words.
+    """
     if project is None:
         nothing = StepStatus("empty", "no project", "Open or make a project first.")
         first = StepStatus(
@@ -51,7 +63,7 @@ def steps(project: Project | None, survey: Survey | None) -> tuple[StepStatus, .
     return (
         _data(project, survey),
         _targets(project, survey),
-        _adjust(project, survey),
+        _adjust(project, survey, waiting, refusal),
         _validate(project, survey),
         _report(project, survey),
     )
@@ -106,7 +118,7 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
     return StepStatus("done", sentence, advice, ready=True)
 
 
-def _adjust(project: Project, survey: Survey | None) -> StepStatus:
+def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str) -> StepStatus:
     used = [target for target in project.of_role("target") if target.used]
     ready = survey is not None and bool(used)
     if project.result is not None:
@@ -120,6 +132,10 @@ def _adjust(project: Project, survey: Survey | None) -> StepStatus:
             else "The residuals do not match the stated sigmas: see the test on the right.",
             ready=ready,
         )
+    if refusal:
+        return StepStatus("warning", "not estimated", refusal, ready=ready)
+    if waiting:
+        return StepStatus("todo", "estimating again", "The result follows at once.", ready=ready)
     if not ready:
         return StepStatus("empty", "pick targets first", "Pick at least two targets first.")
     return StepStatus("todo", "ready to estimate", "Press Estimate.", ready=True)

@@ -30,6 +30,7 @@ class Task:
     done : takes the value; runs on the GUI thread
     quiet : nobody waits for it, and it gives way to work that somebody waits for
     key : a later quiet task of the same key takes its place
+    gave_way : it was cancelled for other work, not because the user wanted it to stop
     """
 
     title: str
@@ -37,6 +38,7 @@ class Task:
     done: Callable[[Any], None]
     quiet: bool = False
     key: str = ""
+    gave_way: bool = False
     cancel: threading.Event = field(default_factory=threading.Event)
     fraction: float = 0.0
     message: str = ""
@@ -110,6 +112,7 @@ class TaskRunner(QObject):
             replaced = key and other.key == key
             gives_way = other.quiet and not quiet
             if replaced or gives_way:
+                other.gave_way = True
                 other.cancel.set()
         self._waiting = [other for other in self._waiting if not other.cancel.is_set()]
         self._waiting.append(task)

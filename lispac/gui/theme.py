@@ -150,8 +150,11 @@ QPushButton[step="true"]:focus {{ border: 1px solid {ACCENT}; }}
 QLabel[role="muted"] {{ color: {MUTED}; }}
 QLabel[role="heading"] {{ font-weight: 600; }}
 QLabel[role="error"] {{ color: {ERROR}; }}
+QLabel[role="warning"] {{ color: #6d3703; background: #fdf1e3; border: 1px solid #eccfa6;
+    border-radius: 5px; padding: 7px 9px; }}
 QLabel[role="hint"] {{ color: #123f72; background: #e9f1fa; border: 1px solid #cfe0f2;
     border-radius: 5px; padding: 7px 9px; }}
+QLineEdit[wrong="true"] {{ background: #fdeceb; border: 1px solid {ERROR}; border-radius: 2px; }}
 QFrame[role="candidate"] {{ background: #fff8df; border: 1px solid #e6c65c; border-radius: 5px; }}
 QTableView, QListView {{ border: 1px solid {BORDER}; gridline-color: #e6eaee;
     selection-background-color: #d6e4f4; selection-color: {TEXT}; }}

@@ -10,6 +10,8 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
 from lispac.gui.viewport.recording import RecordingViewport
+from lispac.project import Project
+from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds, make_demo
 from lispac.workflow.picking import pick
 from lispac.workflow.survey import load_survey
@@ -28,6 +30,12 @@ def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
         role, seed = demo_seeds()[name]
         picked = pick(picked, survey, seed, name=name, role=role)
     return Demo(project, picked, survey)
+
+
+@pytest.fixture(scope="session")
+def estimated(demo: Demo) -> Project:
+    """The picked demo survey with its boresight, cross-checks and all."""
+    return estimate(demo.picked, demo.survey)
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.new_project import NewProjectRequest
-from lispac.gui.dialogs.service import Answer, Dialogs
+from lispac.gui.dialogs.service import Answer, CandidateAnswer, Dialogs
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint, Viewport
@@ -30,6 +30,7 @@ class ScriptedDialogs(Dialogs):
         self.path: Path | None = None
         self.request: NewProjectRequest | None = None
         self.answer: Answer = "discard"
+        self.about_candidate: CandidateAnswer = "cancel"
         self.asked: list[str] = []
         self.errors: list[BaseException] = []
 
@@ -48,6 +49,10 @@ class ScriptedDialogs(Dialogs):
     def save_changes(self, name: str) -> Answer:
         self.asked.append(name)
         return self.answer
+
+    def candidate_waits(self, name: str) -> CandidateAnswer:
+        self.asked.append(name)
+        return self.about_candidate
 
     def show_error(self, error: BaseException) -> None:
         self.errors.append(error)
@@ -105,6 +110,28 @@ def click(driver: Driver, widget: QWidget) -> None:
     assert widget.isVisible()
     assert widget.isEnabled()
     driver.bot.mouseClick(widget, Left)
+
+
+def double_click(driver: Driver, table: QTableView, row: int, column: int = 0) -> None:
+    """Two clicks and a double click, as a mouse makes them."""
+    table.scrollTo(table.model().index(row, column))
+    place = table.visualRect(table.model().index(row, column)).center()
+    driver.bot.mouseClick(table.viewport(), Left, pos=place)
+    driver.bot.mouseDClick(table.viewport(), Left, pos=place)
+
+
+def type_into(driver: Driver, field: QWidget, text: str) -> None:
+    """Replace what stands in a field by keys."""
+    field.setFocus()
+    field.selectAll()
+    driver.bot.keyClick(field, Key.Key_Delete)
+    driver.bot.keyClicks(field, text)
+
+
+def settle(driver: Driver) -> None:
+    """Wait for what follows from a click by itself."""
+    driver.bot.waitUntil(lambda: not driver.window.document.awaits_result, timeout=WAIT_MS)
+    driver.rest()
 
 
 def click_check(driver: Driver, table: QTableView, index: QModelIndex) -> None:

@@ -158,7 +158,7 @@ def test_a_sighting_is_left_out_by_its_check_box(picked: Driver):
     click_check(picked, table, table.sightings.index(0, 2))
     line = picked.project.lines[1].name
     assert not picked.project.target("T1").sighting(line).used
-    assert picked.window.targets.table.item(0, 2).text() == "5 of 6"
+    assert picked.window.targets.table.item(0, 3).text() == "5 of 6"
     click_check(picked, table, table.sightings.index(1, 0))
     assert not picked.project.target("T2").used
     assert "1 target in 5 lines" in sentence(picked, 1)

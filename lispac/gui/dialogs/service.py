@@ -13,6 +13,7 @@ from lispac.gui.dialogs.error import error_box
 from lispac.gui.dialogs.new_project import NewProjectDialog, NewProjectRequest
 
 Answer = Literal["save", "discard", "cancel"]
+CandidateAnswer = Literal["accept", "reject", "cancel"]
 
 REPORT_FILTER = "PDF (*.pdf);;HTML (*.html);;Numbers as JSON (*.json)"
 
@@ -74,6 +75,24 @@ class Dialogs:
         if chosen == buttons.Save:
             return "save"
         return "discard" if chosen == buttons.Discard else "cancel"
+
+    def candidate_waits(self, name: str) -> CandidateAnswer:
+        """What to do with a plane that was found and not yet accepted, before estimating."""
+        box = QMessageBox(
+            QMessageBox.Icon.Question, "LISPAC", f"{name} was found and is not accepted yet.",
+            QMessageBox.StandardButton.Cancel, self.parent,
+        )  # fmt: skip
+        box.setObjectName("candidate_dialog")
+        box.setInformativeText("Only accepted targets take part in the adjustment.")
+        accept = box.addButton("Accept and estimate", QMessageBox.ButtonRole.AcceptRole)
+        reject = box.addButton("Estimate without it", QMessageBox.ButtonRole.DestructiveRole)
+        box.setDefaultButton(accept)
+        box.exec()
+        chosen = box.clickedButton()
+        box.deleteLater()
+        if chosen is accept:
+            return "accept"
+        return "reject" if chosen is reject else "cancel"
 
     def show_error(self, error: BaseException) -> None:
         """Say what went wrong; a second error while one is shown does not pile up."""

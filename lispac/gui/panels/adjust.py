@@ -1,20 +1,28 @@
-"""Step 3: how many points, which model of the POS errors, and the adjustment."""
+"""Step 3: how many points, which model, which values to estimate, and the adjustment."""
 
-from PySide6.QtCore import QTimer, Signal
+from dataclasses import replace
+
+from PySide6.QtCore import QPoint, QTimer, Signal
 from PySide6.QtWidgets import (
+    QApplication,
     QButtonGroup,
-    QComboBox,
+    QCheckBox,
     QHBoxLayout,
     QProgressBar,
     QRadioButton,
+    QToolTip,
     QWidget,
 )
 
 from lispac.adjustment.stochastic import PosErrors
+from lispac.errors import InputError
 from lispac.gui.panels import widgets
+from lispac.gui.panels.adjust_model import ModelSettings
+from lispac.gui.panels.adjust_parameters import ParameterSwitches
+from lispac.gui.panels.fields import Fold
 from lispac.gui.status import StepStatus
 from lispac.gui.tasks import Task
-from lispac.project import Project
+from lispac.project import Project, Settings
 
 DEBOUNCE_MS = 250
 UNITS = (("cm", 100.0), ("m", 1.0))
@@ -22,14 +30,13 @@ MODELS: tuple[tuple[PosErrors, str, str], ...] = (
     (
         "correlated",
         "Correlated in time",
-        "The POS error drifts slowly, so neighbouring points share it. For boards and other "
-        "truly flat targets: more accurate, and sigmas that hold.",
+        "The POS error drifts slowly, so neighbouring points share it. Sigmas that hold.",
     ),
     (
         "independent",
-        "Independent for each point",
-        "Every point has a POS error of its own, as in the thesis. Safer on rough natural "
-        "surfaces, but the sigmas come out several times too small.",
+        "Independent for each point (thesis mode)",
+        "Every point has a POS error of its own. For comparison only: the sigmas come out several "
+        "times too small.",
     ),
 )
 
@@ -37,8 +44,8 @@ MODELS: tuple[tuple[PosErrors, str, str], ...] = (
 class AdjustPanel(QWidget):
     """Settings of the adjustment and the button that starts it."""
 
-    estimate_asked = Signal(float, str)
-    """Subsampling distance in metres, model of the POS errors."""
+    estimate_asked = Signal(object, bool)
+    """Settings, whether to cross-check."""
     subsample_changed = Signal(float)
     """The distance rests: count the points it would keep."""
     cancel_asked = Signal()
@@ -46,9 +53,10 @@ class AdjustPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._metres = 0.10
-        self._shown_settings: object = None
+        self._settings: Settings | None = None
+        self._ready = False
         layout = widgets.column(self)
-        layout.addWidget(widgets.label("Distance between points kept", "heading"))
+        layout.setSpacing(6)
         layout.addLayout(self._distance_row())
         self.count = widgets.label("", "muted", wrap=True, name="point_count")
         layout.addWidget(self.count)
@@ -58,38 +66,45 @@ class AdjustPanel(QWidget):
             choice = QRadioButton(title)
             choice.setObjectName(f"model_{model}")
             choice.setAccessibleDescription(sentence)
+            choice.setToolTip(sentence)
             choice.setChecked(k == 0)
             self._models.addButton(choice, k)
             layout.addWidget(choice)
-            row = QHBoxLayout()
-            row.setContentsMargins(22, 0, 0, 4)
-            row.addWidget(widgets.label(sentence, "muted", wrap=True))
-            layout.addLayout(row)
+        self.model_sentence = widgets.label("", "muted", wrap=True, name="model_sentence")
+        layout.addWidget(self.model_sentence)
+        self.parameters = ParameterSwitches()
+        self.also = Fold("Estimate also", "fold_parameters", self.parameters)
+        layout.addWidget(self.also)
+        self.model = ModelSettings()
+        self.advanced = Fold("Advanced", "fold_advanced", self.model)
+        layout.addWidget(self.advanced)
+        self.cross_check = QCheckBox("Cross-check with parts of the data")
+        self.cross_check.setObjectName("cross_check")
+        self.cross_check.setChecked(True)
+        self.cross_check.setToolTip(
+            "Adjust again without each line and each target, and each half of the survey by itself"
+        )
+        layout.addWidget(self.cross_check)
+        self.problem = widgets.label("", "error", wrap=True, name="adjust_problem")
+        self.problem.hide()
+        layout.addWidget(self.problem)
         self.estimate = widgets.button(
             "Estimate boresight", "estimate", icon="calculator-variant-outline", primary=True,
-            tip="Adjust boresight and planes together by least squares (F9)",
+            tip="Adjust boresight and targets together by least squares (F9)",
         )  # fmt: skip
         self.estimate.clicked.connect(self.ask)
         layout.addWidget(self.estimate)
-        self._progress = QProgressBar()
-        self._progress.setObjectName("estimate_progress")
-        self._progress.setRange(0, 1000)
-        self.cancel = widgets.button("Cancel", "cancel_estimate", tip="Stop; nothing is changed")
-        self.cancel.clicked.connect(self.cancel_asked)
-        running = QHBoxLayout()
-        running.addWidget(self._progress, 1)
-        running.addWidget(self.cancel)
-        self._running = QWidget()
-        self._running.setLayout(running)
-        running.setContentsMargins(0, 0, 0, 0)
-        self._running.hide()
-        layout.addWidget(self._running)
+        layout.addWidget(self._running_row())
         self.advice = widgets.label("", "muted", wrap=True, name="adjust_advice")
         layout.addWidget(self.advice)
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(DEBOUNCE_MS)
         self._rest.timeout.connect(lambda: self.subsample_changed.emit(self._metres))
+        self._models.idToggled.connect(lambda _id, on: self._check() if on else None)
+        self.parameters.changed.connect(self._check)
+        self.model.changed.connect(self._check)
+        self._check()
 
     @property
     def subsample(self) -> float:
@@ -101,29 +116,79 @@ class AdjustPanel(QWidget):
         """The chosen model."""
         return MODELS[self._models.checkedId()][0]
 
+    def settings(self) -> Settings | None:
+        """The project's settings with what is chosen here.
+
+        Raises
+        ------
+        InputError
+            Where something typed makes no sense.
+        """
+        if self._settings is None:
+            return None
+        chosen = replace(self._settings, subsample=self._metres, pos_errors=self.pos_errors)
+        chosen = self.model.settings_of(self.parameters.settings_of(chosen))
+        chosen.require_sound()
+        return chosen
+
     def ask(self) -> None:
         """Ask for an adjustment with what is chosen."""
         if self.estimate.isEnabled():
             self._rest.stop()
-            self.estimate_asked.emit(self._metres, self.pos_errors)
+            self.estimate_asked.emit(self.settings(), self.cross_check.isChecked())
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
         """Fill in the project's settings where they changed."""
-        self.estimate.allow(status.ready and not busy)
+        self._ready = status.ready and not busy
         self.advice.setText(status.advice)
         settings = None if project is None else project.settings
-        if settings is None or settings == self._shown_settings:
-            return
-        self._shown_settings = settings
-        self._metres = settings.subsample
-        self._show_distance()
-        for k, (model, _title, _sentence) in enumerate(MODELS):
-            self._models.button(k).setChecked(model == settings.pos_errors)
+        if settings is not None and settings != self._settings:
+            self._settings = settings
+            self._metres = settings.subsample
+            self._show_distance()
+            for k, (model, _title, _sentence) in enumerate(MODELS):
+                self._models.button(k).setChecked(model == settings.pos_errors)
+            self.parameters.show_settings(settings)
+            self.model.show_settings(settings)
+        self._check()
 
-    def show_count(self, kept: int | None, total: int, sightings: int) -> None:
-        """The live count; None while it is being counted."""
+    @property
+    def sound(self) -> bool:
+        """Whether everything typed makes sense."""
+        return self.problem.isHidden()
+
+    def _check(self) -> None:
+        """Say what is wrong with what is typed, and what is folded away."""
+        self.model_sentence.setText(MODELS[self._models.checkedId()][2])
+        self.model.show_model(self.pos_errors)
+        self.also.set_summary(self.parameters.summary)
+        self.advanced.set_summary(self.model.summary)
+        try:
+            self.settings()
+        except InputError as error:
+            self._tell(str(error))
+        else:
+            self.problem.setText("")
+            self.problem.hide()
+        self.estimate.allow(self._ready and self.sound)
+
+    def _tell(self, sentence: str) -> None:
+        if sentence == self.problem.text():
+            return
+        hidden = self.problem.visibleRegion().isEmpty()
+        self.problem.setText(sentence)
+        self.problem.show()
+        field = QApplication.focusWidget()
+        if hidden and field is not None and self.isAncestorOf(field):
+            # The label may be scrolled out of sight; the sentence is wanted where one types.
+            QToolTip.showText(field.mapToGlobal(QPoint(0, field.height())), sentence, field)
+
+    def show_count(self, kept: int | None, total: int, sightings: int, reason: str = "") -> None:
+        """The live count; None while it is being counted, or where ``reason`` says why not."""
         if not sightings:
             self.count.setText("No target yet, so no points to thin.")
+        elif reason:  # said below the button, too
+            self.count.setText(f"{total:,} points in {sightings} sightings: not enough to adjust.")
         elif kept is None:
             self.count.setText(f"Counting … ({total:,} points in {sightings} sightings)")
         else:
@@ -142,24 +207,38 @@ class AdjustPanel(QWidget):
         """Stop the timer."""
         self._rest.stop()
 
+    def _running_row(self) -> QWidget:
+        self._progress = QProgressBar()
+        self._progress.setObjectName("estimate_progress")
+        self._progress.setRange(0, 1000)
+        self.cancel = widgets.button("Cancel", "cancel_estimate", tip="Stop; nothing is changed")
+        self.cancel.clicked.connect(self.cancel_asked)
+        self._running = QWidget()
+        running = QHBoxLayout(self._running)
+        running.setContentsMargins(0, 0, 0, 0)
+        running.addWidget(self._progress, 1)
+        running.addWidget(self.cancel)
+        self._running.hide()
+        return self._running
+
     def _distance_row(self) -> QHBoxLayout:
         self.distance = widgets.number(
             "subsample", suffix="", decimals=1, low=0, high=1000, step=1,
             tip="Points of a sighting nearer to each other than this are thinned; 0 keeps all",
         )  # fmt: skip
         self.distance.setSpecialValueText("all points")
-        self.distance.setMinimumWidth(110)
-        self.unit = QComboBox()
-        self.unit.setObjectName("subsample_unit")
-        self.unit.addItems([unit for unit, _ in UNITS])
-        self.unit.setToolTip("Unit of the distance")
+        self.distance.setMinimumWidth(84)
+        self.unit = widgets.Choice(
+            "subsample_unit", [unit for unit, _ in UNITS], "Unit of the distance"
+        )
         self._show_distance()
         self.distance.valueChanged.connect(self._distance_changed)
         self.unit.currentIndexChanged.connect(lambda: self._show_distance())
         row = QHBoxLayout()
+        row.addWidget(widgets.label("Point distance", "heading"))
+        row.addStretch(1)
         row.addWidget(self.distance)
         row.addWidget(self.unit)
-        row.addStretch(1)
         return row
 
     def _show_distance(self) -> None:

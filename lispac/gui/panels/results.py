@@ -18,8 +18,9 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.adjustment.stochastic import StochasticModel
 from lispac.gui import theme
-from lispac.gui.panels import widgets
+from lispac.gui.panels import result_words, widgets
 from lispac.project import Project, Triple
 
 CONVENTION = (
@@ -27,6 +28,10 @@ CONVENTION = (
     "<b>R = R<sub>z</sub>(−yaw) · R<sub>y</sub>(pitch) · R<sub>x</sub>(roll)</b><br>"
     "Roll is positive left side up, pitch positive bow down, yaw positive clockwise seen from "
     "above."
+)
+EMPTY = (
+    "Nothing estimated yet. Pick at least two targets that face different ways, then press "
+    "Estimate in step 3. Roll, pitch and yaw appear here with their uncertainties."
 )
 _TWO_SIDED_95 = 1.96
 _ROW = 25
@@ -42,30 +47,56 @@ class ResultsPanel(QWidget):
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.column(empty)
-        layout.addWidget(
-            widgets.label(
-                "Nothing estimated yet. Pick at least two targets that face different ways, "
-                "then press Estimate in step 3. Roll, pitch and yaw appear here with their "
-                "uncertainties.", "muted", wrap=True, name="results_empty",
-            )
-        )  # fmt: skip
+        self.refusal = widgets.label("", "warning", wrap=True, name="results_refusal")
+        layout.addWidget(self.refusal)
+        self._empty = widgets.label(EMPTY, "muted", wrap=True, name="results_empty")
+        layout.addWidget(self._empty)
         layout.addStretch(1)
         self._stack.addWidget(empty)
         self._stack.addWidget(self._scrolled())
 
-    def show_project(self, project: Project | None) -> None:
-        """Show the result, where there is one."""
+    def show_project(
+        self, project: Project | None, *, waiting: bool = False, refusal: str = ""
+    ) -> None:
+        """Show the result, where there is one.
+
+        Parameters
+        ----------
+        waiting : bool
+            The next result is on its way: the old one stays, greyed.
+        refusal : str
+            Why there is none.
+        """
         result = None if project is None else project.result
+        greyed = waiting and self._stack.currentIndex() == 1
+        self._waiting.setVisible(greyed)
+        self._body.setEnabled(not greyed)
+        if greyed:
+            return
         self._stack.setCurrentIndex(0 if result is None else 1)
+        self.refusal.setVisible(bool(refusal))
+        self.refusal.setText(refusal)
+        self._empty.setText("Estimating …" if waiting else "" if refusal else EMPTY)
         if project is not None and result is not None:
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
+            self._fill_words(project, result)
             _fill_correlation(self.correlation, result)
             self._fill_fit(result)
 
     def _scrolled(self) -> QScrollArea:
-        body = QWidget()
-        layout = widgets.column(body)
+        outer = QWidget()
+        around = widgets.column(outer)
+        self._waiting = widgets.label(
+            "Estimating again; the figures below are those from before the change.", "hint",
+            wrap=True, name="results_waiting",
+        )  # fmt: skip
+        around.addWidget(self._waiting)
+        self._body = QWidget()
+        around.addWidget(self._body)
+        layout = widgets.column(self._body, 0)
+        self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings")
+        layout.addWidget(self.warnings)
         layout.addWidget(widgets.label("Boresight, degrees", "heading"))
         self.angles = _table("angles_table", 4)
         layout.addWidget(self.angles)
@@ -74,22 +105,41 @@ class ResultsPanel(QWidget):
             "muted", wrap=True,
         )  # fmt: skip
         layout.addWidget(self._truth_note)
-        layout.addWidget(widgets.label("Correlation", "heading"))
-        self.correlation = _table("correlation_table", 3)
-        layout.addWidget(self.correlation)
+        self._parameters_head = widgets.label("Also estimated", "heading")
+        layout.addWidget(self._parameters_head)
+        self.parameters = widgets.label("", wrap=True, name="results_parameters")
+        self.parameters.setTextFormat(Qt.TextFormat.RichText)
+        layout.addWidget(self.parameters)
+        layout.addWidget(widgets.label("Weakest direction", "heading"))
+        self.weakest = widgets.label("", wrap=True, name="results_weakest")
+        layout.addWidget(self.weakest)
         layout.addWidget(widgets.label("Fit", "heading"))
         layout.addLayout(self._fit_form())
         self._verdict = widgets.label("", wrap=True, name="chi_square_verdict")
         layout.addWidget(self._verdict)
+        layout.addWidget(widgets.label("Correlation", "heading"))
+        self.correlation = _table("correlation_table", 3)
+        layout.addWidget(self.correlation)
         layout.addWidget(widgets.label("Convention", "heading"))
         layout.addWidget(widgets.label(CONVENTION, "muted", wrap=True, name="convention"))
-        layout.addStretch(1)
+        around.addStretch(1)
         area = QScrollArea()
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(body)
+        area.setWidget(outer)
         return area
+
+    def _fill_words(self, project: Project, result: AdjustmentResult) -> None:
+        warnings = result_words.warnings(result, project.cross_checks)
+        self.warnings.setText("<br><br>".join(warnings))
+        self.warnings.setVisible(bool(warnings))
+        rows = result_words.parameter_rows(result)
+        self.parameters.setText(rows)
+        for each in (self._parameters_head, self.parameters):
+            each.setVisible(bool(rows))
+        seen = result.observability
+        self.weakest.setText("Not worked out." if seen is None else seen.sentences[0])
 
     def _fit_form(self) -> QFormLayout:
         form = QFormLayout()
@@ -97,11 +147,12 @@ class ResultsPanel(QWidget):
         form.setVerticalSpacing(4)
         self._values = {}
         for key, words in (
-            ("rms", "RMS to joint planes"),
+            ("rms", "RMS of distances"),
             ("factor", "Variance factor"),
             ("chi", "Chi-square test"),
             ("points", "Points, sightings"),
             ("model", "POS errors"),
+            ("surface", "Surface sigma"),
             ("iterations", "Iterations, time"),
         ):
             value = widgets.label(name=f"result_{key}")
@@ -112,41 +163,26 @@ class ResultsPanel(QWidget):
         return form
 
     def _fill_fit(self, result: AdjustmentResult) -> None:
-        test = result.chi_square
-        word, colour = ("passed", theme.DONE) if test.passed else ("failed", theme.WARNING)
+        components = result_words.component_words(result)
         texts = {
-            "rms": f"{result.rms_before * 1000:.1f} mm before → "
-            f"<b>{result.rms_after * 1000:.1f} mm after</b>",
+            "rms": f"{result.rms_before * 1000:.1f} → <b>{result.rms_after * 1000:.1f} mm</b>",
             "factor": f"{result.variance_factor:.3f}",
-            "chi": f"<b style='color:{colour}'>{word}</b>: {test.statistic:.4g} in "
-            f"[{test.lower:.4g}, {test.upper:.4g}]"
-            if test.passed
-            else f"<b style='color:{colour}'>{word}</b>: {test.statistic:.4g} not in "
-            f"[{test.lower:.4g}, {test.upper:.4g}]",
+            "chi": result_words.test_words(result),
             "points": f"{result.points:,} points, {len(result.sightings)} sightings",
-            "model": "correlated in time"
-            if result.model.pos_errors == "correlated"
-            else "independent for each point",
+            "model": _model_words(result.model),
+            "surface": f"{result.surface * 1000:.1f} mm" if result.model.correlated else "–",
             "iterations": f"{result.iterations}, {result.elapsed:.2f} s",
         }
         for key, text in texts.items():
             self._values[key].setText(text)
-        self._verdict.setText(verdict(result))
+        words = result_words.verdict(result)
+        self._verdict.setText(f"{words} Errors by the data: {components}." if components else words)
 
 
-def verdict(result: AdjustmentResult) -> str:
-    """What the chi-square test means, in words."""
-    if result.chi_square.passed:
-        return "The residuals are as large as the stated sigmas say: the uncertainties can be used."
-    if result.variance_factor > 1:
-        return (
-            "The residuals are larger than the stated sigmas say. Look for a target that is not "
-            "flat or a sighting that holds other points, or state larger sigmas."
-        )
-    return (
-        "The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are "
-        "stated too large, so the uncertainties are on the safe side."
-    )
+def _model_words(model: StochasticModel) -> str:
+    if not model.correlated:
+        return "independent (thesis mode)"
+    return f"correlated, {model.position_time:g} s and {model.attitude_time:g} s"
 
 
 def _table(name: str, rows: int) -> QTableWidget:

@@ -26,9 +26,10 @@ _NAME_TIP = "Tick to let the whole target take part"
 
 
 class SightingsModel(QAbstractTableModel):
-    """First column the target, then one for each line."""
+    """First column the target, then one for each line; the last row is for whole lines."""
 
     target_used = Signal(str, bool)
+    line_used = Signal(str, bool)
     sighting_used = Signal(str, str, bool)
 
     def __init__(self) -> None:
@@ -59,7 +60,8 @@ class SightingsModel(QAbstractTableModel):
         return next((k for k, t in enumerate(self._targets) if t.name == name), None)
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
-        return 0 if parent.isValid() else len(self._targets)
+        targets = len(self._targets)
+        return 0 if parent.isValid() or not targets else targets + bool(self._adjusted)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
         return 0 if parent.isValid() else len(self._lines) + 1
@@ -83,11 +85,16 @@ class SightingsModel(QAbstractTableModel):
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        if index.row() == len(self._targets):
+            on_line = index.column() > 0 and self._on_line(self._lines[index.column() - 1])
+            return flags | Qt.ItemFlag.ItemIsUserCheckable if on_line else flags
         if index.column() == 0 or self._sighting(index) is not None:
             flags |= Qt.ItemFlag.ItemIsUserCheckable
         return flags
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
+        if index.row() == len(self._targets):
+            return self._of_line(index.column(), role)
         target = self._targets[index.row()]
         if index.column() == 0:
             return _of_name(target, role)
@@ -102,10 +109,13 @@ class SightingsModel(QAbstractTableModel):
     def setData(self, index: Index, value: Any, role: int = Role.EditRole) -> bool:
         if role != Role.CheckStateRole:
             return False
+        used = Qt.CheckState(value) == Qt.CheckState.Checked
+        if index.row() == len(self._targets) and index.column() > 0:
+            self.line_used.emit(self._lines[index.column() - 1], used)
+            return True
         key = self.key(index)
         if key is None:
             return False
-        used = Qt.CheckState(value) == Qt.CheckState.Checked
         if key[1]:
             self.sighting_used.emit(*key, used)
         else:
@@ -115,6 +125,40 @@ class SightingsModel(QAbstractTableModel):
     @property
     def _targets(self) -> tuple[Target, ...]:
         return () if self._project is None else self._project.targets
+
+    @property
+    def _adjusted(self) -> tuple[Target, ...]:
+        return tuple(target for target in self._targets if target.role == "target")
+
+    def _on_line(self, line: str) -> list[PickedSighting]:
+        """Sightings of adjustment targets on a line."""
+        found = (target.sighting(line) for target in self._adjusted)
+        return [sighting for sighting in found if sighting is not None]
+
+    def _of_line(self, column: int, role: int) -> Any:
+        if column == 0:
+            words = {
+                Role.DisplayRole: "Whole line",
+                Role.ToolTipRole: "Untick a line to leave out all targets on it",
+                Role.ForegroundRole: QBrush(QColor(theme.MUTED)),
+            }
+            return words.get(Role(role))
+        line = self._lines[column - 1]
+        sightings = self._on_line(line)
+        used = sum(sighting.used for sighting in sightings)
+        if role == Role.TextAlignmentRole:
+            return _RIGHT if sightings else Qt.AlignmentFlag.AlignCenter
+        if role == Role.DisplayRole:
+            return f"{used} of {len(sightings)} used" if sightings else "–"
+        if role == Role.ForegroundRole:
+            return QBrush(QColor(theme.MUTED))
+        if role == Role.CheckStateRole and sightings:
+            if 0 < used < len(sightings):
+                return Qt.CheckState.PartiallyChecked
+            return Qt.CheckState.Checked if used else Qt.CheckState.Unchecked
+        if role == Role.ToolTipRole and sightings:
+            return f"{line}: untick to leave out every target on it, tick to use them all"
+        return None
 
     def _sighting(self, index: Index) -> PickedSighting | None:
         return self._targets[index.row()].sighting(self._lines[index.column() - 1])

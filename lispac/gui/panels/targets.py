@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.panels import widgets
-from lispac.project import Project, Role, Target
+from lispac.project import Project, Role, Shape, Target
 from lispac.workflow.survey import Survey
 
 ALL_LINES = "All lines"
@@ -37,10 +37,9 @@ class TargetsPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         layout = widgets.column(self)
-        self.hint = widgets.label(
-            "Hold <b>Ctrl</b> and click a target in the view. The plane is sought on every line.",
-            "hint", wrap=True, name="seed_hint",
-        )  # fmt: skip
+        self._project: Project | None = None
+        self._survey: Survey | None = None
+        self.hint = widgets.label("", "hint", wrap=True, name="seed_hint")
         layout.addWidget(self.hint)
         layout.addLayout(self._roles())
         layout.addLayout(self._seed_form())
@@ -55,12 +54,24 @@ class TargetsPanel(QWidget):
         layout.addWidget(self.table)
         layout.addLayout(self._buttons())
         self._names: list[str] = []
+        self._shape_changed()
         self._selection_changed()
 
     @property
     def role(self) -> Role:
         """What the next seed makes."""
         return "validation" if self._validation.isChecked() else "target"
+
+    @property
+    def shape(self) -> Shape:
+        """Shape of what the next seed makes; lines are compared on planes only."""
+        sphere = self.shape_choice.currentIndex() == 1 and self.role == "target"
+        return "sphere" if sphere else "plane"
+
+    @property
+    def sphere_radius(self) -> float | None:
+        """Radius of the ball in metres, None where it is unknown, and for planes."""
+        return self._sphere_radius.value() or None if self.shape == "sphere" else None
 
     @property
     def line(self) -> str | None:
@@ -89,6 +100,7 @@ class TargetsPanel(QWidget):
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
         """Fill in the list and the lines."""
+        self._project, self._survey = project, survey
         lines = [] if project is None else [line.name for line in project.lines]
         known = [self.line_choice.itemText(k) for k in range(1, self.line_choice.count())]
         if known != lines:
@@ -96,16 +108,14 @@ class TargetsPanel(QWidget):
             self.line_choice.addItem(ALL_LINES)
             for line, colour in theme.line_colours(lines).items():
                 self.line_choice.addItem(theme.swatch(colour), line)
-        if project is not None:
-            usual = project.settings.threshold * 1000
-            self._threshold.setSpecialValueText(f"default ({usual:.0f} mm)")
+        self._show_default_threshold()
         self._list(project)
 
     def show_candidate(self, candidate: Target | None, known: Target | None, lines: int) -> None:
-        """Offer a plane just found; ``known`` is the target it would replace."""
+        """Offer what was just found; ``known`` is the target it would replace."""
         self.candidate.setVisible(candidate is not None)
         if candidate is not None:
-            self.candidate.fill(candidate, known, lines)
+            self.candidate.fill(candidate, known, lines, self._survey)
 
     def select(self, name: str) -> None:
         """Select a target in the list, without telling anyone."""
@@ -151,7 +161,7 @@ class TargetsPanel(QWidget):
         if self.line is None:
             text = (
                 "Hold <b>Ctrl</b> and click a target in the view. "
-                "The plane is sought on every line."
+                f"The {self.shape} is sought on every line."
             )
         elif self.current is not None:
             text = (
@@ -160,14 +170,30 @@ class TargetsPanel(QWidget):
             )
         else:
             text = (
-                f"<b>Ctrl</b>+click seeks a new plane on {self.line} only. To add the line to a "
-                "target, select the target in the list first."
+                f"<b>Ctrl</b>+click seeks a new {self.shape} on {self.line} only. To add the line "
+                "to a target, select the target in the list first."
             )
         self.hint.setText(text)
 
+    def _shape_changed(self) -> None:
+        """Only a target can be a sphere, and only a sphere has a radius."""
+        self.shape_choice.setEnabled(self.role == "target")
+        self._sphere_radius.setEnabled(self.shape == "sphere")
+        self._show_default_threshold()
+        self._explain()
+
+    def _show_default_threshold(self) -> None:
+        if self._project is None:
+            return
+        from lispac.workflow.seeking import Sought
+
+        sought = Sought(self.shape, self.sphere_radius)
+        usual = sought.threshold(self._project.settings.threshold) * 1000
+        self._threshold.setSpecialValueText(f"default ({usual:.0f} mm)")
+
     def _roles(self) -> QHBoxLayout:
         self._target = widgets.button(
-            " Target", "role_target", tip="The plane takes part in the adjustment (F6)"
+            " Target", "role_target", tip="The plane or sphere takes part in the adjustment (F6)"
         )
         self._validation = widgets.button(
             " Validation plane", "role_validation",
@@ -186,10 +212,28 @@ class TargetsPanel(QWidget):
             group.addButton(each)
             row.addWidget(each)
         self._target.setChecked(True)
+        self._validation.toggled.connect(self._shape_changed)
         self._validation.toggled.connect(lambda: self.role_changed.emit(self.role))
         return row
 
+    def _shape_fields(self) -> None:
+        self.shape_choice = QComboBox()
+        self.shape_choice.setObjectName("shape_choice")
+        self.shape_choice.addItems(["Plane", "Sphere"])
+        self.shape_choice.setToolTip(
+            "Shape of the target; lines are compared on planes only, so a validation target is one"
+        )
+        self.shape_choice.currentIndexChanged.connect(self._shape_changed)
+        self._sphere_radius = widgets.number(
+            "sphere_radius", suffix=" m", decimals=4, low=0, high=10, step=0.01,
+            tip="Radius of the ball, not its diameter; 0 where it is unknown: balls of 0.05 to "
+            "0.5 m are then sought and the radius is estimated",
+        )  # fmt: skip
+        self._sphere_radius.setSpecialValueText("unknown")
+        self._sphere_radius.valueChanged.connect(self._shape_changed)
+
     def _seed_form(self) -> QFormLayout:
+        self._shape_fields()
         self.line_choice = QComboBox()
         self.line_choice.setObjectName("line_choice")
         self.line_choice.addItem(ALL_LINES)
@@ -199,20 +243,23 @@ class TargetsPanel(QWidget):
         self.line_choice.currentIndexChanged.connect(self._explain)
         self._radius = widgets.number(
             "search_radius", suffix=" m", decimals=2, low=0, high=100, step=0.25,
-            tip="Only points this near to the seed can belong to the plane; 0 leaves it to the "
+            tip="Only points this near to the seed can belong to the target; 0 leaves it to the "
             "program",
         )  # fmt: skip
         self._radius.setSpecialValueText("default")
         self._threshold = widgets.number(
             "threshold", suffix=" mm", decimals=0, low=0, high=1000, step=5,
-            tip="Farthest a point may lie from its plane (RANSAC threshold); 0 gives the larger "
-            "of 10 mm and 3 × the LiDAR noise",
+            tip="Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the "
+            "larger of 10 mm and 3 × the LiDAR noise, for spheres at least 30 mm (a small ball: "
+            "0.3 of its radius)",
         )  # fmt: skip
         self._threshold.setSpecialValueText("default")
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
+        form.addRow("Shape", self.shape_choice)
+        form.addRow("Ball radius", self._sphere_radius)
         form.addRow("Seek on", self.line_choice)
         form.addRow("Search radius", self._radius)
         form.addRow("Threshold", self._threshold)
@@ -242,7 +289,7 @@ class TargetsPanel(QWidget):
 
 
 class _CandidateBox(QFrame):
-    """The plane just found, waiting for a yes or a no."""
+    """The target just found, waiting for a yes or a no."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -262,7 +309,9 @@ class _CandidateBox(QFrame):
         row.addWidget(self.reject, 1)
         layout.addLayout(row)
 
-    def fill(self, candidate: Target, known: Target | None, lines: int) -> None:
+    def fill(
+        self, candidate: Target, known: Target | None, lines: int, survey: Survey | None
+    ) -> None:
         """Say what was found, and where not."""
         what = "Target" if candidate.role == "target" else "Validation plane"
         again = "" if known is None else " (in place of the present one)"
@@ -272,19 +321,35 @@ class _CandidateBox(QFrame):
         worst = max((sighting.rms for sighting in found), default=0.0)
         text = (
             f"Found on {len(found)} of {lines} lines: {points:,} points, "
-            f"within {worst * 1000:.1f} mm RMS of their planes."
+            f"within {worst * 1000:.1f} mm RMS of their {candidate.shape}s."
         )
+        if candidate.shape == "sphere" and survey is not None:
+            text += f" {_of_spheres(candidate, survey)}"
         if candidate.missing:
             text += f" Not found on {', '.join(candidate.missing)}."
         self.detail.setText(text)
 
 
+def _of_spheres(target: Target, survey: Survey) -> str:
+    """Radius and share seen, over the lines."""
+    from lispac.workflow.picking import spheres_of
+
+    patches = spheres_of(target, survey).values()
+    radii = [patch.sphere.radius for patch in patches]
+    shares = [100 * patch.share for patch in patches]
+    if target.sphere_radius is not None:
+        radius = f"Radius {target.sphere_radius:g} m (known)"
+    else:
+        radius = f"Radius {min(radii):.3f} to {max(radii):.3f} m"
+    return f"{radius}; {min(shares):.0f} to {max(shares):.0f} % of the surface seen."
+
+
 def _targets_table() -> QTableWidget:
-    table = QTableWidget(0, 3)
+    table = QTableWidget(0, 4)
     table.setObjectName("targets_table")
     table.setAccessibleName("Targets and validation planes")
-    table.setHorizontalHeaderLabels(["Name", "Role", "Lines"])
-    for column in (0, 1):
+    table.setHorizontalHeaderLabels(["Name", "Role", "Shape", "Lines"])
+    for column in (0, 1, 2):
         table.horizontalHeaderItem(column).setTextAlignment(
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         )
@@ -298,14 +363,8 @@ def _targets_table() -> QTableWidget:
     )
     header = table.horizontalHeader()
     header.setHighlightSections(False)
-    for column, mode in enumerate(
-        (
-            QHeaderView.ResizeMode.Stretch,
-            QHeaderView.ResizeMode.ResizeToContents,
-            QHeaderView.ResizeMode.ResizeToContents,
-        )
-    ):
-        header.setSectionResizeMode(column, mode)
+    header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
     return table
 
 
@@ -318,8 +377,12 @@ def _row(target: Target, project: Project) -> list[QTableWidgetItem]:
     name.setCheckState(Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked)
     name.setToolTip("Tick to use it; double-click or F2 to rename")
     role = QTableWidgetItem("target" if is_target else "validation")
+    shape = QTableWidgetItem(target.shape)
+    if target.shape == "sphere":
+        radius = target.sphere_radius
+        shape.setToolTip(f"Radius {radius:g} m (known)" if radius else "Radius unknown")
     lines = QTableWidgetItem(f"{len(target.used_sightings)} of {len(project.lines)}")
     lines.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-    for item in (role, lines):
+    for item in (role, shape, lines):
         item.setFlags(flags)
-    return [name, role, lines]
+    return [name, role, shape, lines]

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
     QApplication,
+    QComboBox,
     QDoubleSpinBox,
     QGridLayout,
     QLabel,
@@ -88,6 +89,27 @@ def number(
 
 
 class _Number(QDoubleSpinBox):
+    def wheelEvent(self, event) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+class Choice(QComboBox):
+    """A list to choose from; the mouse wheel does not change it in passing."""
+
+    def __init__(self, name: str, items: Sequence[str], tip: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.addItems(list(items))
+        self.setToolTip(tip)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        # Long items are to be cut off rather than to widen the panel.
+        if max(len(item) for item in items) > 12:
+            self.setSizeAdjustPolicy(self.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            self.setMinimumContentsLength(12)
+
     def wheelEvent(self, event) -> None:
         if self.hasFocus():
             super().wheelEvent(event)

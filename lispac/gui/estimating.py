@@ -1,0 +1,219 @@
+"""The boresight: estimated when asked for, and again by itself when a sighting is left out."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from lispac.errors import Cancelled, LispacError
+from lispac.gui.controller import Controller
+from lispac.gui.document import Document, data_key
+from lispac.gui.panels.histograms import preload
+from lispac.gui.scene import Scene
+from lispac.gui.tasks import Task, TaskRunner
+from lispac.gui.viewport.base import Array
+from lispac.progress import Progress, part
+from lispac.project import Project, Settings
+from lispac.survey.georeferencing import georeference
+from lispac.workflow.survey import Survey
+
+REST_MS = 250
+"""Several clicks in a row make one adjustment."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Selection:
+    """The points selected again with the boresight found, and the project they were chosen for."""
+
+    asked: Project
+    survey: Survey
+    selected: Project
+
+    def serves(self, project: Project, survey: Survey) -> bool:
+        """Whether the sightings ``project`` uses are all among those selected."""
+        if survey is not self.survey or project.settings != self.asked.settings:
+            return False
+        known = {
+            (target.name, sighting.line): sighting.indices
+            for target in self.asked.of_role("target")
+            for sighting in target.used_sightings
+        }
+        return all(
+            known.get((target.name, sighting.line)) is sighting.indices
+            for target in project.of_role("target")
+            for sighting in target.used_sightings
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class _Answer:
+    estimated: Project
+    selection: _Selection
+    clouds: Mapping[str, Array]
+    replaced: Survey | None
+    """The survey where the prior mounting moved its points."""
+
+
+class Estimating(QObject):
+    """Runs the adjustment, and keeps the selected points so that the next one is quick."""
+
+    estimated = Signal()
+    """An adjustment that was asked for has a result."""
+
+    def __init__(
+        self, document: Document, runner: TaskRunner, scene: Scene, controller: Controller
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._runner = document, runner
+        self._scene, self._controller = scene, controller
+        self._selection: _Selection | None = None
+        self._following: tuple[Task, Project] | None = None
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST_MS)
+        self._rest.timeout.connect(self._follow)
+        document.changed.connect(self._watch)
+        document.survey_changed.connect(self._watch)
+        document.opened.connect(self._forget)
+        runner.idle.connect(self._watch)
+
+    def estimate(self, settings: Settings, cross_check: bool) -> None:
+        """Adjust the boresight with these settings, then show the lines placed with it."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        asked = project if settings == project.settings else project.with_settings(settings)
+        moved = data_key(asked) != data_key(project)
+
+        def work(progress: Progress) -> _Answer:
+            settings.require_sound()
+            placed = _placed_anew(survey, asked) if moved else survey
+            answer = _adjusted(asked, placed, None, cross_check, progress)
+            return replace(answer, replaced=placed) if moved else answer
+
+        def done(answer: _Answer) -> None:
+            if self._document.project is not project or answer.estimated.result is None:
+                return
+            self._selection = answer.selection
+            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
+            self._document.edit("estimate", answer.estimated, survey=answer.replaced)
+            # Another survey made the scene let go of what it had.
+            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
+            self._scene.show("estimated")
+            self._note(answer.estimated, "Estimated")
+            self.estimated.emit()
+
+        task = self._runner.run("Estimating the boresight", work, done, key="estimate")
+        self._controller.based_on_project(task)
+
+    def stop(self) -> None:
+        """Stop the timer."""
+        self._rest.stop()
+
+    def _ready(self) -> tuple[Project | None, Survey | None]:
+        current = self._document.survey_is_current
+        return self._document.project, self._document.survey if current else None
+
+    def _forget(self) -> None:
+        self._selection = None
+
+    # -- what follows from a click -----------------------------------------------------------
+
+    def _watch(self) -> None:
+        """Start the wait for a result that is to follow, unless it is on its way."""
+        if not self._document.awaits_result:
+            self._rest.stop()
+            self._following = None
+            return
+        task, base = self._following or (None, None)
+        if base is self._document.project and task is not None:
+            if self._runner.active:
+                return
+            if task.cancel.is_set() and not task.gave_way:
+                self._document.refuse("The adjustment was cancelled. Press Estimate for it.")
+                return
+            if task.error is not None and not isinstance(task.error, Cancelled):
+                self._document.refuse("The adjustment failed. Press Estimate to try again.")
+                return
+        self._rest.start()
+
+    def _follow(self) -> None:
+        project, survey = self._ready()
+        if project is None or survey is None or not self._document.awaits_result:
+            return
+        if self._runner.busy:
+            return  # the runner tells when it is idle
+        kept = self._selection
+        selection = kept if kept is not None and kept.serves(project, survey) else None
+
+        def work(progress: Progress) -> _Answer | str:
+            try:
+                return _adjusted(project, survey, selection, False, progress)
+            except LispacError as error:
+                return str(error)
+
+        def done(answer: _Answer | str) -> None:
+            if self._document.project is not project:
+                return
+            if isinstance(answer, str):
+                self._document.refuse(answer)
+                self._controller.noted.emit(answer)
+                return
+            self._selection = answer.selection
+            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
+            self._document.amend(answer.estimated)
+            self._note(answer.estimated, "Estimated again")
+
+        # A quick one gives way to what the user asks for; a slow one can be cancelled.
+        task = self._runner.run(
+            "Estimating again", work, done, quiet=selection is not None, key="follow"
+        )
+        self._following = (task, project)
+        self._controller.based_on_project(task)
+
+    def _note(self, project: Project, word: str) -> None:
+        result = project.result
+        assert result is not None
+        self._controller.noted.emit(
+            f"{word} on {result.points:,} points in {result.elapsed:.2f} s; "
+            f"RMS {result.rms_before * 1000:.1f} → {result.rms_after * 1000:.1f} mm"
+        )
+
+
+def _adjusted(
+    project: Project,
+    survey: Survey,
+    selection: _Selection | None,
+    cross_check: bool,
+    progress: Progress,
+) -> _Answer:
+    """In the worker: select the points where need be, adjust, and place the lines."""
+    from lispac.workflow.calibration import select, solve
+
+    preload()
+    started = perf_counter()
+    if selection is None:
+        selected = select(project, survey, progress=part(progress, 0.0, 0.7))
+        selection = _Selection(project, survey, selected)
+    solved = solve(
+        project, selection.selected, survey,
+        cross_check=cross_check, progress=part(progress, 0.7, 0.95),
+    )  # fmt: skip
+    assert solved.result is not None
+    elapsed = perf_counter() - started
+    # The checks hold the very result they stand beside.
+    estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
+    progress(0.95, "Placing the lines with the estimated boresight")
+    clouds = survey.placed(estimated, "estimated", progress=part(progress, 0.95, 1.0))
+    return _Answer(estimated, selection, clouds, None)
+
+
+def _placed_anew(survey: Survey, project: Project) -> Survey:
+    """The same readings placed with another prior mounting."""
+    mounting = project.mounting("prior")
+    clouds = {
+        name: georeference(scan.points_lidar, scan.time, survey.trajectory, mounting)
+        for name, scan in survey.scans.items()
+    }
+    return replace(survey, clouds=clouds)

@@ -1,0 +1,147 @@
+"""Figures of the diagnostics: convergence, correlations, POS errors, weak directions."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.gui import theme
+from lispac.gui.panels.adjust_parameters import KINDS
+
+COLOURS = ("#0072b2", "#d55e00", "#009e73")
+"""Okabe and Ito's blue, vermilion and green; the markers differ too."""
+MARKERS = ("o", "s", "^")
+TEXT, SMALL = 9, 8
+SMALLEST_DEG = 1e-12
+"""Below, doubles say nothing: keeps the logarithm finite."""
+
+
+def convergence(result: AdjustmentResult, figure: Figure) -> None:
+    """Distance of each angle from its last value, per iteration."""
+    axes = _axes(figure)
+    path = np.degrees(result.path)
+    away = np.abs(path - path[-1])
+    count = np.arange(1, len(path) + 1)
+    for k, angle in enumerate(ANGLES):
+        shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
+        axes.plot(
+            count[:-1], shown, color=COLOURS[k], marker=MARKERS[k], markersize=4, linewidth=1.3,
+            label=f"{angle}  {path[-1, k]:+.4f}°".replace("-", "\N{MINUS SIGN}"),
+        )  # fmt: skip
+    sigma = float(np.degrees(result.sigma.min()))
+    axes.axhline(sigma, color=theme.MUTED, linewidth=1, linestyle="--")
+    axes.annotate(
+        "smallest sigma", (1, sigma), xycoords=("axes fraction", "data"), xytext=(-4, 3),
+        textcoords="offset points", ha="right", fontsize=SMALL, color=theme.MUTED,
+    )  # fmt: skip
+    axes.set_yscale("log")
+    axes.set_xlabel("Iteration", fontsize=TEXT)
+    axes.set_ylabel("From last value, °", fontsize=TEXT)
+    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="lower left")
+
+
+def correlations(result: AdjustmentResult, figure: Figure) -> None:
+    """Heat map of all estimated values, with numbers."""
+    axes = _axes(figure)
+    names = [short_name(name) for name in result.estimated]
+    image = axes.imshow(result.correlation_all, cmap="PuOr", vmin=-1, vmax=1, aspect="auto")
+    for (row, column), value in np.ndenumerate(result.correlation_all):
+        axes.text(
+            column, row, f"{value:+.2f}".replace("-", "\N{MINUS SIGN}"), ha="center", va="center",
+            fontsize=SMALL, color="white" if abs(value) > 0.7 else theme.TEXT,
+        )  # fmt: skip
+    axes.set_xticks(range(len(names)), names)
+    axes.set_yticks(range(len(names)), names)
+    axes.tick_params(length=0)
+    axes.spines[:].set_visible(False)
+    figure.colorbar(image, ax=axes, shrink=0.9).ax.tick_params(labelsize=SMALL, colors=theme.TEXT)
+
+
+def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
+    """Estimated POS error of each sighting, with its prior's 2-sigma band."""
+    figure.clear()
+    parts = (
+        ("Position, mm", 1e3, slice(0, 3), ("north", "west", "up")),
+        ("Attitude, 0.001°", float(np.degrees(1e3)), slice(3, 6), ("roll", "pitch", "heading")),
+    )
+    items = result.reliability
+    names = [f"{item.sighting.target} {item.sighting.line}" for item in items]
+    place = np.arange(len(items))
+    for number, (title, scale, which, words) in enumerate(parts, start=1):
+        axes = figure.add_subplot(1, 2, number)
+        _dress(axes)
+        error = np.array([item.pos_error[which] for item in items]) * scale
+        prior = np.array([item.pos_sigma[which] for item in items]) * scale
+        for k, word in enumerate(words):
+            offset = place + 0.24 * (k - 1)
+            axes.bar(
+                offset, 4 * prior[:, k], bottom=-2 * prior[:, k], width=0.2, color=COLOURS[k],
+                alpha=0.18, linewidth=0, label=None if k else "prior ± 2 σ",
+            )  # fmt: skip
+            axes.plot(
+                offset, error[:, k], linestyle="none", marker=MARKERS[k], markersize=4,
+                color=COLOURS[k], label=word,
+            )  # fmt: skip
+        axes.axhline(0, color=theme.MUTED, linewidth=0.8)
+        axes.set_xticks(place, names, rotation=60, ha="right", rotation_mode="anchor")
+        for text in axes.get_xticklabels():
+            text.set_parse_math(False)
+            text.set_fontsize(SMALL if len(items) < 20 else SMALL - 2)
+        axes.set_ylabel(title, fontsize=TEXT)
+        _legend_above(axes)
+
+
+def directions(result: AdjustmentResult, figure: Figure) -> None:
+    """Roll, pitch and yaw parts of the three eigen directions."""
+    seen = result.observability
+    assert seen is not None
+    axes = _axes(figure)
+    sigma = np.degrees(seen.eigenvalues**-0.5)
+    share = seen.directions**2
+    left = np.zeros(3)
+    words = ("weakest", "middle", "strongest")
+    for k, angle in enumerate(ANGLES):
+        axes.barh(range(3), share[k] * 100, left=left * 100, height=0.6, color=COLOURS[k],
+                  alpha=0.85, label=angle)  # fmt: skip
+        for row in range(3):
+            if share[k, row] > 0.12:
+                text = f"{angle} {share[k, row]:.0%}"
+                axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
+                          va="center", fontsize=SMALL, color="white")  # fmt: skip
+        left = left + share[k]
+    names = [f"{word}\nσ {s:.4f}°" for word, s in zip(words, sigma, strict=True)]
+    axes.set_yticks(range(3), names)
+    axes.invert_yaxis()
+    axes.set_xlim(0, 100)
+    axes.set_xlabel("Share of each angle in the direction, %", fontsize=TEXT)
+
+
+def short_name(name: str) -> str:
+    """``lever_x`` as an axis of a figure shows it."""
+    if name not in KINDS:
+        return name.capitalize()
+    return KINDS[name].title.replace("Scan-angle offset", "Scan angle")
+
+
+def _axes(figure: Figure) -> Axes:
+    figure.clear()
+    axes = figure.add_subplot()
+    _dress(axes)
+    return axes
+
+
+def _dress(axes: Axes) -> None:
+    axes.set_facecolor("white")
+    axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.spines[["left", "bottom"]].set_color(theme.MUTED)
+    for label in (axes.xaxis.label, axes.yaxis.label):
+        label.set_color(theme.TEXT)
+
+
+def _legend_above(axes: Axes) -> None:
+    axes.legend(
+        fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, ncols=4, loc="lower center",
+        bbox_to_anchor=(0.5, 1.0), borderaxespad=0.1,
+    )  # fmt: skip

@@ -1,0 +1,111 @@
+"""What is behind the angles: a page for each question one may ask of an adjustment."""
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QListWidget,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui.panels import widgets
+from lispac.gui.panels.diagnostics_pages import PAGES, Page, Sightings, Targets
+from lispac.project import Project
+
+TITLE = "Diagnostics"
+
+
+class DiagnosticsPanel(QWidget):
+    """A list of pages; only the page that is seen is filled."""
+
+    followed = Signal(str, str)
+    """Target and line (or "") whose points the user wants to see."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMinimumHeight(216)
+        self._project: Project | None = None
+        self._stale: set[Page] = set()
+        self.list = QListWidget()
+        self.list.setObjectName("diagnostics_list")
+        self.list.setAccessibleName("Pages of the diagnostics")
+        self.list.setFixedWidth(128)
+        self.list.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 3px; }")
+        self._stack = QStackedWidget()
+        self.pages: dict[str, Page] = {}
+        for kind in PAGES:
+            page = kind()
+            self.pages[page.title] = page
+            self.list.addItem(page.title)
+            self._stack.addWidget(page)
+            table = getattr(page, "table", None)
+            if table is not None:
+                table.followed.connect(self.followed)
+        self._waiting = widgets.label(
+            "Estimating again; these are the figures from before the change.", "hint", wrap=True
+        )
+        self._waiting.hide()
+        right = QWidget()
+        column = QVBoxLayout(right)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addWidget(self._waiting)
+        column.addWidget(self._stack, 1)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(4, 4, 0, 0)
+        row.setSpacing(4)
+        row.addWidget(self.list)
+        row.addWidget(right, 1)
+        self._stale = set(self.pages.values())
+        self.list.currentRowChanged.connect(self._turn)
+        self.list.setCurrentRow(0)
+
+    @property
+    def current(self) -> Page:
+        """The page in front."""
+        page = self._stack.currentWidget()
+        assert isinstance(page, Page)
+        return page
+
+    def show_project(self, project: Project | None, *, waiting: bool = False) -> None:
+        """Show another result; while the next one is ``waiting`` the old one stays, greyed."""
+        had_result = self._project is not None and self._project.result is not None
+        greyed = waiting and had_result
+        self._waiting.setVisible(greyed)
+        self._stack.setEnabled(not greyed)
+        if greyed or not self._differs(project):
+            return
+        self._project = project
+        self._stale = set(self.pages.values())
+        self._fill()
+
+    def select(self, target: str, line: str) -> None:
+        """Select the rows about a sighting."""
+        for page in (Sightings, Targets):
+            self.pages[page.title].select(target, line)
+
+    def open(self, title: str) -> None:
+        """Bring a page to the front."""
+        self.list.setCurrentRow(list(self.pages).index(title))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._fill()
+
+    def _differs(self, project: Project | None) -> bool:
+        if project is None or self._project is None:
+            return project is not self._project
+        old = self._project
+        return project.result is not old.result or project.cross_checks is not old.cross_checks
+
+    def _turn(self, row: int) -> None:
+        self._stack.setCurrentIndex(row)
+        self._fill()
+
+    def _fill(self) -> None:
+        page = self.current
+        if self.isVisible() and page in self._stale:
+            self._stale.discard(page)
+            page.show_project(self._project)

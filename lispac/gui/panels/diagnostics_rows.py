@@ -1,0 +1,241 @@
+"""What the tables of the diagnostics hold."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    CrossChecks,
+    SightingReliability,
+    SightingResidual,
+)
+from lispac.gui.panels.adjust_parameters import KINDS
+from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number
+from lispac.gui.panels.result_words import check_name, significance_words
+
+MM, MDEG = 1e3, float(np.degrees(1e3))
+FOLLOW = "Double click, or Enter, goes to its points in the view"
+
+SIGHTINGS = (
+    Column("Target", "Target", True),
+    Column("Line", "Line", True),
+    Column("Remark", "What to look at", True),
+    Column("Points", "Points that took part, after thinning"),
+    Column("Before", "RMS distance to the surface with the prior boresight, mm"),
+    Column("After", "RMS distance to the adjusted surface, mm; no POS error is taken off"),
+    Column("Shift", "By how much the sighting as a whole lies off what all others say, mm"),
+    Column("w", "The shift over its standard deviation (Baarda's test)"),
+    Column("Detectable", "Smallest shift the test finds with 80 % power, mm"),
+    Column(
+        "Effect", "Largest change of an angle by a shift of that size that stays unfound, 0.001°"
+    ),
+    Column("Strays", "Points whose own test is beyond 3.29"),
+    Column("Redundancy", "Mean of the points' redundancy numbers, 0 (unchecked) to 1"),
+    Column("POS position", "Estimated position error and its prior sigma, mm (3D length)"),
+    Column("POS attitude", "Estimated attitude error and its prior sigma, 0.001° (3D length)"),
+)
+TARGETS = (
+    Column("Target", "Target", True),
+    Column("Remark", "What to look at", True),
+    Column("Shape", "Plane or sphere", True),
+    Column("Lines", "Lines it was seen on"),
+    Column("Points", "Points that took part, after thinning"),
+    Column("Before", "RMS distance to its best surface with the prior boresight, mm"),
+    Column("After", "RMS distance to the adjusted surface, mm"),
+    Column("Noise factor", "LiDAR noise found in the residuals over the stated one, at least 1"),
+    Column("Largest w", "Largest test value of its sightings"),
+    Column("Strays", "Points whose own test is beyond 3.29"),
+)
+CHECKS = (
+    Column("Part of the data", "What was left out, or which half was used", True),
+    Column("Verdict", "Whether it agrees, or why there is no answer", True),
+    Column("Roll", "Difference from the answer of all points, or between the halves, degrees"),
+    Column("in σ", "The difference over the standard deviation it should have"),
+    Column("Pitch", "Difference from the answer of all points, or between the halves, degrees"),
+    Column("in σ", "The difference over the standard deviation it should have"),
+    Column("Yaw", "Difference from the answer of all points, or between the halves, degrees"),
+    Column("in σ", "The difference over the standard deviation it should have"),
+    Column("Reason", "Why there is no answer, or what disagrees", True),
+)
+PARAMETERS = (
+    Column("Parameter", "Value of the mounting", True),
+    Column("Value", "As estimated"),
+    Column("± 1 σ", "Standard deviation of the value"),
+    Column("Prior", "What went in"),
+    Column("Prior σ", "How well that was said to be known"),
+    Column("in σ", "Change from the prior over its standard deviation"),
+    Column("Remark", "Whether it earns its place, or why there is no number", True),
+)
+ROUGH = 1.5
+"""Noise factor from which a surface is called rough."""
+
+
+def sighting_rows(result: AdjustmentResult) -> list[Row]:
+    """One row for each sighting that took part."""
+    tests = {(r.sighting.target, r.sighting.line): r for r in result.reliability}
+    return [
+        _sighting(residual, tests.get((residual.sighting.target, residual.sighting.line)))
+        for residual in result.sightings
+    ]
+
+
+def _sighting(residual: SightingResidual, test: SightingReliability | None) -> Row:
+    sighting = residual.sighting
+    key = (sighting.target, sighting.line)
+    fit = [
+        number(residual.points, ",.0f"),
+        number(residual.rms_before, ".1f", MM),
+        number(residual.rms_after, ".1f", MM),
+    ]
+    names = [Cell(sighting.target), Cell(sighting.line)]
+    if test is None:
+        return Row([*names, Cell("no test"), *fit, *[number(None, "")] * 8], key, tip=FOLLOW)
+    remark = ""
+    if test.released:
+        remark = "released: disagrees"
+    elif abs(test.w) > 3:
+        remark = "suspicious: w beyond 3"
+    elif test.strays > 0.05 * residual.points:
+        remark = "many stray points"
+    tests = (
+        [number(None, "")] * 3
+        if test.released
+        else [
+            number(test.w, "+.2f"),
+            number(test.detectable, ".1f", MM),
+            number(float(np.abs(test.effect).max()), ".1f", MDEG),
+        ]
+    )
+    cells = [
+        *names,
+        Cell(remark),
+        *fit,
+        number(test.shift, "+.1f", MM),
+        *tests,
+        number(test.strays, ",.0f"),
+        number(test.redundancy, ".2f"),
+        _against_prior(test.pos_error[:3], test.pos_sigma[:3], MM),
+        _against_prior(test.pos_error[3:], test.pos_sigma[3:], MDEG),
+    ]
+    return Row(cells, key, marked=test.released or abs(test.w) > 3, tip=FOLLOW)
+
+
+def _against_prior(error: np.ndarray, sigma: np.ndarray, scale: float) -> Cell:
+    size, prior = float(np.linalg.norm(error)), float(np.linalg.norm(sigma))
+    return Cell(f"{size * scale:.1f} (σ {prior * scale:.1f})", size)
+
+
+def target_rows(result: AdjustmentResult) -> list[Row]:
+    """One row for each target."""
+    rows = []
+    for target in result.targets:
+        tests = [r for r in result.reliability if r.sighting.target == target.target]
+        released = [r.sighting.line for r in tests if r.released]
+        lines = sum(s.sighting.target == target.target for s in result.sightings)
+        rough = target.noise > ROUGH
+        remark = "rougher than stated" if rough else ""
+        if released:
+            remark = f"released on {', '.join(released)}"
+        held = [abs(r.w) for r in tests if not r.released]
+        cells = [
+            Cell(target.target),
+            Cell(remark),
+            Cell("sphere" if target.sphere else "plane"),
+            number(lines, ",.0f"),
+            number(target.points, ",.0f"),
+            number(target.rms_before, ".1f", MM),
+            number(target.rms_after, ".1f", MM),
+            number(target.noise, ".2f") if result.model.correlated else number(None, ""),
+            number(max(held, default=None), ".2f"),
+            number(sum(r.strays for r in tests), ",.0f") if tests else number(None, ""),
+        ]
+        rows.append(Row(cells, (target.target, ""), marked=bool(released), tip=FOLLOW))
+    return rows
+
+
+def check_rows(checks: CrossChecks) -> list[Row]:
+    """One row for each part of the data."""
+    rows = []
+    for check in checks.parts:
+        name = check_name(check)
+        title = Cell(name[0].upper() + name[1:])
+        if check.difference is None or check.significance is None:
+            cells = [title, Cell("no answer"), *[number(None, "")] * 6, Cell(check.reason)]
+            rows.append(Row(cells, tip=check.reason))
+            continue
+        cells = [title, Cell("disagrees" if check.disagrees else "agrees")]
+        for off, units in zip(check.difference, check.significance, strict=True):
+            cells += [number(float(np.degrees(off)), "+.4f"), number(float(units), "+.1f")]
+        tip = "An angle differs by more than chance explains" if check.disagrees else ""
+        cells.append(Cell(tip))
+        rows.append(Row(cells, marked=check.disagrees, tip=tip))
+    return rows
+
+
+def spread_words(checks: CrossChecks) -> str:
+    """The jackknife's spread beside the formal sigmas, as rich text."""
+
+    def row(title: str, values: Sequence[float] | None) -> str:
+        numbers = ["–"] * 3 if values is None else [f"{np.degrees(v):.4f}" for v in values]
+        cells = "".join(f"<td align='right' style='padding-left:10px'>{n}</td>" for n in numbers)
+        return f"<tr><td>{title}</td>{cells}</tr>"
+
+    return (
+        "<table><tr><td><b>1 σ, degrees</b></td>"
+        + "".join(
+            f"<td align='right' style='padding-left:10px'><b>{a}</b></td>"
+            for a in ("Roll", "Pitch", "Yaw")
+        )
+        + "</tr>"
+        + row("Formal sigma", checks.sigma)
+        + row("Jackknife, lines", checks.spread_lines)
+        + row("Jackknife, targets", checks.spread_targets)
+        + "</table>"
+    )
+
+
+def parameter_rows(result: AdjustmentResult) -> list[Row]:
+    """The angles, then every value that was switched on."""
+    rows = []
+    for k, angle in enumerate(("Roll", "Pitch", "Yaw")):
+        value, prior = result.boresight[k], result.prior_boresight[k]
+        rows.append(
+            Row(
+                [
+                    Cell(angle),
+                    Cell(f"{np.degrees(value):+.4f} °", float(value)),
+                    Cell(f"{np.degrees(result.sigma[k]):.4f} °", float(result.sigma[k])),
+                    Cell(f"{np.degrees(prior):+.4f} °", float(prior)),
+                    number(None, ""),
+                    number(float((value - prior) / result.sigma[k]), "+.1f"),
+                    Cell("always estimated"),
+                ]
+            )
+        )
+    for estimate in result.parameters:
+        kind = KINDS[estimate.name]
+
+        def shown(value: float | None, kind=kind, signed: bool = True) -> Cell:
+            return Cell("–") if value is None else Cell(kind.text(value, signed=signed), value)
+
+        remark = estimate.reason or _earns(estimate)
+        cells = [
+            Cell(kind.title),
+            shown(estimate.value),
+            shown(estimate.sigma, signed=False),
+            shown(estimate.prior),
+            Cell("not known")
+            if estimate.prior_sigma is None
+            else shown(estimate.prior_sigma, signed=False),
+            number(estimate.significance, "+.1f"),
+            Cell(remark),
+        ]
+        rows.append(Row(cells, marked=estimate.value is None, tip=remark))
+    return rows
+
+
+def _earns(estimate: Estimate) -> str:
+    words = significance_words(estimate)
+    return f"{words}: {'keep it' if words == 'significant' else 'can be left out'}"

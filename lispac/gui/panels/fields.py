@@ -1,0 +1,123 @@
+"""Fields that may stay empty, and groups that fold away."""
+
+import math
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from lispac.errors import InputError
+from lispac.gui import theme
+
+
+class OptionalNumber(QLineEdit):
+    """A number with its unit; empty means that it is not known.
+
+    Parameters
+    ----------
+    what : the field's name as a sentence about it begins
+    unit : shown where the field is empty, and in its tooltip
+    scale : units to one metre, radian or second
+    empty : what an empty field means, or what belongs into one that is ``needed``
+    """
+
+    def __init__(
+        self,
+        name: str,
+        what: str,
+        unit: str,
+        scale: float,
+        empty: str,
+        tip: str,
+        needed: bool = False,
+    ) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setAccessibleName(f"{what}, {unit}")
+        self.setToolTip(f"{tip}, in {unit}" if needed else f"{tip}, in {unit}. Empty: {empty}.")
+        self.setPlaceholderText(empty)
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setFont(theme.tabular(self.font()))
+        self.setMinimumWidth(48)
+        self._what, self._unit, self._scale = what, unit, scale
+        self.textChanged.connect(self._mark)
+
+    def value(self) -> float | None:
+        """Metres, radians or seconds; None where the field is empty.
+
+        Raises
+        ------
+        InputError
+            Where something else than a number stands there.
+        """
+        text = self.text().strip().replace(",", ".").replace("−", "-")
+        if not text:
+            return None
+        try:
+            number = float(text)
+        except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
+            raise InputError(
+                f"{self._what}: “{self.text().strip()}” is not a number; give {self._unit}."
+            )
+        return number / self._scale
+
+    def show_value(self, value: float | None) -> None:
+        """Fill in without telling anyone."""
+        self.blockSignals(True)
+        self.setText("" if value is None else f"{value * self._scale:.6g}")
+        self.blockSignals(False)
+        self._mark()
+
+    def _mark(self) -> None:
+        """Show by the frame whether what is typed is a number that a sigma can be."""
+        try:
+            wrong = (self.value() or 0.0) < 0
+        except InputError:
+            wrong = True
+        self.setProperty("wrong", wrong)
+        self.style().unpolish(self)
+        self.style().polish(self)
+
+
+class Fold(QWidget):
+    """A heading that folds what stands below it; folded, it tells what is set there."""
+
+    folded = Signal(bool)
+
+    def __init__(self, title: str, name: str, body: QWidget) -> None:
+        super().__init__()
+        self._title = title
+        self.head = QToolButton()
+        self.head.setObjectName(name)
+        self.head.setCheckable(True)
+        self.head.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.head.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.head.setStyleSheet(
+            "QToolButton { border: none; font-weight: 600; padding: 3px 0; background: transparent;"
+            f" text-align: left; }} QToolButton:hover, QToolButton:focus {{ color: {theme.ACCENT}; "
+            "}"
+        )
+        self.head.toggled.connect(self._show)
+        self.body = body
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(4)
+        layout.addWidget(self.head)
+        layout.addWidget(body)
+        self.set_summary("")
+        self._show(False)
+
+    def set_summary(self, words: str) -> None:
+        """What is set inside, in a few words."""
+        self.head.setText(f"{self._title}: {words}" if words else self._title)
+        self.head.setToolTip(self.head.text())
+
+    def open(self, unfolded: bool = True) -> None:
+        """Fold, or unfold."""
+        self.head.setChecked(unfolded)
+
+    def _show(self, unfolded: bool) -> None:
+        self.head.setArrowType(Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow)
+        self.body.setVisible(unfolded)
+        self.folded.emit(not unfolded)

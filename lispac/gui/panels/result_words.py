@@ -1,0 +1,109 @@
+"""What a result says besides its angles, in words: warnings, extra parameters, the fit."""
+
+from lispac.adjustment.observations import Sighting
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import AdjustmentResult, CrossCheck, CrossChecks
+from lispac.gui.panels.adjust_parameters import KINDS
+from lispac.gui.theme import DONE, MUTED, WARNING
+
+THESIS = (
+    "Thesis mode: every point is taken to have a POS error of its own. The sigmas of the angles "
+    "are several times too small; use them for comparison only."
+)
+EARNS = 3.0
+"""Standard deviations a value has to move to earn its place."""
+
+KIND_WORDS = {"line": "without line", "target": "without target", "half": "of the"}
+
+
+def sighting_name(sighting: Sighting) -> str:
+    """``T1 on L2``."""
+    return f"{sighting.target} on {sighting.line}"
+
+
+def check_name(check: CrossCheck) -> str:
+    """``without line L2``, ``first half``."""
+    if check.kind == "half":
+        return f"{check.without} half of the lines"
+    return f"{KIND_WORDS[check.kind]} {check.without}"
+
+
+def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
+    """What the user has to know before using the angles."""
+    found = [] if result.model.correlated else [THESIS]
+    if result.suspects:
+        names = ", ".join(sighting_name(sighting) for sighting in result.suspects)
+        found.append(
+            f"Does not agree with the others and is not held to its target: {names}. Look at its "
+            "points, and leave it out if they are of another surface."
+        )
+    if checks is not None and checks.disagreements:
+        names = ", ".join(check_name(check) for check in checks.disagreements)
+        found.append(
+            f"Parts of the data disagree with the whole by more than chance: {names}. See the "
+            "cross-checks under Diagnostics."
+        )
+    return found
+
+
+def verdict(result: AdjustmentResult) -> str:
+    """What the chi-square test means, in words."""
+    if result.chi_square.passed:
+        if not result.model.correlated:
+            return "The residuals are as large as the stated sigmas say."
+        return "The residuals are as large as the stated sigmas say: the uncertainties can be used."
+    if result.variance_factor > 1:
+        return (
+            "The residuals are larger than the stated sigmas say. Look for a target that is not "
+            "flat or a sighting that holds other points, or state larger sigmas."
+        )
+    return (
+        "The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are "
+        "stated too large, so the uncertainties are on the safe side."
+    )
+
+
+def test_words(result: AdjustmentResult) -> str:
+    """The chi-square test with its bounds, as rich text."""
+    test = result.chi_square
+    word, colour, where = ("passed", DONE, "in") if test.passed else ("failed", WARNING, "not in")
+    return (
+        f"<b style='color:{colour}'>{word}</b>: {test.statistic:.4g} {where} "
+        f"[{test.lower:.4g}, {test.upper:.4g}]"
+    )
+
+
+def significance_words(estimate: Estimate) -> str:
+    """Whether the value earns its place."""
+    if estimate.significance is None:
+        return ""
+    if abs(estimate.significance) > EARNS:
+        return "significant"
+    if abs(estimate.significance) > 2:
+        return "weakly significant"
+    return "not significant"
+
+
+def parameter_rows(result: AdjustmentResult) -> str:
+    """The values estimated besides the boresight, as rich text; empty where there are none."""
+    rows = []
+    for estimate in result.parameters:
+        kind = KINDS[estimate.name]
+        if estimate.value is None or estimate.sigma is None:
+            rows.append(f"<tr><td colspan='2'>{kind.title}: {estimate.reason}</td></tr>")
+            continue
+        rows.append(
+            f"<tr><td>{kind.title}</td><td align='right' style='padding-left:14px'>"
+            f"<b>{kind.text(estimate.value)}</b> ± {kind.text(estimate.sigma, signed=False)}"
+            f"</td></tr><tr><td colspan='2' align='right' style='color:{MUTED}'>"
+            f"prior {kind.text(estimate.prior)}, {significance_words(estimate)}</td></tr>"
+        )
+    return f"<table width='100%'>{''.join(rows)}</table>" if rows else ""
+
+
+def component_words(result: AdjustmentResult) -> str:
+    """How large the errors are by the data; empty where that was not asked for."""
+    return "; ".join(
+        f"{c.name} {c.factor:.2f} × stated (95 %: {c.lower:.2f} to {c.upper:.2f})"
+        for c in result.components
+    )

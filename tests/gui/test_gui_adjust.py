@@ -1,0 +1,321 @@
+"""Step 3: what is chosen there, what it refuses, and what follows from a tick in the table."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QWidget
+
+from lispac.adjustment.parameters import Parameter
+from lispac.errors import InputError
+from lispac.gui.panels.fields import Fold
+from lispac.project import Project
+from tests.gui.support import (
+    Control,
+    Demo,
+    Driver,
+    Key,
+    click,
+    click_check,
+    open_step,
+    press,
+    seed,
+    sentence,
+    settle,
+    type_into,
+)
+
+
+def unfold(driver: Driver, fold: Fold) -> None:
+    """Open a group, in a panel whose rows are scrolled to where they are needed."""
+    open_step(driver, 2)
+    click(driver, fold.head)
+    assert fold.body.isVisible()
+
+
+def angles(driver: Driver) -> np.ndarray:
+    assert driver.project.result is not None
+    return driver.project.result.boresight
+
+
+def tick(driver: Driver, row: int, column: int) -> None:
+    table = driver.window.table
+    click_check(driver, table, table.sightings.index(row, column))
+
+
+# -- what is typed -------------------------------------------------------------------------------
+
+
+def test_a_wrong_number_is_caught_while_it_is_typed(picked: Driver):
+    panel = picked.window.adjust
+    unfold(picked, panel.also)
+    switch, sigma = panel.parameters.switches["lever_x"], panel.parameters.sigmas["lever_x"]
+    assert not sigma.isEnabled()
+    click(picked, switch)
+    assert panel.also.head.text() == "Estimate also: lever arm X"
+    for text, words in (("5x", "not a number"), ("-3", "larger than zero"), ("0", "larger")):
+        type_into(picked, sigma, text)
+        assert words in panel.problem.text()
+        assert panel.problem.isVisible()
+        assert not panel.estimate.isEnabled()
+    press(picked, Key.Key_F9)
+    assert not picked.window.runner.busy
+    type_into(picked, sigma, "5")
+    assert not panel.problem.isVisible()
+    assert panel.estimate.isEnabled()
+    assert panel.settings().parameters == (Parameter("lever_x", 0.005),)
+    type_into(picked, sigma, "")
+    assert panel.settings().parameters == (Parameter("lever_x", None),)
+    assert picked.project.settings.parameters == ()
+
+
+def test_the_sentence_of_the_settings_is_shown(picked: Driver):
+    panel = picked.window.adjust
+    unfold(picked, panel.advanced)
+    type_into(picked, panel.model.position_time.lineEdit(), "0")
+    assert panel.problem.text() == (
+        "A correlation time must be larger than zero seconds; correct it."
+    )
+    type_into(picked, panel.model.position_time.lineEdit(), "120")
+    panel.model.noise.setFocus()
+    picked.bot.keyClick(panel.model.noise, Key.Key_Down)
+    picked.bot.keyClick(panel.model.noise, Key.Key_Down)
+    assert panel.problem.text().startswith("The LiDAR sigma of range and angle is not complete")
+    type_into(picked, panel.model.angle, "0.02")
+    assert panel.settings().lidar_beam_sigma == (picked.project.settings.lidar_sigma, 0.02)
+    assert panel.settings().position_time == 120
+    click(picked, panel.findChild(QWidget, "model_independent"))
+    assert not panel.model.position_time.isEnabled()
+    assert "times too small" in panel.model_sentence.text()
+
+
+def test_what_is_chosen_goes_into_the_project_with_the_result_as_one_step(picked: Driver):
+    panel, before = picked.window.adjust, picked.project
+    clouds = dict(picked.window.document.survey.clouds)
+    unfold(picked, panel.also)
+    click(picked, panel.parameters.switches["range_offset"])
+    type_into(picked, panel.parameters.priors["range_offset"].lineEdit(), "20")
+    unfold(picked, panel.advanced)
+    type_into(picked, panel.model.surface, "0.5")
+    panel.model.loss.setFocus()
+    for _ in range(2):
+        picked.bot.keyClick(panel.model.loss, Key.Key_Down)
+    for axis, text in zip(panel.model.axes, ("2", "3", "4"), strict=True):
+        panel.model.noise.setCurrentIndex(1)
+        type_into(picked, axis, text)
+    click(picked, panel.cross_check)
+    panel.estimate.setFocus()
+    picked.bot.keyClick(panel.estimate, Key.Key_Space)
+    picked.rest()
+    made = picked.project.settings
+    assert made == replace(
+        before.settings,
+        parameters=(Parameter("range_offset"),),
+        range_offset=0.02,
+        surface=0.0005,
+        loss="huber",
+        lidar_sigma_xyz=(0.002, 0.003, 0.004),
+    )
+    (found,) = picked.project.result.parameters
+    assert found.prior == pytest.approx(0.02)
+    assert abs(found.value) < 4 * found.sigma  # the simulator put none in
+    assert picked.project.cross_checks is None
+    line = before.lines[0].name
+    moved = np.linalg.norm(picked.window.document.survey.clouds[line] - clouds[line], axis=1)
+    assert np.median(moved) == pytest.approx(0.02, abs=1e-6)
+    press(picked, Key.Key_Z, Control)
+    picked.rest()
+    assert picked.project is before
+    again = picked.window.document.survey.clouds[line]
+    assert np.abs(again - clouds[line]).max() < 1e-9
+    assert not panel.parameters.switches["range_offset"].isChecked()
+
+
+def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
+    truth = picked.project.settings.lever_arm
+    open_step(picked, 0)
+    type_into(picked, picked.window.data.lever_arm.fields[0].lineEdit(), f"{truth[0] + 0.06:.4f}")
+    click(picked, picked.window.data.apply)
+    picked.rest()
+    unfold(picked, picked.window.adjust.also)
+    click(picked, picked.window.adjust.parameters.switches["lever_x"])
+    press(picked, Key.Key_F9)
+    picked.rest()
+    assert picked.project.result.estimated == ("roll", "pitch", "yaw", "lever_x")
+    (found,) = picked.project.result.parameters
+    assert abs(found.value - truth[0]) < 4 * found.sigma
+    assert abs(found.value - found.prior) > 5 * found.sigma
+    shown = picked.window.results.parameters.text()
+    assert f"{found.value * 1000:+.1f} mm".replace("-", "−") in shown
+    assert "significant" in shown
+
+
+def test_thesis_mode_keeps_its_warning(picked: Driver):
+    open_step(picked, 2)
+    click(picked, picked.window.adjust.findChild(QWidget, "model_independent"))
+    press(picked, Key.Key_F9)
+    picked.rest()
+    assert not picked.project.result.model.correlated
+    assert "Thesis mode" in picked.window.results.warnings.text()
+    assert picked.window.results.warnings.isVisible()
+
+
+# -- a found plane that waits, and errors --------------------------------------------------------
+
+
+def test_estimate_asks_about_a_plane_that_is_not_accepted(opened: Driver, demo: Demo):
+    opened.window.document.edit("picks", demo.project.with_target(demo.picked.target("T1")))
+    seed(opened, "T2")
+    press(opened, Key.Key_F9)
+    assert opened.dialogs.asked == ["T2"]
+    assert not opened.window.runner.busy
+    assert opened.window.controller.candidate is not None
+    opened.dialogs.about_candidate = "accept"
+    press(opened, Key.Key_F9)
+    opened.rest()
+    assert {s.sighting.target for s in opened.project.result.sightings} == {"T1", "T2"}
+
+
+def test_nothing_is_shown_as_running_behind_an_error(picked: Driver):
+    shown = []
+    bar = picked.window.task_bar.text
+    picked.window.runner.failed.connect(lambda error: shown.append((str(error), bar.isVisible())))
+
+    def fails(_progress):
+        raise InputError("the file is short")
+
+    picked.window.runner.run("Reading", fails, print)
+    assert bar.isVisible()
+    picked.rest()
+    assert shown == [("the file is short", False)]
+
+
+# -- what follows from a tick --------------------------------------------------------------------
+
+
+def test_a_tick_estimates_again_and_undo_takes_both_back(picked: Driver):
+    press(picked, Key.Key_F9)
+    picked.rest()
+    first, whole = picked.project, angles(picked)
+    assert picked.window.scene.which == "estimated"
+    after = picked.viewport.clouds
+    tick(picked, 0, 2)
+    waiting = picked.window.results
+    assert picked.project.result is None
+    assert waiting.findChild(QWidget, "results_waiting").isVisible()
+    assert not waiting.angles.isEnabled()
+    settle(picked)
+    less = angles(picked)
+    assert np.abs(less - whole).max() > 1e-7
+    assert len(picked.project.result.sightings) == len(first.result.sightings) - 1
+    assert waiting.angles.isEnabled()
+    shown = f"{np.degrees(less[1]):+.4f}".replace("-", "−")
+    assert waiting.angles.item(1, 1).text() == shown
+    assert picked.window.scene.which == "estimated"
+    assert picked.window.scene.has_estimated
+    assert picked.viewport.clouds is not after
+    press(picked, Key.Key_Z, Control)
+    assert picked.project is first
+    picked.rest()
+    assert picked.window.scene.has_estimated
+    press(picked, Key.Key_Y, Control)
+    assert (angles(picked) == less).all()
+    assert not picked.window.document.awaits_result
+    assert picked.dialogs.errors == []
+
+    # several clicks make one adjustment, and each is a step of its own
+    picked.rest()
+    log = picked.window.log
+    before = log.toPlainText().count("Estimated again")
+    tick(picked, 1, 3)
+    tick(picked, 1, 4)
+    settle(picked)
+    assert log.toPlainText().count("Estimated again") == before + 1
+    assert len(picked.project.result.sightings) == len(first.result.sightings) - 3
+    press(picked, Key.Key_Z, Control)
+    settle(picked)
+    assert len(picked.project.result.sightings) == len(first.result.sightings) - 2
+    press(picked, Key.Key_Z, Control)
+    assert (angles(picked) == less).all()
+
+
+def test_a_whole_line_and_a_project_opened_with_its_result(
+    driver: Driver, demo: Demo, estimated: Project
+):
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    table, line = driver.window.table, estimated.lines[3].name
+    row = table.sightings.rowCount() - 1
+    assert table.sightings.data(table.sightings.index(row, 0)) == "Whole line"
+    assert table.sightings.data(table.sightings.index(row, 4)) == "2 of 2 used"
+    tick(driver, row, 4)
+    settle(driver)
+    assert line not in {s.sighting.line for s in driver.project.result.sightings}
+    assert len(driver.project.result.sightings) == len(estimated.result.sightings) - 2
+    tick(driver, row, 4)
+    settle(driver)
+    assert angles(driver) == pytest.approx(estimated.result.boresight, abs=1e-10)
+    assert driver.window.actions_["undo"].text() == f"&Undo use of line {line}"
+
+
+def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
+    driver: Driver, demo: Demo, estimated: Project
+):
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    for column in range(2, 7):
+        tick(driver, 0, column)
+    settle(driver)
+    first = estimated.lines[0].name
+    refusal = driver.window.results.refusal
+    assert refusal.isVisible()
+    assert f"Target T1 is seen on line {first} only" in refusal.text()
+    assert "T1 is seen" in driver.window.task_bar.currentMessage()
+    assert sentence(driver, 2) == "not estimated"
+    assert driver.dialogs.errors == []
+    assert driver.project.result is None
+    tick(driver, 0, 2)
+    settle(driver)
+    assert not refusal.isVisible()
+    assert driver.project.result is not None
+    driver.window.runner.cancel()
+
+
+def test_what_follows_can_be_cancelled(driver: Driver, demo: Demo, estimated: Project):
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    tick(driver, 0, 2)
+    driver.bot.waitUntil(lambda: driver.window.runner.busy)
+    press(driver, Key.Key_Period, Control)
+    settle(driver)
+    assert driver.project.result is None
+    assert "cancelled. Press Estimate" in driver.window.results.refusal.text()
+    assert driver.window.actions_["estimate"].isEnabled()
+    assert driver.dialogs.errors == []
+
+
+def test_an_unforeseen_failure_is_told_once(
+    driver: Driver, demo: Demo, estimated: Project, monkeypatch: pytest.MonkeyPatch
+):
+    def fails(*_arguments, **_named):
+        raise ZeroDivisionError
+
+    monkeypatch.setattr("lispac.workflow.calibration.select", fails)
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    tick(driver, 0, 2)
+    settle(driver)
+    driver.bot.wait(600)
+    assert [type(error) for error in driver.dialogs.errors] == [ZeroDivisionError]
+    assert "failed. Press Estimate" in driver.window.results.refusal.text()
+
+
+def test_a_pick_after_an_estimate_waits_for_the_button(picked: Driver, estimated: Project):
+    picked.window.document.edit("estimate", estimated)
+    picked.window.controller.remove("T2")
+    assert not picked.window.document.awaits_result
+    picked.rest()
+    assert picked.project.result is None
+    assert (
+        "Nothing estimated yet" in picked.window.results.findChild(QWidget, "results_empty").text()
+    )

@@ -1,0 +1,186 @@
+"""The diagnostics: every page, its empty state, and the way from a row to the points."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QTableWidget
+
+from lispac.adjustment.result import CrossCheck
+from lispac.gui.panels.diagnostics_pages import PAGES
+from lispac.gui.panels.diagnostics_table import MARKED_BACKGROUND
+from lispac.project import Project
+from tests.gui.support import Control, Demo, Driver, Key, Left, click_check, double_click, settle
+
+
+@pytest.fixture
+def shown(driver: Driver, demo: Demo, estimated: Project) -> Driver:
+    """The estimated demo survey with the diagnostics in front."""
+    driver.window.document.open(estimated, demo.survey)
+    driver.window.docks["Diagnostics"].raise_()
+    driver.rest()
+    assert driver.window.diagnostics.isVisible()
+    return driver
+
+
+def turn_to(driver: Driver, title: str):
+    """Click a page in the list."""
+    pages = driver.window.diagnostics.list
+    item = next(pages.item(k) for k in range(pages.count()) if pages.item(k).text() == title)
+    driver.bot.mouseClick(pages.viewport(), Left, pos=pages.visualItemRect(item).center())
+    page = driver.window.diagnostics.current
+    assert page.title == title
+    assert page.isVisible()
+    return page
+
+
+def column(table: QTableWidget, title: str) -> int:
+    heads = [table.horizontalHeaderItem(k).text() for k in range(table.columnCount())]
+    return heads.index(title)
+
+
+def texts(table: QTableWidget, title: str) -> list[str]:
+    k = column(table, title)
+    return [table.item(row, k).text() for row in range(table.rowCount())]
+
+
+def test_without_a_result_every_page_says_what_to_do(picked: Driver):
+    picked.window.docks["Diagnostics"].raise_()
+    for kind in PAGES:
+        page = turn_to(picked, kind.title)
+        assert page.advice.startswith("Nothing estimated yet: press Estimate in step 3, and ")
+        assert getattr(page, "canvas", None) is None
+
+
+def test_no_figure_is_made_before_its_page_is_turned_to(shown: Driver):
+    figures = [kind.title for kind in PAGES if hasattr(kind, "draws")]
+    assert len(figures) == 4
+    for k, title in enumerate(figures):
+        panel = shown.window.diagnostics
+        made = [name for name in figures if panel.pages[name].canvas is not None]
+        assert made == figures[:k]
+        turn_to(shown, title)
+        assert panel.pages[title].canvas is not None
+
+
+def test_the_figures_show_the_result(shown: Driver, estimated: Project):
+    result = estimated.result
+    (axes,) = turn_to(shown, "Convergence").canvas.figure.axes
+    assert axes.get_yscale() == "log"
+    roll = axes.lines[0].get_ydata()
+    assert roll[0] == pytest.approx(abs(np.degrees(result.path[0, 0] - result.boresight[0])))
+    heat = turn_to(shown, "Correlations").canvas.figure.axes[0]
+    assert (heat.images[0].get_array() == result.correlation_all).all()
+    numbers = [text.get_text() for text in heat.texts]
+    assert numbers[1] == f"{result.correlation_all[0, 1]:+.2f}".replace("-", "−")
+    assert [t.get_text() for t in heat.get_xticklabels()] == ["Roll", "Pitch", "Yaw"]
+    position, _attitude = turn_to(shown, "POS error").canvas.figure.axes
+    item = result.reliability[0]
+    assert position.lines[0].get_ydata()[0] == pytest.approx(item.pos_error[0] * 1000)
+    band = position.patches[0]
+    assert band.get_height() == pytest.approx(4 * item.pos_sigma[0] * 1000)
+    words = turn_to(shown, "Observability").words.text()
+    for sentence in result.observability.sentences:
+        assert sentence in words
+    assert f"Condition number {result.observability.condition:.1f}" in words
+
+
+def test_the_tables_show_the_result(shown: Driver, estimated: Project):
+    result, checks = estimated.result, estimated.cross_checks
+    table = turn_to(shown, "Sightings").table
+    assert texts(table, "After") == [f"{s.rms_after * 1000:.1f}" for s in result.sightings]
+    assert texts(table, "w") == [f"{r.w:+.2f}".replace("-", "−") for r in result.reliability]
+    table = turn_to(shown, "Targets").table
+    assert texts(table, "Target") == ["T1", "T2"]
+    assert texts(table, "Noise factor") == [f"{t.noise:.2f}" for t in result.targets]
+    page = turn_to(shown, "Cross-checks")
+    assert page.table.rowCount() == 6 + 2 + 2
+    first = next(check for check in checks.parts if check.difference is not None)
+    row = checks.parts.index(first)
+    assert texts(page.table, "Yaw")[row] == f"{np.degrees(first.difference[2]):+.4f}".replace(
+        "-", "−"
+    )
+    assert f"{np.degrees(checks.sigma[1]):.4f}" in page.spread.text()
+    assert f"{np.degrees(checks.spread_lines[1]):.4f}" in page.spread.text()
+    table = turn_to(shown, "Parameters").table
+    assert texts(table, "Parameter") == ["Roll", "Pitch", "Yaw"]
+
+
+def test_a_heading_sorts_by_value(shown: Driver, estimated: Project):
+    table = turn_to(shown, "Sightings").table
+    head, place = table.horizontalHeader(), column(table, "w")
+    at = QPoint(head.sectionViewportPosition(place) + 8, head.height() // 2)
+    values = sorted(r.w for r in estimated.result.reliability)
+    assert values != [r.w for r in estimated.result.reliability]
+    shown.bot.mouseClick(head.viewport(), Left, pos=at)
+    assert texts(table, "w") == [f"{v:+.2f}".replace("-", "−") for v in values]
+
+
+def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated: Project):
+    table = turn_to(shown, "Sightings").table
+    double_click(shown, table, 2)
+    sighting = estimated.result.sightings[2].sighting
+    assert shown.viewport.selected == (sighting.target, sighting.line)
+    name, (points,) = shown.viewport.calls[-1]
+    assert name == "fit"
+    assert len(points) == len(estimated.target(sighting.target).sighting(sighting.line).indices)
+    table.setFocus()
+    shown.bot.keyClick(table, Key.Key_Down)
+    shown.bot.keyClick(table, Key.Key_Return)
+    sighting = estimated.result.sightings[3].sighting
+    assert shown.viewport.selected == (sighting.target, sighting.line)
+    assert shown.window.targets.current == sighting.target
+    double_click(shown, turn_to(shown, "Targets").table, 1)
+    assert shown.viewport.selected == ("T2", "")
+
+
+def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, estimated: Project):
+    result, checks = estimated.result, estimated.cross_checks
+    bad = replace(result.reliability[1], released=True)
+    doubtful = replace(result, reliability=(result.reliability[0], bad, *result.reliability[2:]))
+    line = bad.sighting.line
+    away = np.radians([0.1, 0.0, 0.0])
+    odd = CrossCheck("line", line, result.boresight + away, result.sigma, away, away / 1e-4)
+    none = CrossCheck("target", "T1", reason="T2 alone does not do.")
+    marked = estimated.with_result(doubtful).with_cross_checks(replace(checks, parts=(odd, none)))
+    shown.window.document.edit("estimate", marked)
+    table = turn_to(shown, "Sightings").table
+    assert texts(table, "Remark")[1] == "released: disagrees"
+    assert table.item(1, 0).background().color().name() == MARKED_BACKGROUND
+    assert table.item(0, 0).background().color().name() != MARKED_BACKGROUND
+    assert texts(turn_to(shown, "Targets").table, "Remark")[0] == f"released on {line}"
+    table = turn_to(shown, "Cross-checks").table
+    assert texts(table, "Verdict") == ["disagrees", "no answer"]
+    assert texts(table, "Reason")[1] == "T2 alone does not do."
+    assert table.item(0, 0).background().color().name() == MARKED_BACKGROUND
+    told = shown.window.results.warnings.text()
+    assert f"T1 on {line}" in told
+    assert f"without line {line}" in told
+
+
+def test_what_follows_from_a_tick_is_shown_and_has_no_cross_checks(
+    shown: Driver, estimated: Project
+):
+    table = turn_to(shown, "Sightings").table
+    shown.window.docks["Targets by lines"].raise_()
+    ticks = shown.window.table
+    click_check(shown, ticks, ticks.sightings.index(0, 2))
+    assert not table.isEnabled()
+    settle(shown)
+    shown.window.docks["Diagnostics"].raise_()
+    assert table.isEnabled()
+    assert table.rowCount() == len(estimated.result.sightings) - 1
+    assert turn_to(shown, "Cross-checks").advice.startswith("Not cross-checked")
+    shown.bot.keyClick(shown.window, Key.Key_Z, Control)
+    shown.rest()
+    assert turn_to(shown, "Sightings").table.rowCount() == len(estimated.result.sightings)
+    assert turn_to(shown, "Cross-checks").advice == ""
+
+
+def test_thesis_mode_says_what_it_does_not_work_out(shown: Driver, estimated: Project):
+    result = estimated.result
+    thesis = replace(result, model=replace(result.model, pos_errors="independent"), reliability=())
+    shown.window.document.edit("estimate", estimated.with_result(thesis))
+    assert turn_to(shown, "POS error").advice.startswith("Thesis mode does not work this out")
+    assert set(texts(turn_to(shown, "Sightings").table, "Remark")) == {"no test"}

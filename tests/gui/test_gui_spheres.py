@@ -1,0 +1,84 @@
+"""Balls in the window: choosing the shape, the candidate, the list."""
+
+import pytest
+from PySide6.QtWidgets import QLabel
+
+from lispac.gui.viewport.base import PickedPoint
+from lispac.project import Project
+from tests.ball_survey import BallSurvey, make_ball_survey
+from tests.gui.support import Driver, click
+
+
+@pytest.fixture(scope="module")
+def balls(tmp_path_factory) -> BallSurvey:
+    return make_ball_survey(tmp_path_factory.mktemp("balls"))
+
+
+@pytest.fixture
+def opened(driver: Driver, balls: BallSurvey) -> Driver:
+    driver.window.document.open(balls.project, balls.survey)
+    driver.rest()
+    return driver
+
+
+def seed(driver: Driver, balls: BallSurvey, name: str, line: str = "L1") -> None:
+    position = balls.seed(name, line)
+    driver.viewport.signals.seed_clicked.emit(PickedPoint(line, position))
+    driver.rest()
+
+
+def detail(driver: Driver) -> str:
+    label = driver.window.targets.candidate.findChild(QLabel, "candidate_detail")
+    return label.text()
+
+
+def accepted(driver: Driver) -> Project:
+    click(driver, driver.window.targets.candidate.accept)
+    driver.rest()
+    return driver.project
+
+
+@pytest.mark.parametrize(("radius", "said"), [(0.15, "Radius 0.15 m (known)"), (0.0, "Radius 0.1")])
+def test_a_ball_is_seeded_with_and_without_its_radius(opened, balls, radius, said):
+    panel = opened.window.targets
+    panel.shape_choice.setCurrentIndex(1)
+    panel._sphere_radius.setValue(radius)
+    assert panel._threshold.specialValueText() == "default (30 mm)"
+    seed(opened, balls, "S1")
+    assert "RMS of their spheres" in detail(opened)
+    assert said in detail(opened)
+    assert "% of the surface seen" in detail(opened)
+    target = accepted(opened).target("T1")
+    assert (target.shape, target.sphere_radius) == ("sphere", radius or None)
+    assert panel.table.item(0, 2).text() == "sphere"
+    assert panel.table.item(0, 3).text() == "6 of 6"
+
+
+def test_a_line_of_its_own_keeps_the_shape_of_the_target(opened, balls):
+    panel = opened.window.targets
+    panel.shape_choice.setCurrentIndex(1)
+    panel._sphere_radius.setValue(0.15)
+    seed(opened, balls, "S1")
+    accepted(opened)
+    panel.shape_choice.setCurrentIndex(0)
+    panel.select("T1")
+    panel.line_choice.setCurrentText("L3")
+    seed(opened, balls, "S1", "L3")
+    target = accepted(opened).target("T1")
+    assert (target.shape, target.sphere_radius) == ("sphere", 0.15)
+    assert len(target.sightings) == 6
+
+
+def test_only_a_target_can_be_a_ball(opened, balls):
+    panel = opened.window.targets
+    assert not panel._sphere_radius.isEnabled()
+    panel.shape_choice.setCurrentIndex(1)
+    assert panel._sphere_radius.isEnabled()
+    assert "The sphere is sought" in panel.hint.text()
+    panel.set_role("validation")
+    assert not panel.shape_choice.isEnabled()
+    assert not panel._sphere_radius.isEnabled()
+    assert (panel.shape, panel.sphere_radius) == ("plane", None)
+    assert panel._threshold.specialValueText() == "default (10 mm)"
+    panel.set_role("target")
+    assert panel.shape == "sphere"

@@ -1,0 +1,46 @@
+"""Do the stated sigmas hold? A short form of the study always, the long one with ``-m long``."""
+
+import numpy as np
+import pytest
+import scipy.stats
+
+from tests.coverage_study import CORRELATION_TIMES, DISTANCES, printed, study
+
+
+def test_most_intervals_hold_the_truth() -> None:
+    """Forty surveys: bounds by the binomial and chi-square distributions, at one in a thousand."""
+    count, times = 40, (300.0, 600.0)
+    answers = study(times, (0.10,), count, workers=1)
+    honest, thesis = answers["correlated", 0.10], answers["independent", 0.10]
+    said = printed(times, answers)
+    fewest = scipy.stats.binom.ppf(0.0005, count, 0.95) / count
+    lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
+    assert (honest.hits >= fewest).all(), said
+    assert ((honest.spread > lower) & (honest.spread < upper)).all(), said
+    assert (thesis.hits < 0.5).all(), said
+    assert (honest.rmse < 1.1 * thesis.rmse).all(), said
+    assert honest.rmse[1] < thesis.rmse[1] / 2, said
+
+
+@pytest.mark.long
+@pytest.mark.timeout(7200)
+@pytest.mark.parametrize("times", CORRELATION_TIMES)
+def test_coverage_of_a_thousand_surveys(times: tuple[float, float]) -> None:
+    answers = study(times, (0.10,), 1000)
+    said = printed(times, answers)
+    print(said)
+    honest, thesis = answers["correlated", 0.10], answers["independent", 0.10]
+    assert ((honest.hits > 0.93) & (honest.hits < 0.97)).all(), said
+    assert ((honest.spread > 0.9) & (honest.spread < 1.1)).all(), said
+    assert (honest.rmse < 1.02 * thesis.rmse).all(), said
+
+
+@pytest.mark.long
+@pytest.mark.timeout(7200)
+@pytest.mark.parametrize("times", CORRELATION_TIMES)
+def test_sigmas_are_the_same_at_any_subsampling(times: tuple[float, float]) -> None:
+    answers = study(times, DISTANCES, 100)
+    said = printed(times, answers)
+    print(said)
+    sigma = np.array([answers["correlated", distance].sigma for distance in DISTANCES])
+    assert (sigma.max(axis=0) / sigma.min(axis=0) < 1.10).all(), said

@@ -1,0 +1,118 @@
+"""What the geometry sees: refusals with their reason, weak directions, a further line."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.shapes import points_local
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
+from lispac.errors import RankDeficient
+from lispac.simulation.advice import advice, further_lines
+from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting, to_lidar
+from lispac.survey.trajectory import Poses
+
+TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+PRIOR = TRUTH.with_boresight(np.zeros(3))
+UPRIGHT, LEANING = BOARDS
+
+
+def survey(targets=BOARDS, courses=None, seed: int = 0, still: bool = False) -> Observations:
+    generator = np.random.default_rng([4, seed])
+    exact = exact_survey(TRUTH, targets, courses or six_courses(), 0.05, generator)
+    if still:
+        attitude = exact.mean_by_sighting(exact.attitude)[exact.sighting] * [0, 0, 1]
+        scan = to_lidar(points_local(exact, TRUTH), Poses(exact.position, attitude), TRUTH)
+        exact = replace(exact, attitude=attitude, points_lidar=scan)
+    return averaged(observed(exact, HYDROGRAPHIC_INS, generator), PRIOR, 0.1)
+
+
+@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize(
+    ("targets", "lines", "reason"),
+    [
+        (BOARDS, (0,), "All sightings are on line L1"),
+        ((UPRIGHT,), (0, 1), "all lines run parallel and T1 is the only target"),
+        (
+            (UPRIGHT, replace(UPRIGHT, name="T3", centre=(-3.0, 15.0, 4.0))),
+            (0, 1),
+            "all lines run parallel and all targets face the same way",
+        ),
+    ],
+)
+def test_a_geometry_that_fails_is_refused_with_its_reason(
+    pos_errors, targets, lines, reason
+) -> None:
+    courses = tuple(six_courses()[k] for k in lines)
+    with pytest.raises(RankDeficient, match=reason):
+        adjust(survey(targets, courses, still=True), PRIOR, StochasticModel(pos_errors))
+
+
+def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
+    """Nothing is refused that the data can tell; the sigmas say how well."""
+    one = adjust(survey((UPRIGHT,)), PRIOR, StochasticModel())
+    two = adjust(survey(), PRIOR, StochasticModel())
+    assert (one.sigma > two.sigma).all()
+    assert (np.abs(one.boresight - TRUTH.boresight) < 3.5 * one.sigma).all()
+
+
+def test_directions_and_condition_are_those_of_the_covariance() -> None:
+    result = adjust(survey(), PRIOR, StochasticModel())
+    seen = result.observability
+    assert seen is not None
+    information = np.linalg.inv(result.covariance)
+    np.testing.assert_allclose(
+        seen.directions @ np.diag(seen.eigenvalues) @ seen.directions.T, information, rtol=1e-6
+    )
+    assert seen.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
+    weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(seen.directions[:, 0])))]
+    assert f"The weakest direction is {weakest}" in seen.sentences[0]
+
+
+def test_sigmas_without_a_line_are_those_of_the_adjustment_without_it() -> None:
+    courses = six_courses()[:2] + six_courses()[4:]
+    data = survey(courses=courses)
+    model = StochasticModel(surface=0.0005)
+    seen = adjust(data, PRIOR, model).observability
+    assert seen is not None
+    for line in ("L1", "L6"):
+        keep = np.array([s.line != line for s in data.sightings])
+        without = adjust(data.of_sightings(keep), PRIOR, model)
+        np.testing.assert_allclose(seen.sigma_without_line[line], without.sigma, rtol=0.05)
+
+
+def test_a_line_that_alone_sees_an_angle_is_named() -> None:
+    """Along the wall and one oblique line: pitch and yaw hang on it."""
+    courses = six_courses()[:2] + six_courses()[4:5]
+    seen = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
+    assert seen is not None
+    assert any("Without line L5" in s or "seen mainly by line L5" in s for s in seen.sentences)
+
+
+def test_a_further_line_brings_what_was_foretold() -> None:
+    """The sigma predicted for a line, and that of the survey in which it was sailed."""
+    courses = six_courses()[:2] + six_courses()[4:5]
+    data = survey(courses=courses)
+    model = StochasticModel(surface=0.0)
+    result = adjust(data, PRIOR, model)
+    lines = {round(np.degrees(line.heading)): line for line in further_lines(data, result)}
+    more = (*courses, replace(six_courses()[2], name="L9", time=courses[-1].time + 180.0))
+    sailed = adjust(survey(courses=more), PRIOR, model)
+    np.testing.assert_allclose(lines[45].sigma, sailed.sigma, rtol=0.25)
+    assert (lines[45].sigma < result.sigma).all()
+    said = advice(data, result)
+    assert "would bring the sigma of" in said
+    assert "off the face of T1" in said
+
+
+def test_where_no_line_helps_the_advice_says_so() -> None:
+    twice = six_courses() + tuple(
+        replace(c, name=f"{c.name}b", time=c.time + 600) for c in six_courses()
+    )
+    data = survey((UPRIGHT, LEANING, Board("T3", (0.0, -15.0, 5.0), (0.0, 1.0, 0.3))), twice)
+    assert "No single further line" in advice(data, adjust(data, PRIOR, StochasticModel()))

@@ -1,0 +1,136 @@
+"""Lever arm, offsets and latency: found where the geometry sees them, held where it does not."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.errors import InputError
+from lispac.project import Settings
+from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting
+
+KNOWN = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+PRIOR = KNOWN.with_boresight(np.zeros(3))
+MODEL = StochasticModel(loss="tukey")
+INSERTED = {
+    "lever_x": replace(KNOWN, lever_arm=KNOWN.lever_arm + [0.1, 0, 0]),
+    "lever_y": replace(KNOWN, lever_arm=KNOWN.lever_arm + [0, 0.1, 0]),
+    "range_offset": replace(KNOWN, range_offset=0.1),
+    "latency": replace(KNOWN, latency=0.005),
+}
+
+
+def survey(truth: Mounting, seed: int, **changes: object) -> Observations:
+    generator = np.random.default_rng([9, seed])
+    exact = exact_survey(truth, BOARDS, six_courses(), 0.05, generator)
+    noisy = observed(exact, HYDROGRAPHIC_INS, generator)
+    return averaged(noisy, PRIOR, 0.1)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("name", list(INSERTED))
+def test_an_inserted_error_is_found_within_three_sigma(name, seed) -> None:
+    truth = INSERTED[name]
+    result = adjust(survey(truth, seed), PRIOR, MODEL, parameters=(Parameter(name),))
+    (found,) = result.parameters
+    assert found.value is not None, found.reason
+    value = truth.values[Parameter(name).index]
+    assert abs(found.value - value) < 3 * found.sigma
+    assert (np.abs(result.boresight - KNOWN.boresight) < 3.5 * result.sigma).all()
+    assert result.mounting.values[Parameter(name).index] == found.value
+
+
+def test_errors_are_unbiased_and_their_sigmas_hold() -> None:
+    """A range offset is seen by the bend of a flat board: a tenth of a millimetre of bias shows."""
+    ratios = []
+    for seed in range(24):
+        result = adjust(
+            survey(INSERTED["range_offset"], 100 + seed), PRIOR, MODEL,
+            parameters=(Parameter("range_offset"),), diagnostics=False,
+        )  # fmt: skip
+        (found,) = result.parameters
+        ratios.append((found.value - 0.1) / found.sigma)
+    assert abs(np.mean(ratios)) < 3 / np.sqrt(24)
+    assert 0.6 < np.std(ratios) < 1.5
+
+
+@pytest.mark.parametrize("sigma", [None, np.radians(0.5)])
+def test_a_scan_angle_offset_cannot_be_told_from_roll(sigma) -> None:
+    truth = replace(KNOWN, scan_angle_offset=np.radians(1.0))
+    result = adjust(
+        survey(truth, 0), PRIOR, MODEL, parameters=(Parameter("scan_angle_offset", sigma),)
+    )
+    (found,) = result.parameters
+    assert found.value is None
+    assert found.sigma is None
+    assert "do not see the scan-angle offset" in found.reason
+    assert "scan_angle_offset" not in result.estimated
+    if sigma is None:
+        assert result.mounting.scan_angle_offset == 0
+    else:  # what is not known of it is not known of roll either
+        assert result.sigma[0] > 0.9 * sigma
+
+
+def test_the_height_of_the_lever_arm_is_not_seen_on_level_lines() -> None:
+    """Thesis C.2.5: it lifts all lines alike, and the targets with them."""
+    exact = exact_survey(KNOWN, BOARDS, six_courses(), 0.1, np.random.default_rng(1))
+    attitude = exact.attitude.copy()
+    middle = exact.mean_by_sighting(attitude)
+    attitude[:] = middle[exact.sighting] * [0, 0, 1]
+    from lispac.adjustment.shapes import points_local
+    from lispac.survey.georeferencing import to_lidar
+    from lispac.survey.trajectory import Poses
+
+    places = points_local(exact, KNOWN)
+    level = replace(
+        exact,
+        attitude=attitude,
+        points_lidar=to_lidar(places, Poses(exact.position, attitude), KNOWN),
+    )
+    both = (Parameter("lever_x"), Parameter("lever_z"))
+    result = adjust(level, PRIOR, MODEL, parameters=both)
+    x, z = result.parameters
+    assert x.value == pytest.approx(-0.2, abs=1e-6)
+    assert z.value is None
+    assert "lifts the points of every line alike" in z.reason
+    assert result.mounting.lever_arm[2] == PRIOR.lever_arm[2]
+
+
+def test_a_known_lever_arm_keeps_its_prior() -> None:
+    """A prior of 1 mm against 10 cm of error: the answer stays near the prior."""
+    truth = INSERTED["lever_x"]
+    loose = adjust(survey(truth, 1), PRIOR, MODEL, parameters=(Parameter("lever_x", 0.5),))
+    tight = adjust(survey(truth, 1), PRIOR, MODEL, parameters=(Parameter("lever_x", 0.0005),))
+    assert loose.parameters[0].value == pytest.approx(-0.1, abs=0.02)
+    assert tight.parameters[0].value == pytest.approx(-0.2, abs=0.003)
+    assert abs(loose.parameters[0].significance) > 10
+
+
+def test_what_is_not_there_is_not_significant() -> None:
+    values = [
+        adjust(survey(KNOWN, seed), PRIOR, MODEL, parameters=(Parameter("lever_x"),)).parameters[0]
+        for seed in range(6)
+    ]
+    assert sum(abs(value.significance) > 1.96 for value in values) <= 1
+
+
+def test_no_latency_without_rates() -> None:
+    blind = replace(survey(KNOWN, 0), pose_rate=None)
+    (found,) = adjust(blind, PRIOR, MODEL, parameters=(Parameter("latency"),)).parameters
+    assert found.value is None
+
+
+@pytest.mark.parametrize(
+    "parameters",
+    [(Parameter("roll"),), (Parameter("lever_x", -1.0),), (Parameter("lever_x"),) * 2],
+)
+def test_parameters_that_make_no_sense_are_refused(parameters) -> None:
+    with pytest.raises(InputError):
+        Settings(lever_arm=(0.0, 0.0, 0.0), parameters=parameters).require_sound()

@@ -1,0 +1,234 @@
+"""Redundancy, tests and detectable biases against dense matrices and repeated adjustments."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.components import variance_components
+from lispac.adjustment.conditions import lidar_variance
+from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.problem import Problem
+from lispac.adjustment.reliability import _local, _points, reliability, sighting_tests
+from lispac.adjustment.shapes import about_targets, fit_shapes
+from lispac.adjustment.solver import _iterate, adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.progress import no_progress
+from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting
+from tests.test_robustness import shifted, survey
+
+TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+PRIOR = TRUTH.with_boresight(np.zeros(3))
+FIXED = StochasticModel(surface=0.002)
+
+
+@pytest.fixture(scope="module")
+def linearised():
+    data, _ = about_targets(survey(1, 0.3), PRIOR)
+    problem = Problem.of(data, PRIOR, FIXED)
+    return _iterate(problem, problem.start(PRIOR, fit_shapes(data, PRIOR)), no_progress).linearised
+
+
+def dense(linearised):
+    """Design of all unknowns, variances, and prior precision, written out."""
+    normal, problem = linearised.normal, linearised.problem
+    layout, knots = normal.layout, problem.groups.knots
+    u, e = layout.size, len(normal.pull)
+    full = np.zeros((u + e, u + e))
+    full[:u, :u] = normal.matrix
+    full[:u, u:] = normal.mixed
+    full[u:, :u] = normal.mixed.T
+    for i in range(12):
+        full[range(u + i, u + e), range(u, u + e - i)] = normal.band[i, : e - i]
+        full[range(u, u + e - i), range(u + i, u + e)] = normal.band[i, : e - i]
+    assert knots is not None
+    return np.linalg.inv(full)
+
+
+def test_the_covariance_is_that_of_the_whole_normal_matrix(linearised) -> None:
+    size = linearised.normal.layout.size
+    np.testing.assert_allclose(
+        linearised.normal.covariance, dense(linearised)[:size, :size], rtol=1e-5, atol=1e-14
+    )
+
+
+def test_redundancy_numbers_add_up(linearised) -> None:
+    """Points' redundancies and what the priors contribute sum to the number of points."""
+    from lispac.adjustment.reliability import _knot_covariance
+
+    normal, problem = linearised.normal, linearised.problem
+    redundancy, w, _, _ = _points(linearised, _local(linearised, _knot_covariance(normal)))
+    inverse = dense(linearised)
+    size = normal.layout.size
+    prior = np.zeros_like(inverse)
+    first = normal.layout.surfaces[0].start
+    prior[range(first, size), range(first, size)] = 0.002**-2
+    knots = problem.groups.knots
+    flat = np.eye(len(normal.pull)).reshape(len(normal.pull), -1, 6)
+    prior[size:, size:] = np.stack([knots.weighted(unit).reshape(-1) for unit in flat])
+    explained_by_data = np.trace(inverse @ (np.linalg.inv(inverse) - prior))
+    assert redundancy.sum() == pytest.approx(len(redundancy) - explained_by_data, rel=1e-3)
+    assert (redundancy > 0.3).all()
+    assert (redundancy < 1).all()
+    assert np.std(w) == pytest.approx(1.0, abs=0.15)
+
+
+def test_a_shift_is_what_the_adjustment_without_the_sightings_prior_finds(linearised) -> None:
+    tests = sighting_tests(linearised)
+    for s in (0, 5, 9):
+        problem = linearised.problem.released(s)
+        free = _iterate(problem, linearised.state, no_progress).linearised
+        # Released with its tilts too, so nearly the same only
+        offset = free.departures[s, 2]
+        assert tests.shift[s] == pytest.approx(offset, abs=0.7 * tests.sigma[s])
+
+
+def test_test_values_of_sightings_are_unit_normal() -> None:
+    values = []
+    for seed in range(30):
+        generator = np.random.default_rng([12, seed])
+        data = observed(
+            exact_survey(TRUTH, BOARDS, six_courses(), 0.15, generator), HYDROGRAPHIC_INS, generator
+        )
+        result = adjust(data, PRIOR, StochasticModel(surface=0.0005))
+        values += [item.w for item in result.reliability]
+    assert np.mean(values) == pytest.approx(0, abs=0.25)
+    assert 0.8 < np.std(values) < 1.2
+
+
+def test_the_effect_of_a_shift_is_what_it_does_to_the_angles() -> None:
+    data = survey(2, 0.15)
+    model = StochasticModel(surface=0.002)
+    before = adjust(data, PRIOR, model)
+    for s in (1, 8):
+        after = adjust(shifted(data, s, 0.02), PRIOR, model)
+        item = before.reliability[s]
+        foretold = item.effect / item.detectable * 0.02
+        done = after.boresight - before.boresight
+        # The sign is that of the normal, which either way is right.
+        assert (
+            min(np.abs(done - foretold).max(), np.abs(done + foretold).max())
+            < 0.25 * np.abs(done).max() + 0.02 * before.sigma.max()
+        )
+
+
+def test_detectable_biases_of_points_follow_from_noise_and_redundancy(linearised) -> None:
+    for item in reliability(linearised):
+        assert item.point_detectable == pytest.approx(
+            4.13 * 0.003 / np.sqrt(item.redundancy), rel=0.1
+        )
+        assert item.pos_error.shape == item.pos_sigma.shape == (6,)
+        assert (item.pos_sigma_after <= item.pos_sigma * 1.0001).all()
+
+
+@pytest.mark.parametrize("beam", [False, True])
+def test_lidar_noise_is_propagated_through_the_beam(beam) -> None:
+    """Against ``b' C b`` with the full covariance of a beam of any direction."""
+    generator = np.random.default_rng(0)
+    for _ in range(20):
+        point, b = generator.normal(0, 10, 3), generator.normal(0, 1, 3)
+        along, across = 0.004, 0.011
+        axis = point / np.linalg.norm(point)
+        covariance = across**2 * np.eye(3) + (along**2 - across**2) * np.outer(axis, axis)
+        sigma = np.array([along, across, across]) if beam else np.array([0.001, 0.002, 0.003])
+        expected = b @ (covariance if beam else np.diag(sigma**2)) @ b
+        found = lidar_variance(0, point[None], sigma[None], beam, b)
+        assert found == pytest.approx(expected, rel=1e-12)
+
+
+def test_components_find_the_errors_that_were_put_in() -> None:
+    """LiDAR stated twice too small, positions twice too large, over several surveys."""
+    logs = []
+    for seed in range(6):
+        data = survey(30 + seed, 0.08)
+        stated = data.with_sigmas(0.5, 2.0, 1.0)
+        result = adjust(stated, PRIOR, StochasticModel(surface=0.0), components=True)
+        lidar, position, attitude = result.components
+        noise = np.mean([target.noise for target in result.targets])
+        logs.append([np.log(lidar.factor * noise), np.log(position.factor)])
+        assert attitude.lower < 1 < attitude.upper
+        assert not attitude.applied
+        assert position.applied
+        assert result.sigma_factors[1] == position.factor
+    mean = np.exp(np.mean(logs, axis=0))
+    np.testing.assert_allclose(mean, [2.0, 0.5], rtol=0.15)
+
+
+def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
+    """Restricted likelihood by one dense covariance of all misclosures."""
+    from lispac.adjustment.components import _Likelihood
+
+    likelihood = _Likelihood(linearised)
+    factors = [np.zeros(3), np.log([1.3, 1.0, 1.0]), np.log([1.0, 0.7, 1.0]), np.log([1, 1, 1.5])]
+    found = np.array([likelihood(f) for f in factors])
+    normal, problem = linearised.normal, linearised.problem
+    size, e = normal.layout.size, len(normal.pull)
+    fixed = normal.layout.surfaces[0].start
+    inverse = dense(linearised)
+    full = np.linalg.inv(inverse)
+    prior = np.zeros_like(full)
+    prior[range(fixed, size), range(fixed, size)] = 0.002**-2
+    knots = problem.groups.knots
+    flat = np.eye(e).reshape(e, -1, 6)
+    pos = np.stack([knots.weighted(unit).reshape(-1) for unit in flat])
+    right = np.concatenate([normal.right, normal.pull])
+    state = np.concatenate(
+        [np.zeros(fixed), linearised.departures.reshape(-1), linearised.state.effects.reshape(-1)]
+    )
+    data_matrix = full - prior
+    data_matrix[size:, size:] -= pos
+    prior[size:, size:] = pos
+    data_right = right + prior @ state
+    data_square = normal.quadratic - state @ prior @ state
+    count = len(problem.observations)
+    kind = np.tile([1, 1, 1, 2, 2, 2], len(knots.time))
+    expected = []
+    for log in factors:
+        scale = np.exp(-2 * log)
+        root = np.ones(size + e)
+        root[size:] = np.exp(-log[kind])
+        scaled = prior * np.outer(root, root)
+        matrix = data_matrix * scale[0] + scaled
+        pull = data_right * scale[0] - scaled @ state
+        square = data_square * scale[0] + state @ scaled @ state
+        least = square - pull @ np.linalg.solve(matrix, pull)
+        determinant = np.linalg.slogdet(matrix)[1]
+        counts = np.array([count, 3 * len(knots.time), 3 * len(knots.time)])
+        expected.append(2 * counts @ log + determinant + least)
+    np.testing.assert_allclose(np.diff(found), np.diff(expected), rtol=1e-4, atol=1e-3)
+    assert len(variance_components(linearised)) == 3
+
+
+def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:
+    model = StochasticModel(loss="tukey", surface=0.0)
+    clean = averaged(survey(40), PRIOR, 0.1)
+    checks = cross_checks(clean, PRIOR, adjust(clean, PRIOR, model))
+    assert [c.kind for c in checks.parts].count("line") == 6
+    assert [c.kind for c in checks.parts].count("target") == 2
+    assert len(checks.disagreements) <= 1
+    assert checks.spread_lines is not None
+    assert checks.spread_targets is None
+    ratio = checks.spread_lines / checks.sigma
+    assert (ratio > 0.1).all()
+    assert (ratio < 4).all()
+    halves = [c for c in checks.parts if c.kind == "half"]
+    np.testing.assert_allclose(halves[0].difference, -halves[1].difference)
+    # A board that hangs on one half and leans on the other is one no model knows.
+    odd = averaged(shifted(shifted(survey(40), 0, 0.08), 1, -0.08), PRIOR, 0.1)
+    plain = replace(model, loss="none")
+    said = cross_checks(odd, PRIOR, adjust(odd, PRIOR, plain))
+    assert {"L1", "L2"} & {c.without for c in said.disagreements}
+
+
+def test_parts_that_determine_nothing_say_why() -> None:
+    generator = np.random.default_rng(5)
+    exact = exact_survey(TRUTH, BOARDS[1:], six_courses()[:3], 0.1, generator)
+    data = observed(exact, HYDROGRAPHIC_INS, generator)
+    checks = cross_checks(data, PRIOR, adjust(data, PRIOR, StochasticModel(surface=0.0)))
+    alone = next(c for c in checks.parts if c.kind == "target")
+    assert alone.boresight is None
+    assert alone.reason
+    assert not alone.disagrees

@@ -1,0 +1,107 @@
+"""Blunders: stray points, and a sighting that is off as a whole."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.robust import LOSSES, Loss, robust_scale, weight
+from lispac.adjustment.shapes import fit_shapes
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting
+
+TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+PRIOR = TRUTH.with_boresight(np.zeros(3))
+
+
+def survey(seed: int, spacing: float = 0.06) -> Observations:
+    generator = np.random.default_rng([7, seed])
+    exact = exact_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
+    return observed(exact, HYDROGRAPHIC_INS, generator)
+
+
+def with_strays(clean: Observations, seed: int) -> tuple[Observations, np.ndarray]:
+    """5 % of the points 0.1 to 1 m off along the beam."""
+    generator = np.random.default_rng([8, seed])
+    stray = generator.random(len(clean)) < 0.05
+    points = clean.points_lidar.copy()
+    beams = points[stray] / np.linalg.norm(points[stray], axis=1, keepdims=True)
+    off = generator.uniform(0.1, 1.0, stray.sum()) * generator.choice([-1, 1], stray.sum())
+    points[stray] += off[:, None] * beams
+    return replace(clean, points_lidar=points), stray
+
+
+def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
+    """One sighting displaced along its target's normal."""
+    normal = fit_shapes(clean, TRUTH)[clean.target_of_sighting[sighting], :3]
+    position = clean.position.copy()
+    position[clean.sighting == sighting] += metres * normal
+    return replace(clean, position=position)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_stray_points_move_no_angle_by_a_sigma(seed) -> None:
+    model = StochasticModel(loss="tukey")
+    clean = survey(seed)
+    dirty, stray = with_strays(clean, seed)
+    before, after = adjust(clean, PRIOR, model), adjust(dirty, PRIOR, model)
+    assert (np.abs(after.boresight - before.boresight) < before.sigma).all()
+    found = sum(item.strays for item in after.reliability)
+    # Those of the noise itself: one in a thousand at the test's level
+    assert stray.sum() <= found < stray.sum() + 0.006 * len(clean)
+
+
+def test_the_losses_are_needed_and_the_sigmas_know_what_strays_do() -> None:
+    """The same points with all weighted alike, with a bounded loss, and a redescending one."""
+    dirty, _ = with_strays(survey(0), 0)
+    errors, sigmas = [], []
+    for loss in LOSSES:
+        result = adjust(dirty, PRIOR, StochasticModel(loss=loss), diagnostics=False)
+        errors.append(np.abs(result.boresight - TRUTH.boresight)[1])
+        sigmas.append(result.sigma[1])
+    assert errors[0] > 3 * errors[2]
+    assert sigmas[0] > 2 * sigmas[1] > 4 * sigmas[2]
+    assert (np.array(errors) < 3 * np.array(sigmas)).all()
+
+
+@pytest.mark.parametrize("sighting", [0, 3, 7, 10])
+def test_a_shifted_sighting_is_named_and_does_no_harm(sighting) -> None:
+    model = StochasticModel(loss="tukey")
+    clean = survey(20 + sighting)
+    before = adjust(clean, PRIOR, model)
+    assert before.suspects == ()
+    after = adjust(shifted(clean, sighting, 0.05), PRIOR, model)
+    assert after.suspects == (clean.sightings[sighting],)
+    assert (np.abs(after.boresight - before.boresight) < before.sigma).all()
+    found = after.reliability[sighting]
+    assert abs(found.shift) == pytest.approx(0.05, abs=3 * abs(found.shift / found.w))
+
+
+def test_clean_surveys_have_no_suspects() -> None:
+    """At one in a hundred by chance, none of twenty is likely."""
+    model = StochasticModel(loss="tukey")
+    named = [adjust(survey(100 + k, 0.12), PRIOR, model).suspects for k in range(20)]
+    assert sum(map(bool, named)) <= 1, named
+
+
+@pytest.mark.parametrize("name", LOSSES[1:])
+def test_weights_fall_from_one_and_never_rise(name) -> None:
+    loss = Loss(name)
+    sizes = np.linspace(0, 10, 200)
+    weights = np.array([weight(loss.code, loss.tuning, z) for z in sizes])
+    assert weights[0] == 1
+    assert (np.diff(weights) <= 0).all()
+    assert weights[-1] == (0 if name == "tukey" else pytest.approx(loss.tuning / 10))
+    assert 0.5 < loss.kept < 1
+
+
+def test_the_scale_is_that_of_the_majority() -> None:
+    generator = np.random.default_rng(1)
+    residuals = 3 * generator.standard_normal(10_000)
+    residuals[:2000] += 100
+    assert robust_scale(residuals) == pytest.approx(3, rel=0.4)
+    assert robust_scale(0.1 * residuals[2000:]) == 1
