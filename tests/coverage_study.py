@@ -119,7 +119,7 @@ def printed(times: tuple[float, float], answers: dict[tuple[str, float], Answers
     count = len(next(iter(answers.values())).errors)
     lines = [
         f"correlation times {times[0]:g} s, {times[1]:g} s; {count} surveys; roll, pitch, yaw",
-        "  cm  model         RMSE (deg)              sigma (deg)             sd(e/s)           95 %",
+        "  cm  model         RMSE (deg)              sigma (deg)             sd(e/s)           95%",
     ]
     for (name, distance), a in answers.items():
         cells = [" ".join(f"{v:.4f}" for v in a.rmse), " ".join(f"{v:.4f}" for v in a.sigma)]

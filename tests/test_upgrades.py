@@ -1,0 +1,60 @@
+"""Project files of every older version can be opened; one of each is kept in `tests/data`."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.upgrades import SCHEMA_VERSION
+from lispac.io.values import decoded, encoded
+from lispac.workflow.projects import open_project
+from tests.report_sample import sample_project
+
+OLDER = sorted((Path(__file__).parent / "data").glob("project-*"))
+
+
+@pytest.mark.parametrize("folder", OLDER, ids=lambda folder: folder.name)
+def test_an_older_project_opens_and_is_saved_as_a_new_one(folder: Path, tmp_path: Path) -> None:
+    copy = tmp_path / folder.name
+    shutil.copytree(folder, copy)
+    before = json.loads((copy / FILE_NAME).read_text())
+    project = read_project(copy)
+    assert [t.name for t in project.targets] == [t["name"] for t in before["targets"]]
+    assert project.settings.pos_errors == before["settings"]["pos_errors"]
+    assert project.settings.lever_arm == tuple(before["settings"]["lever_arm"])
+    counts = [len(s.indices) for t in project.targets for s in t.sightings]
+    assert counts == [s["points"] for t in before["targets"] for s in t["sightings"]]
+    write_project(project)
+    assert json.loads((copy / FILE_NAME).read_text())["schema_version"] == SCHEMA_VERSION
+    assert read_project(copy).settings == project.settings
+
+
+def test_every_version_has_its_fixture() -> None:
+    assert [folder.name for folder in OLDER] == [f"project-{k}" for k in range(1, SCHEMA_VERSION)]
+
+
+def test_results_come_back_as_they_were(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    assert project.result is not None
+    assert project.result.reliability
+    again = decoded(json.loads(json.dumps(encoded(project.result))), AdjustmentResult)
+    assert encoded(again) == encoded(project.result)
+    np.testing.assert_array_equal(again.covariance_all, project.result.covariance_all)
+    if project.cross_checks is not None:
+        checks = decoded(json.loads(json.dumps(encoded(project.cross_checks))), CrossChecks)
+        assert encoded(checks) == encoded(project.cross_checks)
+
+
+def test_a_result_with_a_foreign_key_is_refused(tmp_path: Path) -> None:
+    content = encoded(sample_project(tmp_path).result) | {"surprise": 1}
+    with pytest.raises(ValueError, match="surprise"):
+        decoded(content, AdjustmentResult)
+
+
+def test_open_project_is_the_way_in(tmp_path: Path) -> None:
+    shutil.copytree(OLDER[0], tmp_path / "old")
+    assert open_project(tmp_path / "old").result is None
