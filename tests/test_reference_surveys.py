@@ -8,8 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.robust import LossName
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.geometry.planes import fit_plane
-from lispac.workflow.projects import open_project
+from lispac.project import LineSource, Settings
+from lispac.survey.georeferencing import Mounting
+from lispac.workflow.projects import create_project, open_project
 from lispac.workflow.survey import load_survey
 from tests.test_cli import answer
 
@@ -37,15 +44,18 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     for name, target in site["targets_nwu"].items():
         picked = answer(capsys, "pick", project, "--seed", *target["centre"], "--name", name)
         assert len(picked["lines"]) == 6, (name, picked["missing"])
+    honest = answer(capsys, "estimate", project)
     thesis = answer(capsys, "estimate", project, "--pos-errors", "independent")
-    honest = answer(capsys, "estimate", project, "--pos-errors", "correlated")
     error = angles(honest, "boresight_deg") - truth
     said = (
         f"truth {truth}, thesis mode {angles(thesis, 'boresight_deg')}, "
         f"correlated {angles(honest, 'boresight_deg')} +- {angles(honest, 'sigma_deg')}"
     )
+    assert honest["pos_errors"] == "correlated"
     assert (np.abs(error) < 3 * angles(honest, "sigma_deg")).all(), said
+    assert angles(honest, "sigma_deg")[1] <= 0.025, said
     assert np.abs(angles(thesis, "boresight_deg") - truth).max() < 0.25, said
+    answer(capsys, "estimate", project, "--pos-errors", "correlated")
     compared = set()
     for name, plane in site["validation_nwu"].items():
         answer(
@@ -93,3 +103,60 @@ def joint_rms(clouds: Mapping[str, np.ndarray], labels: Mapping[str, np.ndarray]
         distances = fit_plane(points).distances(points)
         squares, count = squares + float(distances @ distances), count + len(points)
     return float(np.sqrt(squares / count))
+
+
+@pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
+@pytest.mark.parametrize("loss", ["none", "huber", "tukey"])
+@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+def test_drone_from_labelled_points(
+    shared_data: Path, tmp_path: Path, name: str, loss: LossName, pos_errors: PosErrors
+) -> None:
+    """The same points as the reference's two adjustments had, in every model."""
+    data = shared_data / name
+    reference = json.loads((data / "reference.json").read_text())
+    observations, prior = labelled(data, tmp_path)
+    if pos_errors == "correlated":
+        observations = averaged(observations, prior, 0.10)
+    model = StochasticModel(pos_errors, loss=loss)
+    result = adjust(observations, prior, model, diagnostics=False)
+    error = np.degrees(result.boresight) - reference["boresight_deg"]
+    assert np.abs(error).max() < 0.05, error
+
+
+def labelled(data: Path, folder: Path) -> tuple[Observations, Mounting]:
+    """Observations of all labelled points, with the sigmas the data's notes state."""
+    site = json.loads((data / "site.json").read_text())
+    project = create_project(
+        folder / "p",
+        trajectory=data / "trajectory.sbet",
+        lines=[LineSource(path.stem, path) for path in sorted(data.glob("*.laz"))],
+        settings=Settings(
+            lever_arm=tuple(site["lever_arm_m"]),
+            origin_deg_m=tuple(site["origin_deg_m"]),
+            position_sigma=(0.02, 0.02, 0.02),
+            attitude_sigma_deg=(0.015, 0.015, 0.015),
+            lidar_sigma=0.02,
+        ),
+    )
+    survey, labels = load_survey(project), np.load(data / "labels.npz")
+    parts = [
+        (line, scan, np.flatnonzero(labels[line] == label), label)
+        for label in range(int(labels["line1"].max()) + 1)
+        for line, scan in survey.scans.items()
+    ]
+    points = np.concatenate([scan.points_lidar[own] for _, scan, own, _ in parts])
+    time = np.concatenate([scan.time[own] for _, scan, own, _ in parts])
+    poses = survey.trajectory.at(time)
+    sigma_position, sigma_attitude = survey.accuracy.at(time)
+    observations = Observations(
+        points_lidar=points,
+        position=poses.position,
+        attitude=poses.attitude,
+        sigma_lidar=np.full(points.shape, 0.02),
+        sigma_position=sigma_position,
+        sigma_attitude=sigma_attitude,
+        time=time,
+        sighting=np.repeat(np.arange(len(parts)), [len(own) for _, _, own, _ in parts]),
+        sightings=tuple(Sighting(f"P{label + 1}", line) for line, _, _, label in parts),
+    )
+    return observations, project.mounting("prior")

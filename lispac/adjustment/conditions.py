@@ -12,6 +12,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.threads import in_chunks
 from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.survey.georeferencing import Mounting
 
@@ -54,8 +55,28 @@ def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> 
         Unit normal and offset (metres) of each plane, centre and radius (metres) of each sphere.
     """
     rows, by_lidar = np.empty((len(observations), WIDTH)), np.empty((len(observations), 3))
-    _linearise(*columns(observations), *turns(observations, mounting), shapes, rows, by_lidar)
+    arguments = (*columns(observations), *turns(observations, mounting), shapes, rows, by_lidar)
+    in_chunks(
+        lambda first, last: _linearise(first, last, *arguments),
+        np.arange(1, len(observations) + 1),
+    )
     return Conditions(rows, by_lidar)
+
+
+def evaluate(observations: Observations, mounting: Mounting, shapes: Array, wanted: slice) -> Array:
+    """Some columns of `linearise` alone, without the memory of all, shape (n, columns)."""
+    out = np.empty((len(observations), wanted.stop - wanted.start))
+    arguments = (*columns(observations), *turns(observations, mounting), shapes, wanted.start, out)
+    in_chunks(
+        lambda first, last: _evaluate(first, last, *arguments),
+        np.arange(1, len(observations) + 1),
+    )
+    return out
+
+
+def misclosures(observations: Observations, mounting: Mounting, shapes: Array) -> Array:
+    """Signed distance of each point to its plane or sphere, shape (n,), metres."""
+    return evaluate(observations, mounting, shapes, slice(MISCLOSURE, WIDTH))[:, 0]
 
 
 def columns(observations: Observations) -> tuple[NDArray[np.generic], ...]:
@@ -157,13 +178,26 @@ def row(i, rx, ry, rz, position, attitude, rate, values, rotation, derivatives, 
 
 
 @njit(nogil=True, cache=True)
-def _linearise(points, position, attitude, rate, target, spheres, values, rotation, derivatives, turn, shapes, rows, by_lidar):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
-    for i in range(len(points)):
+def _linearise(first, last, points, position, attitude, rate, target, spheres, values, rotation, derivatives, turn, shapes, rows, by_lidar):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
+    for i in range(first, last):
         t = target[i]
         row(
             i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
             rotation, derivatives, turn, spheres[t], shapes[t], rows[i], by_lidar[i],
         )  # fmt: skip
+
+
+@njit(nogil=True, cache=True)
+def _evaluate(first, last, points, position, attitude, rate, target, spheres, values, rotation, derivatives, turn, shapes, begin, wanted):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
+    out, lidar = np.empty(20), np.empty(3)
+    for i in range(first, last):
+        t = target[i]
+        row(
+            i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
+            rotation, derivatives, turn, spheres[t], shapes[t], out, lidar,
+        )  # fmt: skip
+        for k in range(wanted.shape[1]):
+            wanted[i, k] = out[begin + k]
 
 
 @njit(nogil=True, cache=True, inline="always")

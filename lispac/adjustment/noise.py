@@ -40,7 +40,12 @@ def blocks_of(observations: Observations, mounting: Mounting) -> NDArray[np.int6
 
 
 def noise_factors(
-    observations: Observations, residuals: Array, blocks: NDArray[np.int64], *, robust: bool
+    observations: Observations,
+    residuals: Array,
+    blocks: NDArray[np.int64],
+    *,
+    robust: bool,
+    denser: float = 1.0,
 ) -> Array:
     """Noise of each target over the stated one, at least 1, shape (targets,).
 
@@ -50,6 +55,8 @@ def noise_factors(
         Over the standard deviations of their conditions.
     robust : bool
         Whether strays have no weight in the adjustment.
+    denser : float
+        How many times more points there are than those given: a design effect grows with them.
     """
     target = observations.target_of_sighting[observations.sighting]
     factors = np.empty(len(observations.targets))
@@ -57,7 +64,8 @@ def noise_factors(
         own = residuals[target == k]
         size = robust_scale(own) if robust else max(1.0, float(np.sqrt(np.mean(own**2))))
         near = np.clip(own / size, -FAR, FAR) if robust else own / size
-        factors[k] = size * np.sqrt(_design_effect(near, blocks[target == k]))
+        effect = 1 + denser * (_design_effect(near, blocks[target == k]) - 1)
+        factors[k] = size * np.sqrt(effect)
     return factors
 
 

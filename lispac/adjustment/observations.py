@@ -13,6 +13,9 @@ from lispac.errors import AdjustmentError
 Array = NDArray[np.float64]
 
 
+SCARCE = 200  # points of a sighting that are all wanted in a sample
+
+
 @dataclass(frozen=True)
 class Sighting:
     """One target as seen on one line."""
@@ -106,6 +109,17 @@ class Observations:
             if isinstance(values := getattr(self, column.name), np.ndarray)
         }
         return replace(self, **columns)
+
+    def sample(self, share: float) -> NDArray[np.bool_]:
+        """About that share of the points, the same ones in whatever order they come."""
+        bits = np.ascontiguousarray(self.points_lidar).view(np.uint64)
+        mixed = bits[:, 0] ^ (bits[:, 1] << np.uint64(1)) ^ (bits[:, 2] << np.uint64(2))
+        mixed = (mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
+        mixed = (mixed ^ (mixed >> np.uint64(32))) * np.uint64(0x94D049BB133111EB)
+        chosen = (mixed >> np.uint64(40)).astype(np.float64) < share * 2**24
+        # A sighting of few points keeps them all.
+        scarce = np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < SCARCE
+        return np.asarray(chosen | scarce[self.sighting])
 
     def where(self, keep: NDArray[np.bool_]) -> "Observations":
         """The points of ``keep``, shape (n,), alone; sightings left without any are dropped."""

@@ -53,7 +53,7 @@ class Problem:
     noise : ndarray of shape (targets,)
         Noise of the points over the stated one.
     blocks : ndarray of shape (n,), int
-        Block of each point on its sighting's surface; empty in thesis mode.
+        Block of each point on its sighting's surface; empty where nobody has asked.
     """
 
     observations: Observations
@@ -81,7 +81,7 @@ class Problem:
         surface = FIRST_SURFACE if model.surface is None else model.surface
         sigma = np.full(len(observations.sightings), surface)
         ones = np.ones(len(observations.targets))
-        blocks = blocks_of(ordered, prior) if model.correlated else np.zeros(0, dtype=np.int64)
+        blocks = np.zeros(0, dtype=np.int64)
         return cls(ordered, groups, order, model, prior, parameters, sigma, ones, ones, blocks)
 
     @cached_property
@@ -100,6 +100,12 @@ class Problem:
         owners = self.observations.target_of_sighting
         has_surfaces = self.model.correlated and self.model.surface != 0
         return Layout.of(self.active, widths, owners, surfaces=has_surfaces)
+
+    def with_blocks(self) -> "Problem":
+        """The same with the blocks that tell noise from roughness."""
+        if len(self.blocks) or not self.model.correlated:
+            return self
+        return replace(self, blocks=blocks_of(self.observations, self.prior))
 
     def with_surface(self, sigma: float) -> "Problem":
         """The same with another sigma of the surfaces, metres, but for those released."""

@@ -13,6 +13,7 @@ from lispac.adjustment.problem import RELEASED, Linearised
 from lispac.adjustment.result import SightingReliability
 from lispac.adjustment.robust import weight
 from lispac.adjustment.sums import pos_between_knots, residual
+from lispac.adjustment.threads import in_chunks
 
 Array = NDArray[np.float64]
 
@@ -188,7 +189,7 @@ def _points(linearised: Linearised, local: Array) -> tuple[Array, Array, Array, 
     problem, state = linearised.problem, linearised.state
     observations, groups = problem.observations, problem.groups
     out = np.empty((4, len(observations)))
-    _test(
+    arguments = (
         *columns(observations), observations.sighting, *turns(observations, state.mounting),
         state.shapes,
         state.surface, problem.active, groups.start, groups.knot, *pos_between_knots(groups),
@@ -197,12 +198,14 @@ def _points(linearised: Linearised, local: Array) -> tuple[Array, Array, Array, 
         observations.sigma_attitude, linearised.loss.code, linearised.loss.tuning, problem.scale,
         problem.noise, local, out,
     )  # fmt: skip
+    in_chunks(lambda first, last: _test(first, last, *arguments), groups.start[1:])
     redundancy, w, detectable, weights = out
     return redundancy, w, detectable, weights
 
 
 @njit(nogil=True, cache=True)
 def _test(  # type: ignore[no-untyped-def]
+    first, last,
     points, position, attitude, rate, target, spheres, sighting,
     values, rotation, derivatives, turn, shapes, surface,
     active, start, knot, fraction, stray, effects,
@@ -212,7 +215,7 @@ def _test(  # type: ignore[no-untyped-def]
     out, lidar = np.empty(20), np.empty(3)
     count = len(active)
     wide = np.empty(count + 16)
-    for g in range(len(knot)):
+    for g in range(first, last):
         covariance = local[g]
         for i in range(start[g], start[g + 1]):
             t = target[i]

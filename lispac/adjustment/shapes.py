@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.conditions import linearise
+from lispac.adjustment.conditions import evaluate
 from lispac.adjustment.observations import Observations
 from lispac.geometry.spheres import fit_sphere
 from lispac.survey.georeferencing import Mounting
@@ -24,7 +24,7 @@ def points_local(observations: Observations, mounting: Mounting) -> Array:
     """The points placed with ``mounting``, shape (n, 3), metres, local."""
     planes = np.tile([0.0, 0.0, 1.0, 0.0], (len(observations.targets), 1))
     # The Jacobian of a plane by (a, b, c) is the point itself.
-    return linearise(observations.as_planes(), mounting, planes).rows[:, 9:12]
+    return evaluate(observations.as_planes(), mounting, planes, slice(9, 12))
 
 
 def about_targets(observations: Observations, mounting: Mounting) -> tuple[Observations, Array]:

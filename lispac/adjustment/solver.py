@@ -30,6 +30,9 @@ MAX_ITERATIONS = 200
 ANGLES_SETTLED, OTHERS_SETTLED = 1e-11, 1e-8
 """Largest change of an angle (rad) and of another unknown (rad, m, s) in the last iteration."""
 
+MANY = 50_000
+"""Points that lead near the answer; where there are more, all of them take the last steps only."""
+
 NEAR = 1e-5
 """Change of an angle (rad) below which noise, surfaces and strays can be told apart."""
 
@@ -88,12 +91,19 @@ def adjust(
         start = fitted if shapes is None else counted_from(shapes, origins, first.is_sphere)
         problem = Problem.of(first, mounting, model, parameters)
         state = problem.start(mounting, start)
-        problem, held = _seen(problem, state)
+        many = model.correlated and len(observations) > MANY
+        # What the geometry sees, a sample tells as well as all points.
+        kept, held = _seen(*(_sampled(problem, state) if many else (problem, state)))
+        problem = problem.with_parameters(kept)
         iterate = _released if _may_release(model) else _iterate
         if first is not observations:
-            near = _iterate(problem, state, progress).state
+            held_radii = _iterate(problem, state, progress).state
             problem = Problem.of(observations, mounting, model, problem.parameters)
-            state = problem.start(near.mounting, near.shapes)
+            state = problem.start(held_radii.mounting, held_radii.shapes)
+        if many:
+            near = iterate(*_sampled(problem, state), progress)
+            problem, state = _told(problem, near)
+            iterate = _refined
         solution = iterate(problem, state, progress)
         found: tuple[Component, ...] = ()
         if components and model.correlated:
@@ -114,16 +124,42 @@ class Solution:
     path: Array
 
 
-def _seen(problem: Problem, state: State) -> tuple[Problem, tuple[Estimate, ...]]:
-    """Switch off the parameters that the geometry does not see; refuse a hopeless boresight."""
+def _seen(problem: Problem, state: State) -> tuple[tuple[Parameter, ...], tuple[Estimate, ...]]:
+    """The parameters to estimate, and those the geometry hides; refuse a hopeless boresight."""
     linearised = problem.linearised(state)
     hidden = unseen(linearised)
-    for estimate in hidden:
-        if estimate.prior_sigma is None:
-            kept = tuple(p for p in problem.parameters if p.name != estimate.name)
-            problem = problem.with_parameters(kept)
-    require_determined(problem.linearised(state) if hidden else linearised)
-    return problem, hidden
+    held = {estimate.name for estimate in hidden if estimate.prior_sigma is None}
+    kept = tuple(p for p in problem.parameters if p.name not in held)
+    if held:
+        linearised = problem.with_parameters(kept).linearised(state)
+    require_determined(linearised)
+    return kept, hidden
+
+
+def _sampled(problem: Problem, state: State) -> tuple[Problem, State]:
+    """The same problem with some of its points: they lead near the answer, and tell the noise."""
+    observations = problem.observations
+    some = observations.where(observations.sample(MANY / len(observations)))
+    problem = Problem.of(some, problem.prior, problem.model, problem.parameters)
+    return problem, problem.start(state.mounting, state.shapes)
+
+
+def _told(problem: Problem, near: Solution) -> tuple[Problem, State]:
+    """The problem of all points with what a sample of them has told."""
+    sample = near.linearised.problem
+    noise = noise_factors(
+        sample.observations,
+        sample.standardised(near.state),
+        sample.blocks,
+        robust=problem.model.loss != "none",
+        denser=len(problem.observations) / len(sample.observations),
+    )
+    problem = replace(problem, noise=noise, scale=sample.scale, surface_sigma=sample.surface_sigma)
+    return problem, problem.start(near.state.mounting, near.state.shapes)
+
+
+def _refined(problem: Problem, state: State, progress: Progress) -> Solution:
+    return _iterate(problem, state, progress, told=True)
 
 
 def _may_release(model: StochasticModel) -> bool:
@@ -144,10 +180,19 @@ def _released(problem: Problem, state: State, progress: Progress) -> Solution:
 
 
 def _iterate(
-    problem: Problem, state: State, progress: Progress, earlier: Array | None = None
+    problem: Problem,
+    state: State,
+    progress: Progress,
+    earlier: Array | None = None,
+    *,
+    told: bool = False,
 ) -> Solution:
+    """Iterate; ``told`` says that the sigmas from the data are in the problem already."""
     final = Loss(problem.model.loss)
-    loss, settled = final.start, not (problem.model.correlated or final.name != "none")
+    if not told:
+        problem = problem.with_blocks()
+    loss = final if told else final.start
+    settled = told or not (problem.model.correlated or final.name != "none")
     path = [] if earlier is None else list(earlier)
     for iteration in range(1, MAX_ITERATIONS + 1):
         progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")

@@ -6,7 +6,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import NDArray
 
-from lispac.adjustment.conditions import linearise
+from lispac.adjustment.conditions import misclosures
 from lispac.adjustment.observability import observability
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Estimate
@@ -59,8 +59,8 @@ def summary(
     lower, upper = scipy.stats.chi2.ppf([0.025, 0.975], freedom) if freedom > 0 else (0.0, 0.0)
     statistic = _statistic(linearised, state)
     targets, sightings, rms = _residuals(
-        observations, linearise(observations, problem.prior, fitted).misclosure,
-        linearise(observations, state.mounting, state.shapes).misclosure,
+        observations, misclosures(observations, problem.prior, fitted),
+        misclosures(observations, state.mounting, state.shapes),
         counted_from(state.shapes, -origins, observations.is_sphere),
         problem.noise,
     )  # fmt: skip

@@ -5,8 +5,6 @@ POS error has knots, per stretch between two of them. What follows costs the sam
 points as for ten million.
 """
 
-import os
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,12 +15,10 @@ from lispac.adjustment.conditions import columns, corrected, lidar_variance, row
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.robust import Loss, weight
 from lispac.adjustment.stochastic import PosErrorKnots
+from lispac.adjustment.threads import in_chunks
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
-
-FEW = 20_000  # points that are summed before the threads have started
-CHUNKS = 16  # tasks for the threads: enough that they end together
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,18 +158,7 @@ def sum_by_group(
         weights.scale,
         weights.noise**-2,
     )
-    bounds = np.linspace(0, len(observations), CHUNKS + 1)
-    cuts = np.unique([0, *np.searchsorted(groups.start, bounds[1:-1]), len(groups.sighting)])
-
-    # A group is summed by one thread from its first point to its last, whatever their number.
-    def run(k: int) -> None:
-        _accumulate(int(cuts[k]), int(cuts[k + 1]), *arguments, sums)
-
-    if len(observations) < FEW:
-        _accumulate(0, len(groups.sighting), *arguments, sums)
-    else:
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            list(pool.map(run, range(len(cuts) - 1)))
+    in_chunks(lambda first, last: _accumulate(first, last, *arguments, sums), groups.start[1:])
     return sums + np.swapaxes(np.tril(sums, -1), -1, -2)
 
 
@@ -270,26 +255,27 @@ def standardised(observations: Observations, groups: Groups, state: State) -> Ar
     With the effects found so far applied; the same numbers `sum_by_group` gives its loss.
     """
     out = np.empty(len(observations))
-    _standardised(
+    arguments = (
         *columns(observations), observations.sighting, *turns(observations, state.mounting),
-        state.shapes,
-        state.surface, groups.start, groups.knot,
+        state.shapes, state.surface, groups.start, groups.knot,
         *pos_between_knots(groups), state.effects,
         observations.sigma_lidar, observations.beam_sigmas, observations.sigma_position,
         observations.sigma_attitude, out,
     )  # fmt: skip
+    in_chunks(lambda first, last: _standardised(first, last, *arguments), groups.start[1:])
     return out
 
 
 @njit(nogil=True, cache=True)
 def _standardised(  # type: ignore[no-untyped-def]
+    first, last,
     points, position, attitude, rate, target, spheres, sighting,
     values, rotation, derivatives, turn, shapes, surface,
     start, knot, fraction, stray, effects,
     sigma_lidar, beam, sigma_position, sigma_attitude, standardised,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
-    for g in range(len(knot)):
+    for g in range(first, last):
         for i in range(start[g], start[g + 1]):
             t = target[i]
             row(
