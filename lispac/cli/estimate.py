@@ -250,7 +250,8 @@ def _checks(checks: CrossChecks) -> dict[str, Any]:
 def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
     """The answer for people."""
     chi_square = result.chi_square
-    verdict = "passed" if chi_square.passed else "FAILED"
+    size = "large" if chi_square.statistic < chi_square.lower else "small"
+    verdict = "passed" if chi_square.passed else f"the stated sigmas are too {size}"
     print("degrees    " + "".join(f"{name:>12s}" for name in ANGLES))
     rows = {
         "prior": np.degrees(result.prior_boresight),
