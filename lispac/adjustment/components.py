@@ -70,8 +70,9 @@ def variance_components(linearised: Linearised) -> tuple[Component, ...]:
         options={"xatol": 0.005, "fatol": 0.005},
     )  # fmt: skip
     spread = np.sqrt(2 / np.maximum(_curvature(likelihood, found.x), 1e-3))
+    reach = np.log(100.0)  # beyond, the data tell nothing
     return tuple(
-        Component(name, *np.exp([x, x - 1.96 * s, x + 1.96 * s]).tolist())
+        Component(name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist())
         for name, x, s in zip(NAMES, found.x, spread, strict=True)
     )
 

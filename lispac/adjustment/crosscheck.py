@@ -1,6 +1,7 @@
 """What parts of the data say by themselves, beside the answer of all."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,10 @@ from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
+WORTH = 1 / 6
+"""Share of the whole's sigma that a difference is measured against at least: one below half
+a sigma is of no consequence, however surprising."""
+
 Part = tuple[str, str, NDArray[np.bool_]]
 
 
@@ -33,6 +38,19 @@ def cross_checks(
         As it went into the adjustment of ``result``.
     """
     start = mounting.with_boresight(result.boresight)
+    # The parts are judged by what the whole has told of noise, surfaces and blunders: told anew
+    # from fewer sightings, they would differ by more than the answers do.
+    kept = np.array([s not in result.suspects for s in observations.sightings])
+    observations = observations.of_sightings(kept)
+    noise = {target.target: target.noise for target in result.targets}
+    factors = np.array([noise[target] for target in observations.targets])
+    owners = observations.target_of_sighting[observations.sighting]
+    observations = replace(
+        observations, sigma_lidar=observations.sigma_lidar * factors[owners][:, None]
+    )
+    if result.model.correlated:
+        surface = max(result.surface, 1e-5) if result.model.surface != 0 else 0.0
+        result = replace(result, model=replace(result.model, surface=surface))
     parts = [*_left_out(observations), *_halves(observations)]
     found: list[CrossCheck] = []
     for k, (kind, name, keep) in enumerate(parts):
@@ -85,7 +103,7 @@ def _check(
     difference = part.boresight - result.boresight
     # A part of the data has the larger variance, by that of the difference (Hausman 1978).
     spread = np.sqrt(np.maximum(np.diag(part.covariance - result.covariance), 0))
-    floor = 0.05 * result.sigma  # both have been rounded by re-weighting
+    floor = WORTH * result.sigma
     return CrossCheck(
         kind, name, part.boresight, part.sigma, difference, difference / np.maximum(spread, floor)
     )

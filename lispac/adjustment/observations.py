@@ -162,6 +162,16 @@ class Observations:
                     f"Target {sighting.target} has only {count} points on line {sighting.line}; "
                     "a plane needs at least three: pick it again or leave that line out."
                 )
+        for name, values in (
+            ("point", self.points_lidar),
+            ("position", self.position),
+            ("attitude", self.attitude),
+            ("time", self.time),
+        ):
+            if not np.isfinite(values).all():
+                raise AdjustmentError(f"A {name} is not a number; leave that point out.")
+        if not (self.points_lidar != 0).any(axis=1).all():
+            raise AdjustmentError("A point lies in the scanner itself; leave it out.")
         for name, sigma in (
             ("LiDAR", self.sigma_lidar),
             ("position", self.sigma_position),

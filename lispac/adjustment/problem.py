@@ -30,6 +30,9 @@ NO_LOSS = Loss("none")
 FIRST_SURFACE = 0.003
 """Metres: sigma of the surfaces until the data have told it."""
 
+LOST = 1e-6
+"""Share of the heaviest sighting's weight below which a sighting has no say at all."""
+
 RELEASED = 10.0
 """Metres: sigma of the surface of a sighting that is no longer held to its target's shape."""
 
@@ -171,12 +174,16 @@ class Problem:
         observations, a = self.observations, len(self.active)
         owners = observations.target_of_sighting
         summed = sum_by_sighting(sums, self.groups, len(owners), a + 4)[:, a : a + 4, a : a + 4]
+        # A sighting without any weight left has no middle of its own.
+        whole = np.stack([summed[owners == k].sum(axis=0) for k in range(len(state.shapes))])
+        lost = summed[:, 3, 3] <= LOST * summed[:, 3, 3].max()
+        summed[lost] = whole[owners[lost]]
         shapes = []
         for k, (target, shape) in enumerate(zip(observations.targets, state.shapes, strict=True)):
             if observations.is_sphere[k]:
                 shapes.append(sphere_tangent(known_radius=observations.radii[target] is not None))
             else:
-                centre, _ = centre_and_extent(summed[owners == k].sum(axis=0))
+                centre, _ = centre_and_extent(whole[k])
                 shapes.append(plane_tangent(shape[:3], centre))
         surfaces = np.zeros((len(owners), 4, 3))
         for s, k in enumerate(owners):

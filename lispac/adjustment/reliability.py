@@ -23,6 +23,9 @@ CRITICAL = 3.29
 POWER = 4.13
 """Standard deviations that the test at 0.1 % finds with a power of 80 %."""
 
+WEIGHTLESS = 0.2
+"""Mean weight of a sighting whose points the loss has taken for strays: it is another surface."""
+
 FAMILY = 0.01
 """Chance that any of the sightings is called a blunder where none is."""
 
@@ -116,7 +119,7 @@ def reliability(linearised: Linearised) -> tuple[SightingReliability, ...]:
                 largest_w=float(largest[s]),
                 point_detectable=float(np.median(own)),
                 weight=float(mean_weight[s]),
-                released=bool(problem.surface_sigma[s] >= RELEASED),
+                released=bool(problem.surface_sigma[s] >= RELEASED or mean_weight[s] < WEIGHTLESS),
             )
         )
     return tuple(found)
@@ -246,5 +249,5 @@ def _test(  # type: ignore[no-untyped-def]
             sigma = np.sqrt(variance * max(redundancy, 1e-12))
             result[0, i] = redundancy
             result[1, i] = misclosure / sigma
-            result[2, i] = 4.13 * variance / sigma
+            result[2, i] = POWER * variance / sigma
             result[3, i] = weighted

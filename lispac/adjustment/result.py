@@ -76,7 +76,7 @@ class SightingReliability:
     weight : float
         Mean weight the loss left to the points.
     released : bool
-        Whether it was found to be a blunder and is no longer held to its target.
+        Whether it was found to be a blunder: no longer held to its target, or without weight.
     """
 
     sighting: Sighting

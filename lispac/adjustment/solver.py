@@ -38,6 +38,13 @@ NEAR = 1e-5
 
 COMPONENT_ROUNDS = 5
 
+PATIENCE, SLACK = 60, 1e3
+"""After so many iterations a thousand times larger changes will do: 1e-6 deg and 0.01 mm."""
+
+ADAPTATIONS = 12
+"""Times that noise and surfaces are taken from the data; a limit between two of their values would
+be crossed for ever."""
+
 SCALE_SETTLED = 0.01
 """Relative change of a sigma that is taken from the data."""
 
@@ -83,36 +90,59 @@ def adjust(
     """
     started = time.perf_counter()
     observations.require_usable()
-    with one_thread():
-        observations, origins = about_targets(observations, mounting)
-        # The radii of the balls are let go when the boresight is near.
-        first = usual_radii(observations, mounting)
-        fitted = fit_shapes(first, mounting)
-        start = fitted if shapes is None else counted_from(shapes, origins, first.is_sphere)
-        problem = Problem.of(first, mounting, model, parameters)
-        state = problem.start(mounting, start)
-        many = model.correlated and len(observations) > MANY
-        # What the geometry sees, a sample tells as well as all points.
-        kept, held = _seen(*(_sampled(problem, state) if many else (problem, state)))
-        problem = problem.with_parameters(kept)
-        iterate = _released if _may_release(model) else _iterate
-        if first is not observations:
-            held_radii = _iterate(problem, state, progress).state
-            problem = Problem.of(observations, mounting, model, problem.parameters)
-            state = problem.start(held_radii.mounting, held_radii.shapes)
-        if many:
-            near = iterate(*_sampled(problem, state), progress)
-            problem, state = _told(problem, near)
-            iterate = _refined
-        solution = iterate(problem, state, progress)
-        found: tuple[Component, ...] = ()
-        if components and model.correlated:
-            solution, found = _with_components(solution, progress)
-        return summary(
-            observations, solution.linearised, solution.state, fitted, origins,
-            path=solution.path, held=held, components=found, diagnostics=diagnostics,
-            started=started,
-        )  # fmt: skip
+    try:
+        with one_thread():
+            return _adjusted(
+                observations, mounting, model, parameters, shapes, components, diagnostics,
+                progress, started,
+            )  # fmt: skip
+    except np.linalg.LinAlgError as error:
+        raise NotConverged(
+            "The adjustment ran away from any answer; check that each target is the same surface "
+            "on every line, and the prior boresight."
+        ) from error
+
+
+def _adjusted(
+    observations: Observations,
+    mounting: Mounting,
+    model: StochasticModel,
+    parameters: tuple[Parameter, ...],
+    shapes: Array | None,
+    components: bool,
+    diagnostics: bool,
+    progress: Progress,
+    started: float,
+) -> AdjustmentResult:
+    observations, origins = about_targets(observations, mounting)
+    # The radii of the balls are let go when the boresight is near.
+    first = usual_radii(observations, mounting)
+    fitted = fit_shapes(first, mounting)
+    start = fitted if shapes is None else counted_from(shapes, origins, first.is_sphere)
+    problem = Problem.of(first, mounting, model, parameters)
+    state = problem.start(mounting, start)
+    many = model.correlated and len(observations) > MANY
+    # What the geometry sees, a sample tells as well as all points.
+    kept, held = _seen(*(_sampled(problem, state) if many else (problem, state)))
+    problem = problem.with_parameters(kept)
+    iterate = _released if _may_release(model) else _iterate
+    if first is not observations:
+        held_radii = _iterate(problem, state, progress).state
+        problem = Problem.of(observations, mounting, model, problem.parameters)
+        state = problem.start(held_radii.mounting, held_radii.shapes)
+    if many:
+        near = iterate(*_sampled(problem, state), progress)
+        problem, state = _told(problem, near)
+        iterate = _refined
+    solution = iterate(problem, state, progress)
+    found: tuple[Component, ...] = ()
+    if components and model.correlated:
+        solution, found = _with_components(solution, progress)
+    return summary(
+        observations, solution.linearised, solution.state, fitted, origins,
+        path=solution.path, held=held, components=found, diagnostics=diagnostics,
+        started=started,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,6 +164,12 @@ def _seen(problem: Problem, state: State) -> tuple[tuple[Parameter, ...], tuple[
         linearised = problem.with_parameters(kept).linearised(state)
     require_determined(linearised)
     return kept, hidden
+
+
+def _settled(angles: float, others: float, iteration: int) -> bool:
+    """Whether the last changes are too small to matter; weights that hesitate may stop earlier."""
+    ease = 1.0 if iteration <= PATIENCE else SLACK
+    return angles < ease * ANGLES_SETTLED and others < ease * OTHERS_SETTLED
 
 
 def _sampled(problem: Problem, state: State) -> tuple[Problem, State]:
@@ -192,6 +228,7 @@ def _iterate(
     if not told:
         problem = problem.with_blocks()
     loss = final if told else final.start
+    adaptations = 0
     settled = told or not (problem.model.correlated or final.name != "none")
     path = [] if earlier is None else list(earlier)
     for iteration in range(1, MAX_ITERATIONS + 1):
@@ -205,14 +242,16 @@ def _iterate(
                 problem = _with_noise(problem, state)  # far from the answer all points are noisy
         elif not settled:
             adapted = _with_surface(_with_noise(problem, state), linearised)
-            settled = loss == final and not _differ(problem, adapted)
+            adaptations += 1
+            same = adaptations >= ADAPTATIONS or not _differ(problem, adapted)
+            settled = loss == final and same
             problem, loss = adapted, final
-        elif angles < ANGLES_SETTLED and others < OTHERS_SETTLED:
+        elif _settled(angles, others, iteration):
             return Solution(linearised, state, np.array(path))
     raise NotConverged(
         f"The adjustment did not settle in {MAX_ITERATIONS} iterations (last change "
-        f"{np.degrees(angles):.1e} deg); check that each target is "
-        "the same surface on every line, and the prior boresight."
+        f"{np.degrees(angles):.1e} deg of the angles, {others:.1e} m of the rest); check that each "
+        "target is the same surface on every line, and the prior boresight."
     )
 
 

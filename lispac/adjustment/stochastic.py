@@ -28,7 +28,7 @@ class StochasticModel:
 
     The position of a post-processed GNSS/INS solution drifts over minutes (multipath, satellite
     geometry); its attitude more slowly. Where the processing report states correlation times, use
-    them; too long a time is safer than too short a one.
+    them; too short a time is safer than too long a one.
 
     Attributes
     ----------

@@ -12,6 +12,7 @@ from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
+    Component,
     CrossChecks,
     SightingReliability,
 )
@@ -73,10 +74,11 @@ def asked_settings(settings: Settings, arguments: Namespace) -> Settings:
         "pos_errors": arguments.pos_errors,
         "position_time": arguments.position_time,
         "attitude_time": arguments.attitude_time,
-        "loss": arguments.loss,
         "parameters": parameters_of(arguments.estimate),
-        "variance_components": True if arguments.components else None,
+        "variance_components": arguments.components,
     }
+    if arguments.loss is not None:
+        settings = replace(settings, loss=None if arguments.loss == "auto" else arguments.loss)
     if arguments.surface is not None:
         settings = replace(
             settings, surface=None if arguments.surface == "auto" else arguments.surface
@@ -190,7 +192,12 @@ def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, A
         "reliability": [_reliability(item) for item in result.reliability],
         "suspects": [f"{s.target} on {s.line}" for s in result.suspects],
         "components": {
-            c.name: {"factor": c.factor, "lower": c.lower, "upper": c.upper}
+            c.name: {
+                "factor": c.factor,
+                "lower": c.lower,
+                "upper": c.upper,
+                "applied": c.applied,
+            }
             for c in result.components
         },
         "cross_checks": checks and _checks(checks),
@@ -267,7 +274,7 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
     for estimate in result.parameters:
         print(_parameter_line(estimate))
     print(
-        f"POS errors {result.model.pos_errors}; {result.points:,} points, "
+        f"POS errors {_model_words(result)}; {result.points:,} points, "
         f"{len(result.sightings)} sightings, {len(result.targets)} targets, "
         f"{result.iterations} iterations, {result.elapsed:.3f} s"
     )
@@ -275,17 +282,14 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
         f"variance factor {result.variance_factor:.3f}, chi-square {chi_square.statistic:.1f} "
         f"({chi_square.lower:.1f} to {chi_square.upper:.1f}: {verdict})"
     )
-    if result.model.pos_errors == "independent":
+    if not result.model.correlated:
         print("POS errors are taken as independent (thesis mode): the sigmas are too small")
     print(
         f"RMS to the joint surfaces {result.rms_before * 1000:.1f} mm before, "
         f"{result.rms_after * 1000:.1f} mm after"
     )
     for component in result.components:
-        print(
-            f"{component.name} sigmas times {component.factor:.2f} "
-            f"({component.lower:.2f} to {component.upper:.2f})"
-        )
+        print(_component_line(component))
     for sentence in result.observability.sentences if result.observability else ():
         print(sentence)
     for item in result.reliability:
@@ -297,7 +301,32 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
             )
     for part in checks.disagreements if checks else ():
         what = f"the {part.without} half" if part.kind == "half" else f"without {part.without}"
-        print(f"{what}: the answer differs by more than chance explains")
+        assert part.difference is not None
+        off = ", ".join(
+            f"{name} {value:+.3f}"
+            for name, value in zip(ANGLES, np.degrees(part.difference), strict=True)
+        )
+        print(f"{what}: the answer differs by more than chance explains ({off} deg)")
+
+
+def _model_words(result: AdjustmentResult) -> str:
+    model = result.model
+    if not model.correlated:
+        return f"independent (thesis mode), loss {model.loss}"
+    return (
+        f"correlated over {model.position_time:g} s (position) and {model.attitude_time:g} s "
+        f"(attitude), loss {model.loss}"
+    )
+
+
+def _component_line(component: Component) -> str:
+    if component.upper > 10 * component.lower:
+        return f"{component.name} sigmas: the data do not tell; as stated"
+    done = "applied" if component.applied else "as stated"
+    return (
+        f"{component.name} sigmas times {component.factor:.2f} "
+        f"({component.lower:.2f} to {component.upper:.2f}): {done}"
+    )
 
 
 def _parameter_line(estimate: Estimate) -> str:

@@ -118,7 +118,11 @@ def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
-    estimate = _command(commands, "estimate", "adjust the boresight of a project or of plane files")
+    estimate = _command(
+        commands,
+        "estimate",
+        "adjust the boresight of a project or of plane files; a project keeps the options given",
+    )
     estimate.add_argument("project", type=Path, nargs="?", metavar="PROJECT")
     estimate.add_argument(
         "--subsample",
@@ -139,7 +143,7 @@ def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
             type=_positive,
             metavar="SECONDS",
             help=f"correlation time of the {name} error (default {default}; see the processing "
-            "report; too long is safer than too short)",
+            "report; too short is safer than too long)",
         )
     estimate.add_argument(
         "--surface",
@@ -150,8 +154,8 @@ def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
     estimate.add_argument(
         "--loss",
-        choices=("none", "huber", "tukey"),
-        help="weights of stray points (default tukey, in thesis mode none)",
+        choices=("auto", "none", "huber", "tukey"),
+        help="weights of stray points (default auto: tukey, in thesis mode none)",
     )
     estimate.add_argument(
         "--estimate",
@@ -161,7 +165,9 @@ def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
         "(deg), latency (s), with the sigma its value is known to; none switches all off",
     )
     estimate.add_argument(
-        "--components", action="store_true", help="take the sigmas of LiDAR and POS from the data"
+        "--components",
+        action=argparse.BooleanOptionalAction,
+        help="take the sigmas of LiDAR and POS from the data",
     )
     estimate.add_argument(
         "--no-cross-checks", action="store_true", help="do not adjust parts of the data too"

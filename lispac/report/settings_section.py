@@ -81,7 +81,7 @@ def _model(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str,
                 "Correlation times, position, attitude",
                 f"{used.position_correlation_time_s:g} s, {used.attitude_correlation_time_s:g} s: "
                 "how long a POS error lasts. Take those of the processing report where it states "
-                "them; too long a time is safer than too short a one.",
+                "them; too short a time is safer than too long a one.",
             )
         )
     said.append(("LiDAR noise, 1 sigma", _lidar(used)))

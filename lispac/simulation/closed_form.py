@@ -47,7 +47,8 @@ class Board:
             Not needed: all of a board is seen from wherever it faces.
         """
         normal = np.array(self.normal) / np.linalg.norm(self.normal)
-        across = np.cross([0.0, 0.0, 1.0], normal)
+        # A level board has no horizontal edge of its own: north and west will do.
+        across = np.cross([1.0, 0.0, 0.0] if abs(normal[2]) > 0.999 else [0.0, 0.0, 1.0], normal)
         across /= np.linalg.norm(across)
         up = np.cross(normal, across)
         u, v = (

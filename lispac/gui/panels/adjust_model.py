@@ -15,8 +15,8 @@ from lispac.project import Settings
 
 TIMES = (
     "How long the POS error stays like itself. Position drifts over minutes, attitude more "
-    "slowly. Where the processing report states correlation times, use them; too long a time is "
-    "safer than too short a one."
+    "slowly. Where the processing report states correlation times, use them; too short a time is "
+    "safer than too long a one."
 )
 LOSSES: tuple[tuple[LossName | None, str, str], ...] = (
     (None, "As the model does", "Tukey with correlated POS errors, none in thesis mode"),
