@@ -26,6 +26,9 @@ from lispac.workflow.survey import load_survey
 
 DEFAULT_LIDAR_SIGMA = 0.005
 
+NOISY = 30.0
+"""Noise over the stated one that is worth a line; rough ground may have half of it."""
+
 UNITS: Mapping[str, tuple[float, str]] = {
     "lever_x": (1.0, "m"), "lever_y": (1.0, "m"), "lever_z": (1.0, "m"),
     "range_offset": (1.0, "m"), "scan_angle_offset": (float(np.degrees(1)), "deg"),
@@ -292,6 +295,12 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
         print(_component_line(component))
     for sentence in result.observability.sentences if result.observability else ():
         print(sentence)
+    for target in result.targets:
+        if target.noise > NOISY:
+            print(
+                f"{target.target}: its points scatter {target.noise:.0f} times as much as stated "
+                "and count for little; is it the same surface on every line?"
+            )
     for item in result.reliability:
         if item.released:
             print(
