@@ -1,7 +1,8 @@
 """Surveys made by others, by the command line alone; skipped where they are not at hand."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -109,18 +110,30 @@ def joint_rms(clouds: Mapping[str, np.ndarray], labels: Mapping[str, np.ndarray]
 @pytest.mark.parametrize("loss", ["none", "huber", "tukey"])
 @pytest.mark.parametrize("pos_errors", POS_ERRORS)
 def test_drone_from_labelled_points(
-    shared_data: Path, tmp_path: Path, name: str, loss: LossName, pos_errors: PosErrors
+    shared_data: Path,
+    labelled_points: Callable[[Path], tuple[Observations, Mounting]],
+    name: str,
+    loss: LossName,
+    pos_errors: PosErrors,
 ) -> None:
     """The same points as the reference's two adjustments had, in every model."""
     data = shared_data / name
     reference = json.loads((data / "reference.json").read_text())
-    observations, prior = labelled(data, tmp_path)
+    observations, prior = labelled_points(data)
     if pos_errors == "correlated":
         observations = averaged(observations, prior, 0.10)
     model = StochasticModel(pos_errors, loss=loss)
     result = adjust(observations, prior, model, diagnostics=False)
     error = np.degrees(result.boresight) - reference["boresight_deg"]
     assert np.abs(error).max() < 0.05, error
+
+
+@pytest.fixture(scope="module")
+def labelled_points(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Callable[[Path], tuple[Observations, Mounting]]:
+    """Reads each survey once."""
+    return cache(lambda data: labelled(data, tmp_path_factory.mktemp(data.name)))
 
 
 def labelled(data: Path, folder: Path) -> tuple[Observations, Mounting]:
