@@ -64,8 +64,8 @@ class Page(QWidget):
         return ""
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
-        """Show the result."""
-        raise NotImplementedError
+        """Show the result; every page has its own way (Qt's metaclass admits no abstract one)."""
+        raise TypeError(f"{type(self).__name__} does not say how it shows a result")
 
     def select(self, target: str, line: str) -> None:
         """Select the row about a sighting or target."""
