@@ -6,13 +6,13 @@ gives one condition, so ``B Q B'`` is diagonal: one variance a point.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.threads import in_chunks
+from lispac.adjustment.passes import in_chunks, kernel
 from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.survey.georeferencing import Mounting
 
@@ -55,9 +55,9 @@ def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> 
         Unit normal and offset (metres) of each plane, centre and radius (metres) of each sphere.
     """
     rows, by_lidar = np.empty((len(observations), WIDTH)), np.empty((len(observations), 3))
-    arguments = (*columns(observations), *turns(observations, mounting), shapes, rows, by_lidar)
+    points, placing = Points.of(observations, mounting), Placing.of(mounting, shapes)
     in_chunks(
-        lambda first, last: _linearise(first, last, *arguments),
+        lambda first, last: _linearise(first, last, *points, *placing, rows, by_lidar),
         np.arange(1, len(observations) + 1),
     )
     return Conditions(rows, by_lidar)
@@ -66,9 +66,9 @@ def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> 
 def evaluate(observations: Observations, mounting: Mounting, shapes: Array, wanted: slice) -> Array:
     """Some columns of `linearise` alone, without the memory of all, shape (n, columns)."""
     out = np.empty((len(observations), wanted.stop - wanted.start))
-    arguments = (*columns(observations), *turns(observations, mounting), shapes, wanted.start, out)
+    points, placing = Points.of(observations, mounting), Placing.of(mounting, shapes)
     in_chunks(
-        lambda first, last: _evaluate(first, last, *arguments),
+        lambda first, last: _evaluate(first, last, *points, *placing, wanted.start, out),
         np.arange(1, len(observations) + 1),
     )
     return out
@@ -79,47 +79,91 @@ def misclosures(observations: Observations, mounting: Mounting, shapes: Array) -
     return evaluate(observations, mounting, shapes, slice(MISCLOSURE, WIDTH))[:, 0]
 
 
-def columns(observations: Observations) -> tuple[NDArray[np.generic], ...]:
-    """What `row` needs to know of the points, as the kernels take it."""
-    rate = observations.pose_rate
-    return (
-        observations.points_lidar,
-        observations.position,
-        observations.attitude,
-        np.zeros((0, 6)) if rate is None else rate,
-        observations.target_of_sighting[observations.sighting],
-        observations.is_sphere,
-    )
+class Points(NamedTuple):
+    """What the kernels need to know of the points, as arrays alone.
 
-
-def turns(observations: Observations, mounting: Mounting) -> tuple[Array, Array, Array, Array]:
-    """Values of the mounting, its rotation, its derivatives, and the turn of the scan angle.
-
-    The latency is what the poses do not hold yet.
+    They take it one by one: to look into a tuple for every point costs more than the arithmetic.
     """
-    values = mounting.values
-    values[8] -= observations.latency
-    return (
-        values,
-        mounting.rotation_body_lidar,
-        rotation_derivatives(*mounting.boresight),
-        rotation_matrix(mounting.scan_angle_offset, 0.0, 0.0),
-    )
+
+    seen: Array  # by the scanner, in its frame
+    position: Array
+    attitude: Array
+    rate: Array  # of no rows where it is unknown
+    target: NDArray[np.int64]
+    sighting: NDArray[np.int64]
+    spheres: NDArray[np.bool_]  # which targets are
+    sigma_lidar: Array
+    beam_sigmas: bool
+    sigma_position: Array
+    sigma_attitude: Array
+
+    @classmethod
+    def of(cls, observations: Observations, mounting: Mounting) -> "Points":
+        """Take the columns of ``observations``, with the latency the poses do not hold yet."""
+        position, attitude = observations.position, observations.attitude
+        rate, late = observations.pose_rate, mounting.latency - observations.latency
+        if rate is None:
+            rate = np.zeros((0, 6))
+        elif late != 0:
+            position, attitude = position + late * rate[:, :3], attitude + late * rate[:, 3:]
+        return cls(
+            observations.points_lidar,
+            position,
+            attitude,
+            rate,
+            observations.target_of_sighting[observations.sighting],
+            observations.sighting,
+            observations.is_sphere,
+            observations.sigma_lidar,
+            observations.beam_sigmas,
+            observations.sigma_position,
+            observations.sigma_attitude,
+        )
 
 
-@njit(nogil=True, cache=True, inline="always")
-def row(i, rx, ry, rz, position, attitude, rate, values, rotation, derivatives, turn, sphere, shape, out, lidar):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
-    """The Jacobians of point ``i`` at (rx, ry, rz), written to ``out`` (20) and ``lidar`` (3)."""
+class Placing(NamedTuple):
+    """Mounting and shapes, as the kernels take them."""
+
+    values: Array
+    rotation: Array
+    derivatives: Array
+    turn: Array  # by the scan-angle offset
+    shapes: Array
+
+    @classmethod
+    def of(cls, mounting: Mounting, shapes: Array) -> "Placing":
+        """Work out the rotations."""
+        return cls(
+            mounting.values,
+            mounting.rotation_body_lidar,
+            rotation_derivatives(*mounting.boresight),
+            rotation_matrix(mounting.scan_angle_offset, 0.0, 0.0),
+            shapes,
+        )
+
+
+@kernel(inline="always")
+def pose(i, position, attitude):  # type: ignore[no-untyped-def]
+    """Position of point ``i`` and cosines and sines of its attitude."""
     roll, pitch, heading = attitude[i, 0], attitude[i, 1], attitude[i, 2]
     px, py, pz = position[i, 0], position[i, 1], position[i, 2]
-    if len(rate) > 0 and values[8] != 0.0:
-        late = values[8]
-        px, py, pz = px + late * rate[i, 0], py + late * rate[i, 1], pz + late * rate[i, 2]
-        roll, pitch = roll + late * rate[i, 3], pitch + late * rate[i, 4]
-        heading += late * rate[i, 5]
-    cr, sr = np.cos(roll), np.sin(roll)
-    cp, sp = np.cos(pitch), np.sin(pitch)
-    ch, sh = np.cos(heading), np.sin(heading)
+    return (
+        px, py, pz, np.cos(roll), np.sin(roll), np.cos(pitch), np.sin(pitch),
+        np.cos(heading), np.sin(heading),
+    )  # fmt: skip
+
+
+@kernel(inline="always")
+def row(  # type: ignore[no-untyped-def]
+    i, t, rx, ry, rz, at, rate, spheres, values, rotation, derivatives, turn, shapes, out, lidar
+):
+    """The Jacobians of point ``i`` of target ``t`` if the scanner had it at (rx, ry, rz).
+
+    Written to ``out`` (20) and ``lidar`` (3).
+    """
+    px, py, pz, cr, sr, cp, sp, ch, sh = at
+    # Read before anything is written, lest the compiler think that it has changed
+    s0, s1, s2, s3, sphere = shapes[t, 0], shapes[t, 1], shapes[t, 2], shapes[t, 3], spheres[t]
     distance = np.sqrt(rx * rx + ry * ry + rz * rz)
     stretch = values[6] / distance
     # Turned by the scan-angle offset (about x), then with the range offset
@@ -134,15 +178,15 @@ def row(i, rx, ry, rz, position, attitude, rate, values, rotation, derivatives, 
     h0, h1, h2 = ch * p0 + sh * p1, -sh * p0 + ch * p1, p2
     x0, x1, x2 = px + h0, py + h1, pz + h2
     if sphere:
-        n0, n1, n2 = x0 - shape[0], x1 - shape[1], x2 - shape[2]
+        n0, n1, n2 = x0 - s0, x1 - s1, x2 - s2
         apart = np.sqrt(n0 * n0 + n1 * n1 + n2 * n2)
         n0, n1, n2 = n0 / apart, n1 / apart, n2 / apart
         out[9], out[10], out[11], out[12] = -n0, -n1, -n2, -1.0
-        out[19] = apart - shape[3]
+        out[19] = apart - s3
     else:
-        n0, n1, n2 = shape[0], shape[1], shape[2]
+        n0, n1, n2 = s0, s1, s2
         out[9], out[10], out[11], out[12] = x0, x1, x2, 1.0
-        out[19] = n0 * x0 + n1 * x1 + n2 * x2 + shape[3]
+        out[19] = n0 * x0 + n1 * x1 + n2 * x2 + s3
     # The normal seen from the frames the three turns pass through: m3 after Rz(-h), m2 after
     # Ry(p), m1 in the body frame; u in the LiDAR frame.
     m30, m31, m32 = ch * n0 - sh * n1, sh * n0 + ch * n1, n2
@@ -152,11 +196,10 @@ def row(i, rx, ry, rz, position, attitude, rate, values, rotation, derivatives, 
     u1 = m10 * rotation[0, 1] + m11 * rotation[1, 1] + m12 * rotation[2, 1]
     u2 = m10 * rotation[0, 2] + m11 * rotation[1, 2] + m12 * rotation[2, 2]
     for k in range(3):
-        d = derivatives[k]
         out[k] = (
-            m10 * (d[0, 0] * x + d[0, 1] * y + d[0, 2] * z)
-            + m11 * (d[1, 0] * x + d[1, 1] * y + d[1, 2] * z)
-            + m12 * (d[2, 0] * x + d[2, 1] * y + d[2, 2] * z)
+            m10 * (derivatives[k, 0, 0] * x + derivatives[k, 0, 1] * y + derivatives[k, 0, 2] * z)
+            + m11 * (derivatives[k, 1, 0] * x + derivatives[k, 1, 1] * y + derivatives[k, 1, 2] * z)
+            + m12 * (derivatives[k, 2, 0] * x + derivatives[k, 2, 1] * y + derivatives[k, 2, 2] * z)
         )
     out[3], out[4], out[5] = m10, m11, m12
     out[6] = (u0 * rx + u1 * ty + u2 * tz) / distance
@@ -177,36 +220,44 @@ def row(i, rx, ry, rz, position, attitude, rate, values, rotation, derivatives, 
     lidar[2] = v2 * (1 + stretch) - rz * along
 
 
-@njit(nogil=True, cache=True)
-def _linearise(first, last, points, position, attitude, rate, target, spheres, values, rotation, derivatives, turn, shapes, rows, by_lidar):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
+@kernel()
+def _linearise(  # type: ignore[no-untyped-def]
+    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    sigma_position, sigma_attitude,
+    values, rotation, derivatives, turn, shapes, rows, by_lidar,
+):  # fmt: skip
     for i in range(first, last):
-        t = target[i]
+        at = pose(i, position, attitude)
         row(
-            i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
-            rotation, derivatives, turn, spheres[t], shapes[t], rows[i], by_lidar[i],
+            i, target[i], seen[i, 0], seen[i, 1], seen[i, 2], at, rate, spheres, values, rotation,
+            derivatives, turn, shapes, rows[i], by_lidar[i],
         )  # fmt: skip
 
 
-@njit(nogil=True, cache=True)
-def _evaluate(first, last, points, position, attitude, rate, target, spheres, values, rotation, derivatives, turn, shapes, begin, wanted):  # type: ignore[no-untyped-def] # fmt: skip  # noqa: E501
+@kernel()
+def _evaluate(  # type: ignore[no-untyped-def]
+    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    sigma_position, sigma_attitude,
+    values, rotation, derivatives, turn, shapes, begin, wanted,
+):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
     for i in range(first, last):
-        t = target[i]
+        at = pose(i, position, attitude)
         row(
-            i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
-            rotation, derivatives, turn, spheres[t], shapes[t], out, lidar,
+            i, target[i], seen[i, 0], seen[i, 1], seen[i, 2], at, rate, spheres, values, rotation,
+            derivatives, turn, shapes, out, lidar,
         )  # fmt: skip
         for k in range(wanted.shape[1]):
             wanted[i, k] = out[begin + k]
 
 
-@njit(nogil=True, cache=True, inline="always")
-def corrected(i, points, sigma, beam, lidar, pull):  # type: ignore[no-untyped-def]
+@kernel(inline="always")
+def corrected(i, seen, sigma, beam, lidar, pull):  # type: ignore[no-untyped-def]
     """The adjusted observation: point ``i`` less its noise's share of the misclosure.
 
     ``pull`` is the misclosure over its variance; the correction is ``Q B'`` times it.
     """
-    x, y, z = points[i, 0], points[i, 1], points[i, 2]
+    x, y, z = seen[i, 0], seen[i, 1], seen[i, 2]
     if not beam:
         return (
             x - pull * lidar[0] * sigma[i, 0] ** 2,
@@ -223,8 +274,8 @@ def corrected(i, points, sigma, beam, lidar, pull):  # type: ignore[no-untyped-d
     )
 
 
-@njit(nogil=True, cache=True, inline="always")
-def lidar_variance(i, points, sigma, beam, lidar):  # type: ignore[no-untyped-def]
+@kernel(inline="always")
+def lidar_variance(i, seen, sigma, beam, lidar):  # type: ignore[no-untyped-def]
     """Variance of the condition of point ``i`` from the LiDAR noise, square metres."""
     if not beam:
         return (
@@ -232,7 +283,7 @@ def lidar_variance(i, points, sigma, beam, lidar):  # type: ignore[no-untyped-de
             + (lidar[1] * sigma[i, 1]) ** 2
             + (lidar[2] * sigma[i, 2]) ** 2
         )
-    x, y, z = points[i, 0], points[i, 1], points[i, 2]
+    x, y, z = seen[i, 0], seen[i, 1], seen[i, 2]
     along = lidar[0] * x + lidar[1] * y + lidar[2] * z
     along = along * along / (x * x + y * y + z * z)
     across = lidar[0] ** 2 + lidar[1] ** 2 + lidar[2] ** 2 - along

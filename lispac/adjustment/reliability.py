@@ -4,16 +4,15 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.stats
-from numba import njit
 from numpy.typing import NDArray
 
-from lispac.adjustment.conditions import columns, row, turns
+from lispac.adjustment.conditions import Placing, Points, pose
 from lispac.adjustment.normal import Normal
+from lispac.adjustment.passes import in_chunks, kernel
 from lispac.adjustment.problem import RELEASED, Linearised
 from lispac.adjustment.result import SightingReliability
 from lispac.adjustment.robust import weight
-from lispac.adjustment.sums import pos_between_knots, residual
-from lispac.adjustment.threads import in_chunks
+from lispac.adjustment.sums import Effects, Weighting, Weights, opened, widened
 
 Array = NDArray[np.float64]
 
@@ -191,63 +190,53 @@ def _points(linearised: Linearised, local: Array) -> tuple[Array, Array, Array, 
     """Redundancy, test value, minimal detectable bias (metres), and weight of each point."""
     problem, state = linearised.problem, linearised.state
     observations, groups = problem.observations, problem.groups
-    out = np.empty((4, len(observations)))
-    arguments = (
-        *columns(observations), observations.sighting, *turns(observations, state.mounting),
-        state.shapes,
-        state.surface, problem.active, groups.start, groups.knot, *pos_between_knots(groups),
-        state.effects,
-        observations.sigma_lidar, observations.beam_sigmas, observations.sigma_position,
-        observations.sigma_attitude, linearised.loss.code, linearised.loss.tuning, problem.scale,
-        problem.noise, local, out,
-    )  # fmt: skip
-    in_chunks(lambda first, last: _test(first, last, *arguments), groups.start[1:])
-    redundancy, w, detectable, weights = out
+    found = np.empty((4, len(observations)))
+    points, effects = Points.of(observations, state.mounting), Effects.of(groups, state)
+    placing = Placing.of(state.mounting, state.shapes)
+    weighting = Weighting.of(Weights(linearised.loss, problem.scale, problem.noise))
+    in_chunks(
+        lambda first, last: _test(
+            first, last, *points, *placing, *effects, *weighting, problem.active, local, found
+        ),
+        groups.start[1:],
+    )
+    redundancy, w, detectable, weights = found
     return redundancy, w, detectable, weights
 
 
-@njit(nogil=True, cache=True)
+@kernel()
 def _test(  # type: ignore[no-untyped-def]
-    first, last,
-    points, position, attitude, rate, target, spheres, sighting,
-    values, rotation, derivatives, turn, shapes, surface,
-    active, start, knot, fraction, stray, effects,
-    sigma_lidar, beam, sigma_position, sigma_attitude,
-    loss, tuning, scale, noise, local, result,
+    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    sigma_position, sigma_attitude,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
+    loss, tuning, tangent, scale, noise, active, local, found,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
-    count = len(active)
-    wide = np.empty(count + 16)
+    width = local.shape[1]
+    wide = np.empty((1, width))
     for g in range(first, last):
-        covariance = local[g]
         for i in range(start[g], start[g + 1]):
             t = target[i]
-            row(
-                i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
-                rotation, derivatives, turn, spheres[t], shapes[t], out, lidar,
+            at = pose(i, position, attitude)
+            misclosure, variance = opened(
+                i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
+                sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
+                knot, fraction, bridge, surface, pos, out, lidar,
             )  # fmt: skip
-            misclosure, variance = residual(
-                i, knot[g], points, surface[sighting[i]], fraction, stray, effects, sigma_lidar,
-                beam, sigma_position, sigma_attitude, out, lidar,
-            )  # fmt: skip
-            for k in range(count):
-                wide[k] = out[active[k]]
-            for k in range(4):
-                wide[count + k] = out[9 + k]
-            for k in range(6):
-                wide[count + 4 + k] = (1 - fraction[i]) * out[13 + k]
-                wide[count + 10 + k] = fraction[i] * out[13 + k]
+            widened(i, active, fraction, out, wide, 0)
             explained = 0.0
-            for j in range(count + 16):
-                for k in range(count + 16):
-                    explained += wide[j] * covariance[j, k] * wide[k]
+            for j in range(width):
+                across = 0.0
+                for k in range(j):
+                    across += local[g, j, k] * wide[0, k]
+                explained += wide[0, j] * (2 * across + local[g, j, j] * wide[0, j])
             weighted = 1.0
             if loss > 0:
                 weighted = weight(loss, tuning, misclosure / np.sqrt(variance) / scale[t])
             variance *= noise[t] ** 2
             redundancy = min(max(1 - weighted * explained / variance, 0.0), 1.0)
             sigma = np.sqrt(variance * max(redundancy, 1e-12))
-            result[0, i] = redundancy
-            result[1, i] = misclosure / sigma
-            result[2, i] = POWER * variance / sigma
-            result[3, i] = weighted
+            found[0, i] = redundancy
+            found[1, i] = misclosure / sigma
+            found[2, i] = POWER * variance / sigma
+            found[3, i] = weighted

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from lispac.adjustment.passes import kernel
 
 LossName = Literal["none", "huber", "tukey"]
 LOSSES: tuple[LossName, ...] = ("none", "huber", "tukey")
@@ -62,7 +63,7 @@ def robust_scale(residuals: NDArray[np.float64]) -> float:
     return max(1.0, float(np.median(np.abs(residuals))) / 0.6745)
 
 
-@njit(nogil=True, cache=True, inline="always")
+@kernel(inline="always")
 def weight(code, tuning, residual):  # type: ignore[no-untyped-def]
     """Weight between 0 and 1 of a standardised residual."""
     size = abs(residual)
@@ -71,3 +72,12 @@ def weight(code, tuning, residual):  # type: ignore[no-untyped-def]
     if size >= tuning:
         return 0.0
     return (1 - (residual / tuning) ** 2) ** 2
+
+
+@kernel(inline="always")
+def slope(code, tuning, residual):  # type: ignore[no-untyped-def]
+    """How fast weight times residual grows with the residual, where it does."""
+    size = abs(residual) / tuning
+    if size >= 1:
+        return 0.0
+    return 1.0 if code == 1 else max((1 - size**2) * (1 - 5 * size**2), 0.0)

@@ -6,16 +6,23 @@ points as for ten million.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from lispac.adjustment.conditions import columns, corrected, lidar_variance, row, turns
+from lispac.adjustment.conditions import (
+    Placing,
+    Points,
+    corrected,
+    lidar_variance,
+    pose,
+    row,
+)
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.robust import Loss, weight
+from lispac.adjustment.passes import in_chunks, kernel
+from lispac.adjustment.robust import Loss, slope, weight
 from lispac.adjustment.stochastic import PosErrorKnots
-from lispac.adjustment.threads import in_chunks
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -107,11 +114,15 @@ class Weights:
         Standardised residuals are divided by it before the loss sees them.
     noise : ndarray of shape (targets,)
         Factor on the standard deviations of the conditions.
+    tangent : bool
+        Whether the products say how the loss changes with the unknowns (Newton's step, few of
+        which settle) instead of how much the points count (which the sigmas come from).
     """
 
     loss: Loss
     scale: Array
     noise: Array
+    tangent: bool = False
 
 
 def sum_by_group(
@@ -138,56 +149,75 @@ def sum_by_group(
     """
     width = len(active) + 5 + groups.shared
     sums = np.zeros((len(groups.sighting), width, width))
-    arguments = (
-        *columns(observations),
-        observations.sighting,
-        *turns(observations, state.mounting),
-        state.shapes,
-        state.surface,
-        active,
-        groups.start,
-        groups.knot,
-        *pos_between_knots(groups),
-        state.effects,
-        observations.sigma_lidar,
-        observations.beam_sigmas,
-        observations.sigma_position,
-        observations.sigma_attitude,
-        weights.loss.code,
-        weights.loss.tuning,
-        weights.scale,
-        weights.noise**-2,
+    points = Points.of(observations, state.mounting)
+    placing = Placing.of(state.mounting, state.shapes)
+    effects, weighting = Effects.of(groups, state), Weighting.of(weights)
+    in_chunks(
+        lambda first, last: _accumulate(
+            first, last, *points, *placing, *effects, *weighting, active, sums
+        ),
+        groups.start[1:],
     )
-    in_chunks(lambda first, last: _accumulate(first, last, *arguments, sums), groups.start[1:])
-    return sums + np.swapaxes(np.tril(sums, -1), -1, -2)
+    return np.asarray(np.tril(sums) + np.swapaxes(np.tril(sums, -1), -1, -2))
 
 
-def pos_between_knots(groups: Groups) -> tuple[Array, Array]:
-    """Fractions of the points and variances of the bridge, as the kernels take them."""
-    if groups.knots is None:
-        return np.zeros(0), np.zeros(0)
-    return groups.knots.fraction, groups.knots.bridge
+class Effects(NamedTuple):
+    """Groups, and the effects found so far, as the kernels take them."""
+
+    start: NDArray[np.int64]
+    knot: NDArray[np.int64]
+    fraction: Array  # of no length in thesis mode
+    bridge: Array
+    surface: Array
+    pos: Array
+
+    @classmethod
+    def of(cls, groups: Groups, state: State) -> "Effects":
+        """Take them from ``groups`` and ``state``."""
+        knots = groups.knots
+        fraction, bridge = (np.zeros(0),) * 2 if knots is None else (knots.fraction, knots.bridge)
+        return cls(groups.start, groups.knot, fraction, bridge, state.surface, state.effects)
 
 
-@njit(nogil=True, cache=True, inline="always")
-def residual(  # type: ignore[no-untyped-def]
-    i, knot, points, shift, fraction, stray, effects, sigma_lidar, beam, sigma_position,
-    sigma_attitude, out, lidar,
+class Weighting(NamedTuple):
+    """`Weights` as the kernels take them."""
+
+    loss: int
+    tuning: float
+    tangent: bool
+    scale: Array
+    noise: Array
+
+    @classmethod
+    def of(cls, weights: Weights) -> "Weighting":
+        """Take them from ``weights``."""
+        loss = weights.loss
+        return cls(loss.code, loss.tuning, weights.tangent, weights.scale, weights.noise)
+
+
+@kernel(inline="always")
+def opened(  # type: ignore[no-untyped-def]
+    i, t, s, g, at, seen, rate, spheres, sigma_lidar, beam, sigma_position, sigma_attitude,
+    values, rotation, derivatives, turn, shapes, knot, fraction, bridge, surface, pos, out, lidar,
 ):  # fmt: skip
-    """Misclosure with the effects applied, and the variance of its noise."""
-    variance = lidar_variance(i, points, sigma_lidar, beam, lidar)
+    """Misclosure of point ``i`` with the effects applied, and the variance of its noise."""
+    row(
+        i, t, seen[i, 0], seen[i, 1], seen[i, 2], at, rate, spheres, values, rotation, derivatives,
+        turn, shapes, out, lidar,
+    )  # fmt: skip
+    variance = lidar_variance(i, seen, sigma_lidar, beam, lidar)
     misclosure = out[19]
     for k in range(4):
-        misclosure += out[9 + k] * shift[k]
+        misclosure += out[9 + k] * surface[s, k]
     if len(fraction) > 0:
-        u = fraction[i]
+        u, before = fraction[i], knot[g]
         for k in range(6):
-            misclosure += out[13 + k] * ((1 - u) * effects[knot, k] + u * effects[knot + 1, k])
+            misclosure += out[13 + k] * ((1 - u) * pos[before, k] + u * pos[before + 1, k])
         # What the POS error does between two knots that a straight line does not
         for k in range(3):
-            between = stray[k] * u * (1 - u)
+            between = bridge[k] * u * (1 - u)
             variance += between * (out[13 + k] * sigma_position[i, k]) ** 2
-            between = stray[3 + k] * u * (1 - u)
+            between = bridge[3 + k] * u * (1 - u)
             variance += between * (out[16 + k] * sigma_attitude[i, k]) ** 2
     else:
         for k in range(3):
@@ -196,57 +226,72 @@ def residual(  # type: ignore[no-untyped-def]
     return misclosure, variance
 
 
-@njit(nogil=True, cache=True)
+@kernel(inline="always")
+def widened(i, active, fraction, out, rows, place):  # type: ignore[no-untyped-def]
+    """The row of point ``i`` by what its group's sums stand for, written to ``rows[place]``."""
+    count = len(active)
+    for k in range(count):
+        rows[place, k] = out[active[k]]
+    for k in range(4):
+        rows[place, count + k] = out[9 + k]
+    if len(fraction) > 0:
+        u = fraction[i]
+        for k in range(6):
+            rows[place, count + 4 + k] = (1 - u) * out[13 + k]
+            rows[place, count + 10 + k] = u * out[13 + k]
+
+
+BLOCK = 64
+"""Points whose products are summed by one call of BLAS: half the time of a sum point by point."""
+
+
+@kernel()
 def _accumulate(  # type: ignore[no-untyped-def]
-    first, last,
-    points, position, attitude, rate, target, spheres, sighting,
-    values, rotation, derivatives, turn, shapes, surface,
-    active, start, knot, fraction, stray, effects,
-    sigma_lidar, beam, sigma_position, sigma_attitude,
-    loss, tuning, scale, trust, sums,
+    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    sigma_position, sigma_attitude,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
+    loss, tuning, tangent, scale, noise, active, sums,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
     width = sums.shape[1]
-    wide = np.empty(width)
-    count = len(active)
-    pose = count + 4
+    rows, weighted = np.empty((BLOCK, width)), np.empty((BLOCK, width))
+    product = np.empty((width, width))
     for g in range(first, last):
-        total = sums[g]
-        for i in range(start[g], start[g + 1]):
-            t = target[i]
-            row(
-                i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
-                rotation, derivatives, turn, spheres[t], shapes[t], out, lidar,
-            )  # fmt: skip
-            misclosure, variance = residual(
-                i, knot[g], points, surface[sighting[i]], fraction, stray, effects, sigma_lidar,
-                beam, sigma_position, sigma_attitude, out, lidar,
-            )  # fmt: skip
-            if len(fraction) > 0:
-                # At the observed point the derivatives share its noise with the misclosure, which
-                # biases what is seen weakly; at the adjusted one they do not (Pope 1972).
-                x, y, z = corrected(i, points, sigma_lidar, beam, lidar, misclosure / variance)
-                row(
-                    i, x, y, z, position, attitude, rate, values, rotation, derivatives, turn,
-                    spheres[t], shapes[t], out, lidar,
+        for begin in range(start[g], start[g + 1], BLOCK):
+            count = min(BLOCK, start[g + 1] - begin)
+            for place in range(count):
+                i = begin + place
+                t = target[i]
+                at = pose(i, position, attitude)
+                misclosure, variance = opened(
+                    i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
+                    sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
+                    knot, fraction, bridge, surface, pos, out, lidar,
                 )  # fmt: skip
-            for k in range(count):
-                wide[k] = out[active[k]]
-            for k in range(4):
-                wide[count + k] = out[9 + k]
-            if len(fraction) > 0:
-                u = fraction[i]
-                for k in range(6):
-                    wide[pose + k] = (1 - u) * out[13 + k]
-                    wide[pose + 6 + k] = u * out[13 + k]
-            wide[width - 1] = misclosure
-            precision = trust[t] / variance
-            if loss > 0:
-                precision *= weight(loss, tuning, misclosure / np.sqrt(variance) / scale[t])
+                if len(fraction) > 0:
+                    # At the observed point the derivatives share its noise with the misclosure,
+                    # which biases what is seen weakly; at the adjusted one they do not (Pope 1972).
+                    x, y, z = corrected(i, seen, sigma_lidar, beam, lidar, misclosure / variance)
+                    row(
+                        i, t, x, y, z, at, rate, spheres, values, rotation, derivatives, turn,
+                        shapes, out, lidar,
+                    )  # fmt: skip
+                widened(i, active, fraction, out, rows, place)
+                rows[place, width - 1] = misclosure
+                precision = 1 / (variance * noise[t] ** 2)
+                pull = precision * misclosure
+                if loss > 0:
+                    off = misclosure / np.sqrt(variance) / scale[t]
+                    weighed = weight(loss, tuning, off)
+                    pull *= weighed
+                    precision *= slope(loss, tuning, off) if tangent else weighed
+                for k in range(width - 1):
+                    weighted[place, k] = precision * rows[place, k]
+                weighted[place, width - 1] = pull
+            np.dot(weighted[:count].T, rows[:count], product)
             for j in range(width):
-                weighted = wide[j] * precision
                 for k in range(j + 1):
-                    total[j, k] += weighted * wide[k]
+                    sums[g, j, k] += product[j, k]
 
 
 def standardised(observations: Observations, groups: Groups, state: State) -> Array:
@@ -254,36 +299,30 @@ def standardised(observations: Observations, groups: Groups, state: State) -> Ar
 
     With the effects found so far applied; the same numbers `sum_by_group` gives its loss.
     """
-    out = np.empty(len(observations))
-    arguments = (
-        *columns(observations), observations.sighting, *turns(observations, state.mounting),
-        state.shapes, state.surface, groups.start, groups.knot,
-        *pos_between_knots(groups), state.effects,
-        observations.sigma_lidar, observations.beam_sigmas, observations.sigma_position,
-        observations.sigma_attitude, out,
-    )  # fmt: skip
-    in_chunks(lambda first, last: _standardised(first, last, *arguments), groups.start[1:])
-    return out
+    found = np.empty(len(observations))
+    points, effects = Points.of(observations, state.mounting), Effects.of(groups, state)
+    placing = Placing.of(state.mounting, state.shapes)
+    in_chunks(
+        lambda first, last: _standardised(first, last, *points, *placing, *effects, found),
+        groups.start[1:],
+    )
+    return found
 
 
-@njit(nogil=True, cache=True)
+@kernel()
 def _standardised(  # type: ignore[no-untyped-def]
-    first, last,
-    points, position, attitude, rate, target, spheres, sighting,
-    values, rotation, derivatives, turn, shapes, surface,
-    start, knot, fraction, stray, effects,
-    sigma_lidar, beam, sigma_position, sigma_attitude, standardised,
+    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    sigma_position, sigma_attitude,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
+    found,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
-            t = target[i]
-            row(
-                i, points[i, 0], points[i, 1], points[i, 2], position, attitude, rate, values,
-                rotation, derivatives, turn, spheres[t], shapes[t], out, lidar,
+            at = pose(i, position, attitude)
+            misclosure, variance = opened(
+                i, target[i], sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
+                sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
+                knot, fraction, bridge, surface, pos, out, lidar,
             )  # fmt: skip
-            misclosure, variance = residual(
-                i, knot[g], points, surface[sighting[i]], fraction, stray, effects, sigma_lidar,
-                beam, sigma_position, sigma_attitude, out, lidar,
-            )  # fmt: skip
-            standardised[i] = misclosure / np.sqrt(variance)
+            found[i] = misclosure / np.sqrt(variance)
