@@ -11,7 +11,7 @@ from lispac.adjustment.conditions import lidar_variance
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.problem import Problem
 from lispac.adjustment.reliability import _local, _points, reliability, sighting_tests
-from lispac.adjustment.shapes import about_targets, fit_shapes
+from lispac.adjustment.shapes import about, fit_shapes, middles
 from lispac.adjustment.solver import _iterate, adjust
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.progress import no_progress
@@ -27,7 +27,8 @@ FIXED = StochasticModel(surface=0.002)
 
 @pytest.fixture(scope="module")
 def linearised():
-    data, _ = about_targets(survey(1, 0.3), PRIOR)
+    data = survey(1, 0.3)
+    data = about(data, middles(data, PRIOR))
     problem = Problem.of(data, PRIOR, FIXED)
     return _iterate(problem, problem.start(PRIOR, fit_shapes(data, PRIOR)), no_progress).linearised
 

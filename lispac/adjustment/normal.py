@@ -198,17 +198,23 @@ class Bases:
     surfaces: Array
 
 
+def _added(places: NDArray[np.int64], values: Array, size: int) -> Array:
+    """Values with the same place, all added up, shape (size,)."""
+    return np.bincount(places.reshape(-1), values.reshape(-1), size).astype(float, copy=False)
+
+
 def sum_by_sighting(sums: Array, groups: Groups, sightings: int, own: int) -> Array:
     """Sums of the first ``own`` columns and the misclosure, shape (sightings, own + 1, own + 1)."""
-    summed = np.zeros((sightings, own + 1, own + 1))
     kept = np.r_[:own, sums.shape[1] - 1]
-    np.add.at(summed, groups.sighting, sums[:, kept[:, None], kept])
-    return summed
+    many = len(kept) ** 2
+    places = groups.sighting[:, None] * many + np.arange(many)
+    values = sums[:, kept[:, None], kept]
+    return _added(places, values, sightings * many).reshape(sightings, own + 1, own + 1)
 
 
 def normal_equations(
-    sums: Array, groups: Groups, layout: Layout, target_of_sighting: NDArray[np.int64],
-    bases: Bases, effects: Array,
+    sums: Array, summed: Array, groups: Groups, layout: Layout,
+    target_of_sighting: NDArray[np.int64], bases: Bases, effects: Array,
 ) -> Normal:  # fmt: skip
     """Put the equations together, with the prior of the POS error but no other.
 
@@ -216,40 +222,40 @@ def normal_equations(
     ----------
     sums : ndarray of shape (groups, width, width)
         From `sum_by_group`.
+    summed : ndarray of shape (sightings, a + 5, a + 5)
+        The same from `sum_by_sighting`.
     effects : ndarray of shape (knots, 6), metres and radians
         POS error found so far.
     """
     a, own = len(layout.active), len(layout.active) + 4
-    sightings = len(layout.index)
-    basis = np.zeros((sightings, own, a + 7))
+    wide, unknowns = layout.size + 1, effects.size
+    basis = np.zeros((len(layout.index), own, a + 7))
     basis[:, :a, :a] = np.eye(a)
     for s, k in enumerate(target_of_sighting):
         basis[s, a:, a : a + bases.shapes[k].shape[1]] = bases.shapes[k]
     if layout.surfaces:
         basis[:, a:, a + 4 :] = bases.surfaces
-    summed = sum_by_sighting(sums, groups, sightings, own)
     turned = np.swapaxes(basis, 1, 2)
-    matrix, right = np.zeros((layout.size + 1,) * 2), np.zeros(layout.size + 1)
-    squares = layout.index[:, :, None], layout.index[:, None, :]
-    np.add.at(matrix, squares, turned @ summed[:, :own, :own] @ basis)
-    np.add.at(right, layout.index, -(turned @ summed[:, :own, own, None])[..., 0])
+    index = layout.index
+    squares = index[:, :, None] * wide + index[:, None, :]
+    matrix = _added(squares, turned @ summed[:, :own, :own] @ basis, wide**2).reshape(wide, wide)
+    right = _added(index, -(turned @ summed[:, :own, own, None])[..., 0], wide)
     quadratic = float(summed[:, own, own].sum())
-    band, pull = np.zeros((12, effects.size)), np.zeros(effects.size)
-    mixed = np.zeros((layout.size + 1, effects.size))
+    band, pull = np.zeros((12, unknowns)), np.zeros(unknowns)
+    mixed = np.zeros((wide, unknowns))
     if groups.knots is not None:
         prior = groups.knots.weighted(effects)
-        band[0] = groups.knots.precision_diagonal.reshape(-1)
-        band[6, : effects.size - 6] = groups.knots.precision_beside.reshape(-1)
-        pull[:] = -prior.reshape(-1)
-        quadratic += float((prior * effects).sum())
-        unknowns = 6 * groups.knot[:, None] + np.arange(12)
+        own_knots = 6 * groups.knot[:, None] + np.arange(12)
         pose = slice(own, own + 12)
         lower, upper = _LOWER
+        places = (lower - upper) * unknowns + own_knots[:, upper]
         products = sums[:, pose, pose][:, lower, upper]
-        np.add.at(
-            band, (np.broadcast_to(lower - upper, products.shape), unknowns[:, upper]), products
-        )
-        np.add.at(pull, unknowns, -sums[:, pose, -1])
-        shared = layout.index[groups.sighting][:, :, None], unknowns[:, None, :]
-        np.add.at(mixed, shared, turned[groups.sighting] @ sums[:, :own, pose])
+        band = _added(places, products, 12 * unknowns).reshape(12, unknowns)
+        band[0] += groups.knots.precision_diagonal.reshape(-1)
+        band[6, : unknowns - 6] += groups.knots.precision_beside.reshape(-1)
+        pull = _added(own_knots, -sums[:, pose, -1], unknowns) - prior.reshape(-1)
+        quadratic += float((prior * effects).sum())
+        shared = index[groups.sighting][:, :, None] * unknowns + own_knots[:, None, :]
+        crossed = turned[groups.sighting] @ sums[:, :own, pose]
+        mixed = _added(shared, crossed, wide * unknowns).reshape(wide, unknowns)
     return Normal(layout, matrix[:-1, :-1], right[:-1], quadratic, band, mixed[:-1], pull)

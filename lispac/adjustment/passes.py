@@ -13,7 +13,7 @@ kernel = partial(
     njit, nogil=True, cache=True, error_model="numpy",
     fastmath={"contract", "reassoc", "nsz", "arcp"},
 )  # fmt: skip
-"""Decorator of what is compiled for a pass over all points. Errors as NumPy has them and sums in any
+"""Decorator of what is compiled for a pass over all points; NumPy's way with errors and sums in any
 order halve its time."""
 
 FEW = 20_000  # points that are dealt with before the threads have started

@@ -12,15 +12,14 @@ from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.robust import Loss
 from lispac.adjustment.shapes import (
-    SPHERE_SURFACE,
-    centre_and_extent,
+    centres_and_extents,
     moved,
-    plane_tangent,
+    plane_tangents,
     sphere_tangent,
-    surface_tangent,
+    surface_tangents,
 )
 from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
-from lispac.adjustment.sums import Groups, State, Weights, grouped, standardised, sum_by_group
+from lispac.adjustment.sums import Groups, State, Weights, grouped, residuals, sum_by_group
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -127,6 +126,15 @@ class Problem:
         sightings = len(self.observations.sightings)
         return State(mounting, shapes, np.zeros((sightings, 4)), np.zeros((knots, 6)))
 
+    def resumed(self, state: State, of: "Problem") -> State:
+        """The state that another problem of the same sightings has come to."""
+        here, there = self.groups.knots, of.groups.knots
+        effects = state.effects
+        if here is not None and there is not None:
+            columns = [np.interp(here.time, there.time, column) for column in effects.T]
+            effects = np.stack(columns, axis=1)
+        return replace(state, effects=effects)
+
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Problem":
         """The same with factors on the stated sigmas."""
         observations = self.observations.with_sigmas(lidar, position, attitude)
@@ -139,11 +147,13 @@ class Problem:
         """The same with other values to estimate."""
         return replace(self, parameters=parameters)
 
-    def linearised(self, state: State, loss: Loss = NO_LOSS) -> "Linearised":
-        """Normal equations at ``state``."""
-        weights = Weights(loss, self.scale, self.noise)
+    def linearised(
+        self, state: State, loss: Loss = NO_LOSS, *, tangent: bool = False
+    ) -> "Linearised":
+        """Normal equations at ``state``; ``tangent`` as in `Weights`."""
+        weights = Weights(loss, self.scale, self.noise, tangent)
         sums = sum_by_group(self.observations, self.groups, state, self.active, weights)
-        bases = self._bases(state, sums)
+        bases = self._bases(state, self.by_sighting(sums))
         # What is left of a sighting's departure in the basis of this state
         departures = np.einsum("sij,sj->si", np.linalg.pinv(bases.surfaces), state.surface)
         return Linearised(self, state, loss, sums, bases, departures)
@@ -151,7 +161,10 @@ class Problem:
     def equations(self, state: State, sums: Array, bases: Bases, departures: Array) -> Normal:
         """Normal equations from sums over groups, with all priors."""
         owners = self.observations.target_of_sighting
-        normal = normal_equations(sums, self.groups, self.layout, owners, bases, state.effects)
+        summed = self.by_sighting(sums)
+        normal = normal_equations(
+            sums, summed, self.groups, self.layout, owners, bases, state.effects
+        )
         matrix, right, quadratic = normal.matrix, normal.right, normal.quadratic
         for parameter in self.parameters:
             if parameter.sigma is None:
@@ -170,32 +183,33 @@ class Problem:
             quadratic += float((found * precision) @ found)
         return replace(normal, quadratic=quadratic)
 
-    def _bases(self, state: State, sums: Array) -> Bases:
-        observations, a = self.observations, len(self.active)
-        owners = observations.target_of_sighting
-        summed = sum_by_sighting(sums, self.groups, len(owners), a + 4)[:, a : a + 4, a : a + 4]
-        # A sighting without any weight left has no middle of its own.
-        whole = np.stack([summed[owners == k].sum(axis=0) for k in range(len(state.shapes))])
-        lost = summed[:, 3, 3] <= LOST * summed[:, 3, 3].max()
-        summed[lost] = whole[owners[lost]]
-        shapes = []
-        for k, (target, shape) in enumerate(zip(observations.targets, state.shapes, strict=True)):
-            if observations.is_sphere[k]:
-                shapes.append(sphere_tangent(known_radius=observations.radii[target] is not None))
-            else:
-                centre, _ = centre_and_extent(whole[k])
-                shapes.append(plane_tangent(shape[:3], centre))
-        surfaces = np.zeros((len(owners), 4, 3))
-        for s, k in enumerate(owners):
-            if observations.is_sphere[k]:
-                surfaces[s] = SPHERE_SURFACE
-            else:
-                surfaces[s] = surface_tangent(state.shapes[k, :3], *centre_and_extent(summed[s]))
-        return Bases(shapes, surfaces)
+    def by_sighting(self, sums: Array) -> Array:
+        """Sums over groups added up over sightings, without what belongs to the POS error."""
+        own = len(self.active) + 4
+        return sum_by_sighting(sums, self.groups, len(self.observations.sightings), own)
 
-    def standardised(self, state: State) -> Array:
-        """Residuals over the standard deviation of their noise, shape (n,), in sorted order."""
-        return standardised(self.observations, self.groups, state)
+    def _bases(self, state: State, summed: Array) -> Bases:
+        observations, own = self.observations, slice(len(self.active), len(self.active) + 4)
+        owners = observations.target_of_sighting
+        moments = summed[:, own, own].copy()
+        whole = np.zeros((len(state.shapes), 4, 4))
+        np.add.at(whole, owners, moments)
+        # A sighting without any weight left has no middle of its own.
+        lost = moments[:, 3, 3] <= LOST * moments[:, 3, 3].max()
+        moments[lost] = whole[owners[lost]]
+        planes = plane_tangents(state.shapes[:, :3], centres_and_extents(whole)[0])
+        shapes = [
+            sphere_tangent(known_radius=observations.radii[target] is not None)
+            if target in observations.radii
+            else plane
+            for target, plane in zip(observations.targets, planes, strict=True)
+        ]
+        normals, spheres = state.shapes[owners, :3], observations.is_sphere[owners]
+        return Bases(shapes, surface_tangents(normals, moments, spheres))
+
+    def residuals(self, state: State) -> Array:
+        """Distances (metres) and residuals over the sigma of their noise, shape (2, n), sorted."""
+        return residuals(self.observations, self.groups, state)
 
 
 @dataclass(frozen=True, eq=False)

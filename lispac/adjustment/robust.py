@@ -80,4 +80,4 @@ def slope(code, tuning, residual):  # type: ignore[no-untyped-def]
     size = abs(residual) / tuning
     if size >= 1:
         return 0.0
-    return 1.0 if code == 1 else max((1 - size**2) * (1 - 5 * size**2), 0.0)
+    return 1.0 if code == 1 else (1 - size**2) * (1 - 5 * size**2)

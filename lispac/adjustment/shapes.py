@@ -27,24 +27,29 @@ def points_local(observations: Observations, mounting: Mounting) -> Array:
     return evaluate(observations.as_planes(), mounting, planes, slice(9, 12))
 
 
-def about_targets(observations: Observations, mounting: Mounting) -> tuple[Observations, Array]:
-    """The same points, each target counted from its own middle.
+def middles(observations: Observations, mounting: Mounting) -> Array:
+    """Mean point of each target placed with ``mounting``, shape (targets, 3), metres, local."""
+    means = observations.mean_by_sighting(points_local(observations, mounting))
+    owners, counts = observations.target_of_sighting, observations.counts
+    total = np.bincount(owners, counts)
+    return np.stack([np.bincount(owners, counts * m) / total for m in means.T], axis=1)
+
+
+def about(observations: Observations, origins: Array) -> Observations:
+    """The same points, each target counted from its own origin.
 
     The origin of the local frame may be kilometres off; a turn of a plane about it would be
     a large shift.
 
-    Returns
-    -------
-    observations : Observations
+    Parameters
+    ----------
     origins : ndarray of shape (targets, 3), metres, local
-        What was taken from the positions.
+        What is taken from the positions.
     """
-    means = observations.mean_by_sighting(points_local(observations, mounting))
-    owners, counts = observations.target_of_sighting, observations.counts
-    total = np.bincount(owners, counts)
-    origins = np.stack([np.bincount(owners, counts * m) / total for m in means.T], axis=1)
-    position = observations.position - origins[owners[observations.sighting]]
-    return replace(observations, position=position), origins
+    of_sightings = origins[observations.target_of_sighting]
+    return replace(
+        observations, position=observations.position - of_sightings[observations.sighting]
+    )
 
 
 def counted_from(shapes: Array, origins: Array, is_sphere: NDArray[np.bool_]) -> Array:
@@ -105,28 +110,29 @@ def fit_shapes(observations: Observations, mounting: Mounting) -> Array:
     return shapes
 
 
-def orthogonal(normal: Array) -> Array:
-    """Two unit vectors at right angles to a unit normal and to each other, shape (3, 2).
+def orthogonal(normals: Array) -> Array:
+    """Two unit vectors at right angles to unit normals (..., 3) and to each other, (..., 3, 2).
 
     Pixar's construction (Duff et al. 2017): smooth in the normal but for one sign.
     """
-    x, y, z = (float(value) for value in normal)
-    sign = 1.0 if z >= 0 else -1.0
+    x, y, z = np.moveaxis(normals, -1, 0)
+    sign = np.where(z >= 0, 1.0, -1.0)
     a = -1 / (sign + z)
     b = x * y * a
-    return np.array([[1 + sign * x * x * a, b], [sign * b, sign + y * y * a], [-sign * x, -y]])
+    columns = [1 + sign * x * x * a, b, sign * b, sign + y * y * a, -sign * x, -y]
+    return np.stack(columns, axis=-1).reshape(*x.shape, 3, 2)
 
 
-def plane_tangent(normal: Array, centre: Array) -> Array:
-    """Two turns of a plane's normal about ``centre`` and a shift along it, shape (4, 3).
+def plane_tangents(normals: Array, centres: Array) -> Array:
+    """Two turns of planes' normals about ``centres`` and a shift along them, shape (m, 4, 3).
 
     About the centre instead of the origin, so that turns and shift are nearly independent.
     """
-    tangent = np.zeros((4, 3))
-    tangent[:3, :2] = orthogonal(normal)
-    tangent[3, :2] = -centre @ tangent[:3, :2]
-    tangent[3, 2] = 1
-    return tangent
+    tangents = np.zeros((len(normals), 4, 3))
+    tangents[:, :3, :2] = orthogonal(normals)
+    tangents[:, 3, :2] = -np.einsum("mi,mij->mj", centres, tangents[:, :3, :2])
+    tangents[:, 3, 2] = 1
+    return tangents
 
 
 def sphere_tangent(*, known_radius: bool) -> Array:
@@ -134,35 +140,51 @@ def sphere_tangent(*, known_radius: bool) -> Array:
     return np.eye(4)[:, : 3 if known_radius else 4]
 
 
-def surface_tangent(normal: Array, centre: Array, extent: float) -> Array:
-    """How one sighting of a plane may depart from it, shape (4, 3), in metres at its border."""
-    tangent = plane_tangent(normal, centre)
-    tangent[:, :2] /= max(extent, SMALLEST_EXTENT)
-    return tangent
-
-
-SPHERE_SURFACE = np.array([[0.0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, -1]])
-"""A sighting of a sphere may only lie in or out along the radius."""
-
-
-def centre_and_extent(moments: Array) -> tuple[Array, float]:
-    """Mean point and reach of points from their weighted moments.
+def surface_tangents(normals: Array, moments: Array, spheres: NDArray[np.bool_]) -> Array:
+    """How sightings may depart from their shapes, in metres at their border.
 
     Parameters
     ----------
-    moments : ndarray of shape (4, 4)
-        Sum of the products of (x, y, z, 1), metres.
+    normals : ndarray of shape (m, 3), local frame
+        Of the planes; of no meaning where a sighting is of a sphere.
+    moments : ndarray of shape (m, 4, 4)
+        As in `centres_and_extents`.
+    spheres : ndarray of shape (m,), bool
+        Sightings that may only lie in or out along the radius.
 
     Returns
     -------
-    centre : ndarray of shape (3,), metres
-    extent : float, metres
+    ndarray of shape (m, 4, 3)
+    """
+    tangents = np.zeros((len(normals), 4, 3))
+    tangents[spheres, 3, 2] = -1
+    centres, extents = centres_and_extents(moments[~spheres])
+    planes = plane_tangents(normals[~spheres], centres)
+    planes[:, :, :2] /= np.maximum(extents, SMALLEST_EXTENT)[:, None, None]
+    tangents[~spheres] = planes
+    return tangents
+
+
+def centres_and_extents(moments: Array) -> tuple[Array, Array]:
+    """Mean points and reaches of points from their weighted moments.
+
+    Parameters
+    ----------
+    moments : ndarray of shape (m, 4, 4)
+        Sums of the products of (x, y, z, 1), metres.
+
+    Returns
+    -------
+    centres : ndarray of shape (m, 3), metres
+    extents : ndarray of shape (m,), metres
         From the centre to the border: a uniform square of half-width a has a mean squared
         distance of 2/3 a^2.
     """
-    centre = moments[:3, 3] / moments[3, 3]
-    spread = np.trace(moments[:3, :3]) / moments[3, 3] - centre @ centre
-    return centre, float(np.sqrt(max(1.5 * spread, 0.0)))
+    weight = moments[:, 3, 3]
+    centres = moments[:, :3, 3] / weight[:, None]
+    squares = np.trace(moments[:, :3, :3], axis1=1, axis2=2) / weight
+    spread = squares - (centres**2).sum(axis=1)
+    return centres, np.sqrt(np.maximum(1.5 * spread, 0.0))
 
 
 def moved(shapes: Array, changes: Array, is_sphere: NDArray[np.bool_]) -> Array:

@@ -16,11 +16,11 @@ from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.reliability import sighting_tests
 from lispac.adjustment.result import AdjustmentResult, Component
 from lispac.adjustment.robust import Loss, robust_scale
-from lispac.adjustment.shapes import about_targets, counted_from, fit_shapes, usual_radii
+from lispac.adjustment.shapes import about, counted_from, fit_shapes, middles, usual_radii
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
-from lispac.errors import NotConverged
+from lispac.errors import NotConverged, RankDeficient
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 200
 ANGLES_SETTLED, OTHERS_SETTLED = 1e-11, 1e-8
-"""Largest change of an angle (rad) and of another unknown (rad, m, s) in the last iteration."""
+"""Largest change of an angle (rad) and of another unknown (rad, m, s) that is still to come."""
 
 MANY = 50_000
 """Points that lead near the answer; where there are more, all of them take the last steps only."""
@@ -40,6 +40,9 @@ COMPONENT_ROUNDS = 5
 
 PATIENCE, SLACK = 60, 1e3
 """After so many iterations a thousand times larger changes will do: 1e-6 deg and 0.01 mm."""
+
+FORESEEN = 10
+"""Steps that foresee how the weights will change; where they do not settle, plain ones will."""
 
 ADAPTATIONS = 12
 """Times that noise and surfaces are taken from the data; a limit between two of their values would
@@ -114,32 +117,31 @@ def _adjusted(
     progress: Progress,
     started: float,
 ) -> AdjustmentResult:
-    observations, origins = about_targets(observations, mounting)
+    few = _sampled(observations)
+    origins = middles(few, mounting)
+    few = about(few, origins)
     # The radii of the balls are let go when the boresight is near.
-    first = usual_radii(observations, mounting)
+    first = usual_radii(few, mounting)
     fitted = fit_shapes(first, mounting)
     start = fitted if shapes is None else counted_from(shapes, origins, first.is_sphere)
     problem = Problem.of(first, mounting, model, parameters)
     state = problem.start(mounting, start)
-    many = model.correlated and len(observations) > MANY
-    # What the geometry sees, a sample tells as well as all points.
-    kept, held = _seen(*(_sampled(problem, state) if many else (problem, state)))
+    kept, held = _seen(problem, state)
     problem = problem.with_parameters(kept)
-    iterate = _released if _may_release(model) else _iterate
-    if first is not observations:
-        held_radii = _iterate(problem, state, progress).state
-        problem = Problem.of(observations, mounting, model, problem.parameters)
-        state = problem.start(held_radii.mounting, held_radii.shapes)
-    if many:
-        near = iterate(*_sampled(problem, state), progress)
-        problem, state = _told(problem, near)
-        iterate = _refined
-    solution = iterate(problem, state, progress)
+    if first is not few:
+        state = _iterate(problem, state, progress).state
+        problem = Problem.of(few, mounting, model, kept)
+        state = problem.start(state.mounting, state.shapes)
+    solution = _told_by_data(problem, state, progress)
     found: tuple[Component, ...] = ()
+    factors = np.ones(3)
     if components and model.correlated:
-        solution, found = _with_components(solution, progress)
+        solution, found, factors = _with_components(solution, progress)
+    if len(few) < len(observations):
+        observations = about(observations.with_sigmas(*factors), origins)
+        solution = _completed(solution, observations, progress)
     return summary(
-        observations, solution.linearised, solution.state, fitted, origins,
+        solution.linearised, solution.state, fitted, origins,
         path=solution.path, held=held, components=found, diagnostics=diagnostics,
         started=started,
     )  # fmt: skip
@@ -166,46 +168,47 @@ def _seen(problem: Problem, state: State) -> tuple[tuple[Parameter, ...], tuple[
     return kept, hidden
 
 
-def _settled(angles: float, others: float, iteration: int) -> bool:
-    """Whether the last changes are too small to matter; weights that hesitate may stop earlier."""
-    ease = 1.0 if iteration <= PATIENCE else SLACK
-    return angles < ease * ANGLES_SETTLED and others < ease * OTHERS_SETTLED
+def _to_come(change: Array, last: Array) -> Array:
+    """How far there still is to go if every change is to the next as the last to this one."""
+    rate = np.minimum(change / np.maximum(last, np.finfo(float).tiny), 0.5)
+    return np.asarray(change * rate / (1 - rate))
 
 
-def _sampled(problem: Problem, state: State) -> tuple[Problem, State]:
-    """The same problem with some of its points: they lead near the answer, and tell the noise."""
-    observations = problem.observations
-    some = observations.where(observations.sample(MANY / len(observations)))
-    problem = Problem.of(some, problem.prior, problem.model, problem.parameters)
-    return problem, problem.start(state.mounting, state.shapes)
+def _sampled(observations: Observations) -> Observations:
+    """Some of many points: they lead near the answer, and tell noise, surfaces and blunders."""
+    if len(observations) <= MANY:
+        return observations
+    return observations.where(observations.sample(MANY / len(observations)))
 
 
-def _told(problem: Problem, near: Solution) -> tuple[Problem, State]:
-    """The problem of all points with what a sample of them has told."""
+def _completed(near: Solution, observations: Observations, progress: Progress) -> Solution:
+    """Go on with all points from where a sample of them has led, and with what it has told."""
     sample = near.linearised.problem
-    noise = noise_factors(
-        sample.observations,
-        sample.standardised(near.state),
-        sample.blocks,
-        robust=problem.model.loss != "none",
-        denser=len(problem.observations) / len(sample.observations),
+    problem = Problem.of(observations, sample.prior, sample.model, sample.parameters)
+    problem = replace(
+        problem, noise=sample.noise, scale=sample.scale, surface_sigma=sample.surface_sigma
     )
-    problem = replace(problem, noise=noise, scale=sample.scale, surface_sigma=sample.surface_sigma)
-    return problem, problem.start(near.state.mounting, near.state.shapes)
-
-
-def _refined(problem: Problem, state: State, progress: Progress) -> Solution:
-    return _iterate(problem, state, progress, told=True)
+    if problem.model.correlated:
+        noise = noise_factors(
+            sample.observations,
+            sample.residuals(near.state)[1],
+            sample.blocks,
+            robust=problem.model.loss != "none",
+            denser=len(observations) / len(sample.observations),
+        )
+        problem = replace(problem, noise=noise)
+    state = problem.resumed(near.state, sample)
+    return _iterate(problem, state, progress, earlier=near.path, told=True)
 
 
 def _may_release(model: StochasticModel) -> bool:
     return model.correlated and model.loss != "none" and model.surface != 0
 
 
-def _released(problem: Problem, state: State, progress: Progress) -> Solution:
+def _told_by_data(problem: Problem, state: State, progress: Progress) -> Solution:
     """Iterate, let go of the sighting that agrees least, and again until all agree."""
-    most = len(problem.observations.sightings) // 4
     solution = _iterate(problem, state, progress)
+    most = len(problem.observations.sightings) // 4 if _may_release(problem.model) else 0
     for _ in range(most):
         worst = sighting_tests(solution.linearised).worst
         if worst is None:
@@ -228,16 +231,27 @@ def _iterate(
     if not told:
         problem = problem.with_blocks()
     loss = final if told else final.start
-    adaptations = 0
-    settled = told or not (problem.model.correlated or final.name != "none")
+    weighted = final.name != "none"
+    settled = told or not (problem.model.correlated or weighted)
+    adaptations, steps = 0, 0
+    limits = np.array([ANGLES_SETTLED, OTHERS_SETTLED])
+    last = np.full(2, np.inf)
     path = [] if earlier is None else list(earlier)
     for iteration in range(1, MAX_ITERATIONS + 1):
         progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
-        linearised = problem.linearised(state, loss)
-        state, correction = linearised.step()
+        # Weights that go with the residuals settle slowly unless the step foresees them.
+        foreseen = weighted and settled and (told or steps > 0) and steps <= FORESEEN
+        try:
+            linearised = problem.linearised(state, loss, tangent=foreseen)
+            state, correction = linearised.step()
+        except (RankDeficient, np.linalg.LinAlgError):
+            if not foreseen:
+                raise
+            steps = FORESEEN + 1  # too far off for that
+            continue
         path.append(state.mounting.boresight)
-        angles, others = np.abs(correction[:3]).max(), np.abs(correction[3:]).max()
-        if angles > NEAR:
+        change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
+        if change[0] > NEAR:
             if not settled:
                 problem = _with_noise(problem, state)  # far from the answer all points are noisy
         elif not settled:
@@ -246,18 +260,24 @@ def _iterate(
             same = adaptations >= ADAPTATIONS or not _differ(problem, adapted)
             settled = loss == final and same
             problem, loss = adapted, final
-        elif _settled(angles, others, iteration):
-            return Solution(linearised, state, np.array(path))
+        else:
+            steps += 1
+            ease = 1.0 if iteration <= PATIENCE else SLACK
+            if (_to_come(change, last) < ease * limits).all():
+                if foreseen:  # the sigmas come from the weights as they are
+                    linearised = problem.linearised(state, loss)
+                return Solution(linearised, state, np.array(path))
+        last = change
     raise NotConverged(
         f"The adjustment did not settle in {MAX_ITERATIONS} iterations (last change "
-        f"{np.degrees(angles):.1e} deg of the angles, {others:.1e} m of the rest); check that each "
-        "target is the same surface on every line, and the prior boresight."
+        f"{np.degrees(change[0]):.1e} deg of the angles, {change[1]:.1e} m of the rest); check "
+        "that each target is the same surface on every line, and the prior boresight."
     )
 
 
 def _with_components(
     solution: Solution, progress: Progress
-) -> tuple[Solution, tuple[Component, ...]]:
+) -> tuple[Solution, tuple[Component, ...], Array]:
     """Adjust once more with the sigmas that the data tell, until they tell nothing new."""
     total = np.ones(3)
     for _ in range(COMPONENT_ROUNDS):
@@ -270,15 +290,21 @@ def _with_components(
         if np.abs(np.log(factors)).max() < SCALE_SETTLED:
             break
     final = variance_components(solution.linearised)
-    return solution, tuple(
-        Component(c.name, float(t * c.factor), float(t * c.lower), float(t * c.upper), bool(t != 1))
-        for c, t in zip(final, total, strict=True)
+    return (
+        solution,
+        tuple(
+            Component(
+                c.name, float(t * c.factor), float(t * c.lower), float(t * c.upper), bool(t != 1)
+            )
+            for c, t in zip(final, total, strict=True)
+        ),
+        total,
     )
 
 
 def _with_noise(problem: Problem, state: State) -> Problem:
     """The same problem with the noise that its residuals show."""
-    observations, residuals = problem.observations, problem.standardised(state)
+    observations, residuals = problem.observations, problem.residuals(state)[1]
     if problem.model.loss != "none":
         target = observations.target_of_sighting[observations.sighting]
         own = [residuals[target == k] for k in range(len(state.shapes))]

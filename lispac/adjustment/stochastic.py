@@ -105,17 +105,21 @@ class PosErrorKnots:
         interval = model.knot_interval
         scaled = observations.time / interval
         cell = np.floor(scaled).astype(np.int64)
-        grid = np.unique(np.concatenate([cell, cell + 1]))
+        # Neighbouring points are mostly in the same cell: few are left to sort
+        occupied = np.unique(cell[np.flatnonzero(np.diff(cell, prepend=cell[0] - 1))])
+        grid = np.unique(np.concatenate([occupied, occupied + 1]))
         time = grid * interval
-        order = np.argsort(observations.time, kind="stable")
-        sigma_of_points = np.hstack([observations.sigma_position, observations.sigma_attitude])
-        sigma = np.stack(
-            [
-                np.interp(time, observations.time[order], column[order])
-                for column in sigma_of_points.T
-            ],
-            axis=1,
-        )
+        left = np.searchsorted(grid, cell).astype(np.int64)
+        counts = np.bincount(left, minlength=len(grid))
+        filled = counts > 0
+        offset = np.bincount(left, observations.time - time[left], len(grid))[filled]
+        middle = time[filled] + offset / counts[filled]
+        sigma = np.empty((len(grid), 6))
+        for k, column in enumerate(
+            (*observations.sigma_position.T, *observations.sigma_attitude.T)
+        ):
+            mean = np.bincount(left, column, len(grid))[filled] / counts[filled]
+            sigma[:, k] = np.interp(time, middle, mean)
         sigma = np.maximum(sigma, SMALLEST_SIGMA)
         correlation_time = np.repeat([model.position_time, model.attitude_time], 3)
         step = np.diff(time)[:, None] / correlation_time
@@ -126,7 +130,7 @@ class PosErrorKnots:
         diagonal[:-1] += kept**2 / fresh
         return cls(
             time,
-            np.searchsorted(grid, cell).astype(np.int64),
+            left,
             scaled - cell,
             diagonal / sigma**2,
             -kept / fresh / (sigma[:-1] * sigma[1:]),

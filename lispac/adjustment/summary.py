@@ -27,7 +27,6 @@ Array = NDArray[np.float64]
 
 
 def summary(
-    observations: Observations,
     linearised: Linearised,
     state: State,
     fitted: Array,
@@ -43,24 +42,25 @@ def summary(
 
     Parameters
     ----------
-    observations : Observations
-        As given, but each target counted from its place in ``origins``.
     linearised : Linearised
         Of the last iteration; its correction is below any figure shown, so that what it was
         computed from describes the solution.
     fitted : ndarray of shape (targets, 4)
         Best shapes with the prior mounting.
+    origins : ndarray of shape (targets, 3), metres, local
+        Where the points of each target are counted from.
     """
     problem, normal = linearised.problem, linearised.normal
+    observations = problem.observations
     layout = normal.layout
     unknowns = len(layout.active) + sum(s.stop - s.start for s in layout.shapes)
     known = sum(p.sigma is not None for p in problem.parameters)
     freedom = len(observations) + known - unknowns
     lower, upper = scipy.stats.chi2.ppf([0.025, 0.975], freedom) if freedom > 0 else (0.0, 0.0)
-    statistic = _statistic(linearised, state)
+    after, standardised = problem.residuals(state)
+    statistic = _statistic(linearised, state, standardised)
     targets, sightings, rms = _residuals(
-        observations, misclosures(observations, problem.prior, fitted),
-        misclosures(observations, state.mounting, state.shapes),
+        observations, misclosures(observations, problem.prior, fitted), after,
         counted_from(state.shapes, -origins, observations.is_sphere),
         problem.noise,
     )  # fmt: skip
@@ -95,10 +95,9 @@ def summary(
     )
 
 
-def _statistic(linearised: Linearised, state: State) -> float:
+def _statistic(linearised: Linearised, state: State, residuals: Array) -> float:
     """``v' P v`` with the sigmas as stated and every point's full weight."""
     problem = linearised.problem
-    residuals = problem.standardised(state)
     statistic = float(residuals @ residuals)
     if problem.groups.knots is not None:
         statistic += float((problem.groups.knots.weighted(state.effects) * state.effects).sum())

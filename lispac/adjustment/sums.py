@@ -68,7 +68,9 @@ def grouped(
     count = len(observations.sightings)
     key = left * count + observations.sighting
     order = np.argsort(key, kind="stable")
-    found, start = np.unique(key[order], return_index=True)
+    key = key[order]
+    start = np.flatnonzero(np.diff(key, prepend=-1))
+    found = key[start]
     groups = Groups(
         np.append(start, len(key)).astype(np.int64),
         found % count,
@@ -294,23 +296,27 @@ def _accumulate(  # type: ignore[no-untyped-def]
                     sums[g, j, k] += product[j, k]
 
 
-def standardised(observations: Observations, groups: Groups, state: State) -> Array:
-    """Residual of each point over the standard deviation of its condition's noise, shape (n,).
+def residuals(observations: Observations, groups: Groups, state: State) -> Array:
+    """Residuals of the points, shape (2, n).
 
-    With the effects found so far applied; the same numbers `sum_by_group` gives its loss.
+    Returns
+    -------
+    ndarray of shape (2, n)
+        Signed distance from the shape, metres, and with the effects found so far applied that over
+        the standard deviation of its condition's noise: what `sum_by_group` gives its loss.
     """
-    found = np.empty(len(observations))
+    found = np.empty((2, len(observations)))
     points, effects = Points.of(observations, state.mounting), Effects.of(groups, state)
     placing = Placing.of(state.mounting, state.shapes)
     in_chunks(
-        lambda first, last: _standardised(first, last, *points, *placing, *effects, found),
+        lambda first, last: _residuals(first, last, *points, *placing, *effects, found),
         groups.start[1:],
     )
     return found
 
 
 @kernel()
-def _standardised(  # type: ignore[no-untyped-def]
+def _residuals(  # type: ignore[no-untyped-def]
     first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
@@ -325,4 +331,5 @@ def _standardised(  # type: ignore[no-untyped-def]
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
                 knot, fraction, bridge, surface, pos, out, lidar,
             )  # fmt: skip
-            found[i] = misclosure / np.sqrt(variance)
+            found[0, i] = out[19]
+            found[1, i] = misclosure / np.sqrt(variance)
