@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.averaging import averaged
+from lispac.adjustment.blunders import Blunder
 from lispac.adjustment.components import variance_components
 from lispac.adjustment.conditions import lidar_variance
 from lispac.adjustment.crosscheck import cross_checks
@@ -80,7 +81,7 @@ def test_redundancy_numbers_add_up(linearised) -> None:
 def test_a_shift_is_what_the_adjustment_without_the_sightings_prior_finds(linearised) -> None:
     tests = sighting_tests(linearised)
     for s in (0, 5, 9):
-        problem = linearised.problem.released(s)
+        problem = Blunder("surface", (s,)).out_of(linearised.problem)
         free = _iterate(problem, linearised.state, no_progress).linearised
         # Released with its tilts too, so nearly the same only
         offset = free.departures[s, 2]

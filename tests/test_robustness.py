@@ -5,7 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from lispac.adjustment import solver
+from lispac.adjustment.blunders import Blunder
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.robust import LOSSES, Loss, robust_scale, weight
 from lispac.adjustment.shapes import fit_shapes
 from lispac.adjustment.solver import adjust
@@ -68,17 +71,75 @@ def test_the_losses_are_needed_and_the_sigmas_know_what_strays_do() -> None:
     assert (np.array(errors) < 3 * np.array(sigmas)).all()
 
 
+def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, AdjustmentResult]:
+    """What a blunder does to the angles, in their sigmas, besides that its data are lost.
+
+    Beside the clean survey that is not held to its target where the other was found not to be:
+    a shift of unknown size takes the place of what the sighting said of it.
+    """
+    model = StochasticModel(loss="tukey")
+    found = adjust(dirty, PRIOR, model)
+    gone = [dirty.sightings.index(s) for s in found.suspects]
+    with pytest.MonkeyPatch.context() as patch:
+        todo = [Blunder("shift", (s,)) for s in gone]
+        patch.setattr(solver, "worst_blunder", lambda *_: todo.pop() if todo else None)
+        patch.setattr(solver, "belonging", lambda *_: None)
+        same = adjust(clean, PRIOR, model)
+    return np.abs(found.boresight - same.boresight) / same.sigma, found
+
+
 @pytest.mark.parametrize("sighting", [0, 3, 7, 10])
 def test_a_shifted_sighting_is_named_and_does_no_harm(sighting) -> None:
-    model = StochasticModel(loss="tukey")
     clean = survey(20 + sighting)
-    before = adjust(clean, PRIOR, model)
-    assert before.suspects == ()
-    after = adjust(shifted(clean, sighting, 0.05), PRIOR, model)
-    assert after.suspects == (clean.sightings[sighting],)
-    assert (np.abs(after.boresight - before.boresight) < before.sigma).all()
+    done, after = harm(clean, shifted(clean, sighting, 0.05))
+    assert clean.sightings[sighting] in after.suspects
+    assert {s.line for s in after.suspects} == {clean.sightings[sighting].line}
+    assert (done < 0.1).all()
     found = after.reliability[sighting]
     assert abs(found.shift) == pytest.approx(0.05, abs=3 * abs(found.shift / found.w))
+
+
+def test_whichever_sighting_is_shifted_it_is_named_and_no_other_line() -> None:
+    """Each of twelve by 5 cm, twice; where its own POS error hides the shift it does little."""
+    model = StochasticModel(loss="tukey")
+    named = 0
+    for seed in (3, 4):
+        clean = survey(seed, 0.1)
+        before = adjust(clean, PRIOR, model)
+        for s, sighting in enumerate(clean.sightings):
+            after = adjust(shifted(clean, s, 0.05), PRIOR, model)
+            assert {found.line for found in after.suspects} <= {sighting.line}
+            named += sighting in after.suspects
+            assert (np.abs(after.boresight - before.boresight) < 2 * after.sigma).all()
+    assert named >= 22
+
+
+def jumped(clean: Observations, line: str, metres: list[float]) -> Observations:
+    """The position off on one whole line, north, west, up."""
+    own = np.array([s.line == line for s in clean.sightings])[clean.sighting]
+    position = clean.position.copy()
+    position[own] += metres
+    return replace(clean, position=position)
+
+
+@pytest.mark.parametrize("line", ["L2", "L4", "L5"])
+def test_a_jump_of_the_position_on_a_line_is_named_and_does_no_harm(line) -> None:
+    clean = survey(40 + int(line[1]), 0.1)
+    done, after = harm(clean, jumped(clean, line, [0.0, 0.1, 0.05]))
+    assert {s.line for s in after.suspects} == {line}
+    assert (done < 1).all()
+
+
+def test_what_was_let_go_of_by_mistake_is_taken_back() -> None:
+    """With two sightings off, the first to be named may be a third one that agrees."""
+    clean = survey(3, 0.1)
+    dirty = shifted(shifted(clean, 2, 0.05), 5, 0.05)
+    todo = [Blunder("shift", (3,))]
+    with pytest.MonkeyPatch.context() as patch:
+        own = solver.worst_blunder
+        patch.setattr(solver, "worst_blunder", lambda *given: todo.pop() if todo else own(*given))
+        found = adjust(dirty, PRIOR, StochasticModel(loss="tukey"))
+    assert set(found.suspects) == {clean.sightings[2], clean.sightings[5]}
 
 
 def test_clean_surveys_have_no_suspects() -> None:

@@ -21,17 +21,16 @@ SMALLEST_SURFACE, LARGEST_SURFACE = 1e-5, 0.3  # metres
 def surface_sigma(linearised: Linearised) -> float:
     """Most likely sigma of how the sightings depart from their target's shape, metres."""
     problem, normal = linearised.problem, linearised.normal
-    held = np.repeat(problem.surface_sigma < RELEASED, 3)
+    sigma = problem.surface_sigma.reshape(-1)
+    held = sigma < RELEASED
     places = np.arange(normal.layout.surfaces[0].start, normal.layout.size)[held]
-    departures = linearised.departures.reshape(-1)[held]
-    used = np.repeat(problem.surface_sigma, 3)[held]
+    departures, used = linearised.departures.reshape(-1)[held], sigma[held]
     reduced, right = normal.reduced.copy(), normal.reduced_right.copy()
     reduced[places, places] -= used**-2.0
     right[places] += departures * used**-2.0
     scale = np.ones(len(reduced))
-    scale[: -len(problem.surface_sigma) * 3] = 1 / np.sqrt(
-        np.diag(reduced)[: -len(problem.surface_sigma) * 3]
-    )
+    others = slice(0, -len(sigma))
+    scale[others] = 1 / np.sqrt(np.diag(reduced)[others])
     reduced, right = reduced * np.outer(scale, scale), right * scale
 
     def unlikeliness(log_sigma: float) -> float:
@@ -113,7 +112,7 @@ class _Likelihood:
         self.fixed_quadratic = 0.0
         if problem.layout.surfaces:
             places = np.arange(problem.layout.surfaces[0].start, problem.layout.size)
-            self.diagonal[places] = np.repeat(problem.surface_sigma, 3) ** -2.0
+            self.diagonal[places] = problem.surface_sigma.reshape(-1) ** -2.0
             departures = linearised.departures.reshape(-1)
             self.prior_right[places] = -departures * self.diagonal[places]
             self.fixed_quadratic += float((departures**2 * self.diagonal[places]).sum())

@@ -198,6 +198,23 @@ class Bases:
     surfaces: Array
 
 
+def columns_basis(layout: Layout, target_of_sighting: NDArray[np.int64], bases: Bases) -> Array:
+    """Directions of the unknowns in ``layout.index`` among the columns of the sums.
+
+    Returns
+    -------
+    ndarray of shape (sightings, a + 4, a + 7)
+    """
+    a = len(layout.active)
+    basis = np.zeros((len(layout.index), a + 4, a + 7))
+    basis[:, :a, :a] = np.eye(a)
+    for s, k in enumerate(target_of_sighting):
+        basis[s, a:, a : a + bases.shapes[k].shape[1]] = bases.shapes[k]
+    if layout.surfaces:
+        basis[:, a:, a + 4 :] = bases.surfaces
+    return basis
+
+
 def _added(places: NDArray[np.int64], values: Array, size: int) -> Array:
     """Values with the same place, all added up, shape (size,)."""
     return np.bincount(places.reshape(-1), values.reshape(-1), size).astype(float, copy=False)
@@ -227,14 +244,9 @@ def normal_equations(
     effects : ndarray of shape (knots, 6), metres and radians
         POS error found so far.
     """
-    a, own = len(layout.active), len(layout.active) + 4
+    own = len(layout.active) + 4
     wide, unknowns = layout.size + 1, effects.size
-    basis = np.zeros((len(layout.index), own, a + 7))
-    basis[:, :a, :a] = np.eye(a)
-    for s, k in enumerate(target_of_sighting):
-        basis[s, a:, a : a + bases.shapes[k].shape[1]] = bases.shapes[k]
-    if layout.surfaces:
-        basis[:, a:, a + 4 :] = bases.surfaces
+    basis = columns_basis(layout, target_of_sighting, bases)
     turned = np.swapaxes(basis, 1, 2)
     index = layout.index
     squares = index[:, :, None] * wide + index[:, None, :]

@@ -1,5 +1,6 @@
 """An adjustment between two iterations: points, model and unknowns, and the step to the next."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -33,7 +34,7 @@ LOST = 1e-6
 """Share of the heaviest sighting's weight below which a sighting has no say at all."""
 
 RELEASED = 10.0
-"""Metres: sigma of the surface of a sighting that is no longer held to its target's shape."""
+"""Metres: sigma of how a sighting departs that is no longer held to its target's shape."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +50,8 @@ class Problem:
     prior : Mounting
     parameters : tuple of Parameter
         Estimated besides the boresight.
-    surface_sigma : ndarray of shape (sightings,), metres
+    surface_sigma : ndarray of shape (sightings, 3), metres
+        Of the two tilts, at the border, and the offset of each sighting.
     scale : ndarray of shape (targets,)
         Spread of the standardised residuals that the loss measures strays with.
     noise : ndarray of shape (targets,)
@@ -81,7 +83,7 @@ class Problem:
         knots = PosErrorKnots.of(observations, model) if model.correlated else None
         ordered, groups, order = grouped(observations, knots)
         surface = FIRST_SURFACE if model.surface is None else model.surface
-        sigma = np.full(len(observations.sightings), surface)
+        sigma = np.full((len(observations.sightings), 3), surface)
         ones = np.ones(len(observations.targets))
         blocks = np.zeros(0, dtype=np.int64)
         return cls(ordered, groups, order, model, prior, parameters, sigma, ones, ones, blocks)
@@ -109,16 +111,28 @@ class Problem:
             return self
         return replace(self, blocks=blocks_of(self.observations, self.prior))
 
+    @property
+    def held(self) -> NDArray[np.bool_]:
+        """Which sightings are held to the place of their target's shape, shape (sightings,)."""
+        return np.asarray(self.surface_sigma[:, 2] < RELEASED)
+
+    @property
+    def usual_surface(self) -> float:
+        """Sigma (metres) of the surfaces that are held."""
+        return float(self.surface_sigma.min())
+
     def with_surface(self, sigma: float) -> "Problem":
-        """The same with another sigma of the surfaces, metres, but for those released."""
+        """The same with another sigma of the surfaces, metres, but for what is released."""
         kept = self.surface_sigma >= RELEASED
         return replace(self, surface_sigma=np.where(kept, RELEASED, sigma))
 
-    def released(self, sighting: int) -> "Problem":
-        """The same with one sighting no longer held to its target's shape."""
-        sigma = self.surface_sigma.copy()
-        sigma[sighting] = RELEASED
-        return replace(self, surface_sigma=sigma)
+    def with_surface_of(
+        self, sightings: Sequence[int], directions: slice, sigma: float
+    ) -> "Problem":
+        """The same with another sigma (metres) of some sightings' tilts (0, 1) or offset (2)."""
+        changed = self.surface_sigma.copy()
+        changed[list(sightings), directions] = sigma
+        return replace(self, surface_sigma=changed)
 
     def start(self, mounting: Mounting, shapes: Array) -> State:
         """Point of linearisation without any effect."""
@@ -176,7 +190,7 @@ class Problem:
             quadratic += (off / parameter.sigma) ** 2
         if self.layout.surfaces:
             places = np.arange(self.layout.surfaces[0].start, self.layout.size)
-            precision = np.repeat(self.surface_sigma, 3) ** -2.0
+            precision = self.surface_sigma.reshape(-1) ** -2.0
             found = departures.reshape(-1)
             matrix[places, places] += precision
             right[places] -= found * precision
@@ -238,6 +252,10 @@ class Linearised:
         """Normal equations as they would be without some sightings, shape (sightings,)."""
         kept = self.sums * ~sightings[self.problem.groups.sighting][:, None, None]
         return self.problem.equations(self.state, kept, self.bases, self.departures)
+
+    def of(self, problem: Problem) -> "Linearised":
+        """The same sums with what another problem of the same points says of surfaces."""
+        return replace(self, problem=problem)
 
     def step(self) -> tuple[State, Array]:
         """Solve: the next state, and the corrections, shape (u,)."""

@@ -3,13 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.stats
 from numpy.typing import NDArray
 
 from lispac.adjustment.conditions import Placing, Points, pose
-from lispac.adjustment.normal import Normal
+from lispac.adjustment.normal import Normal, columns_basis
 from lispac.adjustment.passes import in_chunks, kernel
-from lispac.adjustment.problem import RELEASED, Linearised
+from lispac.adjustment.problem import Linearised
 from lispac.adjustment.result import SightingReliability
 from lispac.adjustment.robust import weight
 from lispac.adjustment.sums import Effects, Weighting, Weights, opened, widened
@@ -25,9 +24,6 @@ POWER = 4.13
 WEIGHTLESS = 0.2
 """Mean weight of a sighting whose points the loss has taken for strays: it is another surface."""
 
-FAMILY = 0.01
-"""Chance that any of the sightings is called a blunder where none is."""
-
 
 @dataclass(frozen=True, eq=False)
 class SightingTests:
@@ -40,14 +36,11 @@ class SightingTests:
         which holds that surfaces differ.
     effect : ndarray of shape (sightings, 3), radians per metre
         Of a shift on roll, pitch, yaw.
-    worst : int or None
-        The sighting to let go of, if one disagrees and its target is left with two others.
     """
 
     shift: Array
     sigma: Array
     effect: Array
-    worst: int | None
 
     @property
     def w(self) -> Array:
@@ -63,21 +56,13 @@ def sighting_tests(linearised: Linearised) -> SightingTests:
     """
     problem, covariance = linearised.problem, linearised.normal.covariance
     places = np.array([place.stop - 1 for place in linearised.normal.layout.surfaces])
-    prior = problem.surface_sigma**2
+    prior = problem.surface_sigma[:, 2] ** 2
     after = covariance[places, places]
     # What all other data say of the offset, as a variance; infinite where only the prior does
     open_to_data = np.maximum(1 / after - 1 / prior, 1e-9)
     shift = linearised.departures[:, 2] / after / open_to_data
-    held = problem.surface_sigma < RELEASED
-    usual = float(prior[held].min()) if held.any() else 0.0
-    sigma = np.sqrt(usual + 1 / open_to_data)
-    owners = problem.observations.target_of_sighting
-    others = np.bincount(owners[held], minlength=len(problem.noise))[owners] - 1
-    w = np.where(held & (others >= 2), np.abs(shift / sigma), 0.0)
-    worst = int(np.argmax(w))
-    critical = scipy.stats.norm.isf(FAMILY / 2 / len(w))
-    effect = covariance[:3, places].T / prior[:, None]
-    return SightingTests(shift, sigma, effect, worst if w[worst] > critical else None)
+    sigma = np.sqrt(problem.usual_surface**2 + 1 / open_to_data)
+    return SightingTests(shift, sigma, covariance[:3, places].T / prior[:, None])
 
 
 def reliability(linearised: Linearised) -> tuple[SightingReliability, ...]:
@@ -118,7 +103,7 @@ def reliability(linearised: Linearised) -> tuple[SightingReliability, ...]:
                 largest_w=float(largest[s]),
                 point_detectable=float(np.median(own)),
                 weight=float(mean_weight[s]),
-                released=bool(problem.surface_sigma[s] >= RELEASED or mean_weight[s] < WEIGHTLESS),
+                released=bool(not problem.held[s] or mean_weight[s] < WEIGHTLESS),
             )
         )
     return tuple(found)
@@ -165,17 +150,12 @@ def _local(linearised: Linearised, knot_covariance: tuple[Array, Array]) -> Arra
     mixed[:-1] = -covariance @ by_unknowns.T
     local = np.zeros((len(groups.sighting), a + 16, a + 16))
     owners = linearised.problem.observations.target_of_sighting
+    basis = columns_basis(layout, owners, bases)
     for g, (s, k) in enumerate(zip(groups.sighting, groups.knot, strict=True)):
-        basis = np.zeros((a + 4, a + 7))
-        basis[:a, :a] = np.eye(a)
-        shape = bases.shapes[owners[s]]
-        basis[a:, a : a + shape.shape[1]] = shape
-        if layout.surfaces:
-            basis[a:, a + 4 :] = bases.surfaces[s]
         index = layout.index[s]
         effects = slice(6 * k, 6 * k + 12)
-        local[g, : a + 4, : a + 4] = basis @ padded[np.ix_(index, index)] @ basis.T
-        local[g, : a + 4, a + 4 :] = basis @ mixed[index, effects]
+        local[g, : a + 4, : a + 4] = basis[s] @ padded[np.ix_(index, index)] @ basis[s].T
+        local[g, : a + 4, a + 4 :] = basis[s] @ mixed[index, effects]
         local[g, a + 4 :, : a + 4] = local[g, : a + 4, a + 4 :].T
         pose = by_unknowns[effects] @ covariance @ by_unknowns[effects].T
         pose[:6, :6] += own[k]

@@ -1,5 +1,6 @@
 """What an adjustment gives back."""
 
+from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
@@ -259,6 +260,13 @@ class AdjustmentResult:
     def suspects(self) -> tuple[Sighting, ...]:
         """Sightings found to be blunders."""
         return tuple(item.sighting for item in self.reliability if item.released)
+
+    @property
+    def suspect_lines(self) -> tuple[str, ...]:
+        """Lines all of whose sightings are suspects: the position jumped there."""
+        count = Counter(item.sighting.line for item in self.reliability)
+        named = Counter(sighting.line for sighting in self.suspects)
+        return tuple(line for line in named if named[line] == count[line] > 1)
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,13 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
+from lispac.adjustment.blunders import Blunder, belonging, worst_blunder
 from lispac.adjustment.components import FACTORS, surface_sigma, variance_components
 from lispac.adjustment.noise import noise_factors
 from lispac.adjustment.observability import require_determined, unseen
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Estimate, Parameter
 from lispac.adjustment.problem import Linearised, Problem
-from lispac.adjustment.reliability import sighting_tests
 from lispac.adjustment.result import AdjustmentResult, Component
 from lispac.adjustment.robust import Loss, robust_scale
 from lispac.adjustment.shapes import about, counted_from, fit_shapes, middles, usual_radii
@@ -47,6 +47,9 @@ FORESEEN = 10
 ADAPTATIONS = 12
 """Times that noise and surfaces are taken from the data; a limit between two of their values would
 be crossed for ever."""
+
+MOST_RELEASED = 3
+"""No more than one sighting in so many is let go of."""
 
 SCALE_SETTLED = 0.01
 """Relative change of a sigma that is taken from the data."""
@@ -206,16 +209,29 @@ def _may_release(model: StochasticModel) -> bool:
 
 
 def _told_by_data(problem: Problem, state: State, progress: Progress) -> Solution:
-    """Iterate, let go of the sighting that agrees least, and again until all agree."""
+    """Iterate, let go of the sightings that agree least, and again until all agree.
+
+    One blunder may make others look like it: what agrees without it is taken back.
+    """
     solution = _iterate(problem, state, progress)
-    most = len(problem.observations.sightings) // 4 if _may_release(problem.model) else 0
-    for _ in range(most):
-        worst = sighting_tests(solution.linearised).worst
-        if worst is None:
-            break
-        problem = solution.linearised.problem.released(worst)
+    if not _may_release(problem.model):
+        return solution
+    most = len(problem.observations.sightings) // MOST_RELEASED
+    gone: list[Blunder] = []
+    spared: set[Blunder] = set()
+    while True:
+        here = solution.linearised
+        if (back := belonging(here, gone)) is not None:
+            gone.remove(back)
+            spared.add(back)
+            problem = back.back_in(here.problem)
+        else:
+            worst = worst_blunder(here, spared)
+            if worst is None or sum(len(b.sightings) for b in [*gone, worst]) > most:
+                return solution
+            gone.append(worst)
+            problem = worst.out_of(here.problem)
         solution = _iterate(problem, solution.state, progress, earlier=solution.path)
-    return solution
 
 
 def _iterate(

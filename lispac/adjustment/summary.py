@@ -10,7 +10,7 @@ from lispac.adjustment.conditions import misclosures
 from lispac.adjustment.observability import observability
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.problem import RELEASED, Linearised, Problem
+from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.reliability import reliability
 from lispac.adjustment.result import (
     AdjustmentResult,
@@ -67,7 +67,6 @@ def summary(
     estimates = _estimates(problem, state, normal.covariance, held)
     shown = [0, 1, 2, *(CALIBRATION.index(e.name) for e in estimates if e.value is not None)]
     places = np.searchsorted(layout.active, sorted(shown))
-    held_sigma = problem.surface_sigma[problem.surface_sigma < RELEASED]
     correlated = problem.model.correlated
     return AdjustmentResult(
         mounting=state.mounting,
@@ -85,7 +84,7 @@ def summary(
         sightings=sightings,
         rms_before=rms[0],
         rms_after=rms[1],
-        surface=float(held_sigma[0]) if layout.surfaces and len(held_sigma) else 0.0,
+        surface=problem.usual_surface if layout.surfaces else 0.0,
         observability=observability(linearised) if diagnostics else None,
         reliability=(
             reliability(linearised) if diagnostics and correlated and layout.surfaces else ()
@@ -102,7 +101,7 @@ def _statistic(linearised: Linearised, state: State, residuals: Array) -> float:
     if problem.groups.knots is not None:
         statistic += float((problem.groups.knots.weighted(state.effects) * state.effects).sum())
     if problem.layout.surfaces:
-        statistic += float(((linearised.departures / problem.surface_sigma[:, None]) ** 2).sum())
+        statistic += float(((linearised.departures / problem.surface_sigma) ** 2).sum())
     off = state.mounting.values - problem.prior.values
     return statistic + sum(
         (float(off[p.index]) / p.sigma) ** 2 for p in problem.parameters if p.sigma is not None

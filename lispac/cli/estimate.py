@@ -308,6 +308,8 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
                 f"{abs(item.shift) * 1000:.0f} mm off what the others say (w = {item.w:.1f}): "
                 "left out of the answer"
             )
+    for line in result.suspect_lines:
+        print(f"Every target is off on line {line}: the position probably jumped there")
     for part in checks.disagreements if checks else ():
         what = f"the {part.without} half" if part.kind == "half" else f"without {part.without}"
         assert part.difference is not None

@@ -7,7 +7,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike
 
-from lispac.adjustment.reliability import FAMILY
+from lispac.adjustment.blunders import FAMILY
 from lispac.adjustment.result import (
     AdjustmentResult,
     CrossCheck,

@@ -63,6 +63,18 @@ def _sightings(adjustment: Adjustment) -> Iterator[Caution]:
             f"{'it' if len(released) == 1 else 'them'}: {_named(released)}. Look at the points and "
             "the trajectory there.",
         )
+    lines = {s.line for s in released}
+    jumped = [
+        line
+        for line in sorted(lines)
+        if all(s.released for s in adjustment.reliability if s.line == line)
+        and sum(s.line == line for s in released) > 1
+    ]
+    if jumped:
+        yield mild(
+            "line_jumped",
+            f"Every target is off on line {listed(jumped)}: the position probably jumped there.",
+        )
     doubtful = [s for s in adjustment.reliability if s.in_words == "disagrees"]
     if doubtful:
         yield mild(

@@ -54,11 +54,8 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
             if added is None:
                 continue
             problem = Problem.of(added, result.mounting, result.model)
-            problem = replace(
-                problem,
-                noise=np.array([target.noise for target in result.targets]),
-                surface_sigma=np.full(len(added.sightings), max(result.surface, 1e-5)),
-            )
+            noise = np.array([target.noise for target in result.targets])
+            problem = replace(problem, noise=noise).with_surface(max(result.surface, 1e-5))
             state = problem.start(result.mounting, shapes)
             information = problem.linearised(state).normal.information(3)
             sigma = np.sqrt(np.diag(np.linalg.inv(information)))

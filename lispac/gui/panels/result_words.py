@@ -37,6 +37,11 @@ def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
             f"Does not agree with the others and is not held to its target: {names}. Look at its "
             "points, and leave it out if they are of another surface."
         )
+    if result.suspect_lines:
+        found.append(
+            f"Every target is off on line {', '.join(result.suspect_lines)}: the position probably "
+            "jumped there. Look at the trajectory's quality at that time."
+        )
     if checks is not None and checks.disagreements:
         names = ", ".join(check_name(check) for check in checks.disagreements)
         found.append(

@@ -1,0 +1,178 @@
+"""Which sightings to let go of: another surface on one line, a shifted sighting, a GNSS jump.
+
+Alternatives stand against "all agree" (Teunissen 2000): one sighting is shifted as a whole, or is
+another surface altogether, or the position is shifted on all of one line. Each is tested with what
+it would leave of the data: a blunder makes the surfaces seem to differ by more than they do, and
+would hide behind that.
+"""
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import scipy.linalg
+import scipy.stats
+from numpy.typing import NDArray
+
+from lispac.adjustment.components import surface_sigma
+from lispac.adjustment.normal import columns_basis
+from lispac.adjustment.problem import RELEASED, Linearised, Problem
+
+Array = NDArray[np.float64]
+
+FAMILY = 0.01
+"""Chance that anything is called a blunder where nothing is."""
+
+LOOK = 0.05
+"""Level at which an alternative is worth a closer look, with surfaces as they are without it."""
+
+MOST_LOOKED_AT = 6
+"""Alternatives, the most surprising first, that get the closer look."""
+
+BELONGS = 0.05
+"""Level above which what was let go of is taken back."""
+
+LEFT = 2
+"""Other sightings that a target must be left with."""
+
+SIMPLER = 100.0
+"""How many times more surprising a shift must be for the sighting to be called another surface."""
+
+
+@dataclass(frozen=True)
+class Blunder:
+    """What may be wrong.
+
+    Attributes
+    ----------
+    kind : {"shift", "surface", "line"}
+        One sighting shifted along its target's normal; one that is another surface; the position
+        shifted on all sightings of a line.
+    sightings : tuple of int
+    """
+
+    kind: Literal["shift", "surface", "line"]
+    sightings: tuple[int, ...]
+
+    def out_of(self, problem: Problem) -> Problem:
+        """The problem that no longer holds the sightings to what may be wrong."""
+        return problem.with_surface_of(self.sightings, self._directions, RELEASED)
+
+    def back_in(self, problem: Problem) -> Problem:
+        """The problem that holds the sightings like all others."""
+        return problem.with_surface_of(self.sightings, self._directions, problem.usual_surface)
+
+    @property
+    def _directions(self) -> slice:
+        return slice(0, 3) if self.kind == "surface" else slice(2, 3)
+
+
+def worst_blunder(linearised: Linearised, spared: Collection[Blunder]) -> Blunder | None:
+    """What most needs to be let go of; None where all agree.
+
+    Parameters
+    ----------
+    spared : collection of Blunder
+        Those that have been taken back already.
+    """
+    candidates = [found for found in _candidates(linearised.problem) if found not in spared]
+    first = [(_chance(linearised, found), found) for found in candidates]
+    looked = [item for item in first if item[0] < LOOK]
+    looked.sort(key=_surprise)
+    again = [
+        (_surprise((chance, found)), k, found)
+        for k, (_, found) in enumerate(looked[:MOST_LOOKED_AT])
+        for chance in [_chance(_without(linearised, found), found)]
+        if chance < FAMILY / len(candidates)
+    ]
+    return min(again)[-1] if again else None
+
+
+def _surprise(item: tuple[float, Blunder]) -> float:
+    chance, found = item
+    return chance * (SIMPLER if found.kind == "surface" else 1.0)
+
+
+def belonging(linearised: Linearised, gone: Collection[Blunder]) -> Blunder | None:
+    """What was let go of and agrees best, if it does after all."""
+    chances = [
+        (_chance(linearised.of(found.back_in(linearised.problem)), found), found) for found in gone
+    ]
+    chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
+    return best if chance > BELONGS else None
+
+
+def _candidates(problem: Problem) -> Iterator[Blunder]:
+    """Sightings and lines that leave every target with enough others."""
+    observations, held = problem.observations, problem.held
+    owners = observations.target_of_sighting
+    counts = np.bincount(owners[held], minlength=len(observations.targets))
+    spare = held & (counts[owners] > LEFT)
+    for s in np.flatnonzero(spare):
+        yield Blunder("shift", (int(s),))
+        if not observations.is_sphere[owners[s]]:
+            yield Blunder("surface", (int(s),))
+    for line in observations.lines:
+        own = [s for s, x in enumerate(observations.sightings) if x.line == line and held[s]]
+        # Of a line with one sighting the shift of that says it all.
+        if len(own) > 1 and spare[own].all():
+            yield Blunder("line", tuple(own))
+
+
+def _without(linearised: Linearised, found: Blunder) -> Linearised:
+    """The same with surfaces that differ by as much as all other sightings say."""
+    if linearised.problem.model.surface is not None:
+        return linearised
+    released = linearised.of(found.out_of(linearised.problem))
+    return linearised.of(linearised.problem.with_surface(surface_sigma(released)))
+
+
+def _chance(linearised: Linearised, found: Blunder) -> float:
+    """Of data like these where nothing is wrong, by a score test of new unknowns (Rao 1948)."""
+    normal = linearised.normal
+    own, by_unknowns, by_pos, right = _new_unknowns(linearised, found)
+    solved = scipy.linalg.cho_solve_banded((normal.factor, True), by_pos.T)
+    mixed = by_unknowns - by_pos @ normal.by_unknowns
+    information = own - by_pos @ solved - mixed @ normal.covariance @ mixed.T
+    correction, change = normal.solve()
+    pull = right - by_unknowns @ correction - by_pos @ change.reshape(-1)
+    # What the data do not see (a shift along the boards) cannot be tested.
+    values, directions = np.linalg.eigh(information)
+    seen = values > SEEN * np.diag(own).max()
+    if not seen.any():
+        return 1.0
+    statistic = float((((directions.T @ pull) ** 2)[seen] / values[seen]).sum())
+    return float(scipy.stats.chi2.sf(statistic, int(seen.sum())))
+
+
+SEEN = 1e-6
+"""Share of the information that must be left when all else is eliminated."""
+
+
+def _new_unknowns(linearised: Linearised, found: Blunder) -> tuple[Array, Array, Array, Array]:
+    """Normal equations of a blunder's size: with itself, the unknowns, the POS error; right side.
+
+    The size of a line's is three shifts of position, of a sighting's what its own surface may do.
+    """
+    problem, layout, sums = linearised.problem, linearised.normal.layout, linearised.sums
+    groups, own = problem.groups, len(layout.active) + 4
+    basis = columns_basis(layout, problem.observations.target_of_sighting, linearised.bases)
+    width, count = sums.shape[1], 1 if found.kind == "shift" else 3
+    among, right = np.zeros((count, count)), np.zeros(count)
+    by_unknowns = np.zeros((count, layout.size + 1))
+    by_pos = np.zeros((count, linearised.state.effects.size))
+    for g in np.flatnonzero(np.isin(groups.sighting, found.sightings)):
+        s, first = groups.sighting[g], 6 * groups.knot[g]
+        size = np.zeros((width, count))
+        if found.kind == "line":
+            # The POS position at the knot before and at the one after, both at once
+            size[own : own + 3] = size[own + 6 : own + 9] = np.eye(3)
+        else:
+            size[own - 4 : own] = linearised.bases.surfaces[s, :, 3 - count :]
+        products = size.T @ sums[g]
+        among += products @ size
+        by_unknowns[:, layout.index[s]] += products[:, :own] @ basis[s]
+        by_pos[:, first : first + 12] += products[:, own : own + 12]
+        right -= products[:, -1]
+    return among, by_unknowns[:, :-1], by_pos, right
