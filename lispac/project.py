@@ -18,6 +18,9 @@ from lispac.adjustment.robust import LOSSES, LossName
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import InputError, ProjectError
 from lispac.survey.georeferencing import Mounting
+from lispac.survey.source import USUAL
+from lispac.survey.source import LineSource as LineSource
+from lispac.survey.source import Reading as Reading
 from lispac.validation.comparison import PlaneComparison
 
 Role = Literal["target", "validation"]
@@ -28,21 +31,6 @@ Triple = tuple[float, float, float]
 
 DEFAULT_THRESHOLD = 0.01
 """RANSAC distance threshold in metres (thesis 4.5.3)."""
-
-
-@dataclass(frozen=True)
-class LineSource:
-    """A raw scan file.
-
-    Attributes
-    ----------
-    columns : tuple of str
-        Names of the columns of a text file; empty for LAS and LAZ.
-    """
-
-    name: str
-    path: Path
-    columns: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -278,6 +266,8 @@ class Project:
     """For each validation plane that could not be compared, the reason in words."""
     truth_deg: Triple | None = None
     """Boresight put into a simulated survey; None for a real one."""
+    trajectory_reading: Reading = USUAL
+    accuracy_reading: Reading = USUAL
 
     @property
     def name(self) -> str:

@@ -1,7 +1,7 @@
 """Surveys made by others, by the command line alone; skipped where they are not at hand."""
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -15,11 +15,17 @@ from lispac.adjustment.robust import LossName
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.geometry.planes import fit_plane
-from lispac.project import LineSource, Settings
-from lispac.survey.georeferencing import Mounting
+from lispac.io.las import read_scan
+from lispac.io.sbet import read_sbet
+from lispac.project import LineSource, Reading, Settings
+from lispac.survey.crs import coordinate_system
+from lispac.survey.georeferencing import Mounting, georeference
+from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.projects import create_project, open_project
+from lispac.workflow.reading import settled
 from lispac.workflow.survey import load_survey
 from tests.test_cli import answer
+from tests.test_reading import write_cloud
 
 
 def make(capsys: pytest.CaptureFixture[str], data: Path, project: Path, *extra: object) -> Any:
@@ -136,15 +142,55 @@ def labelled_points(
     return cache(lambda data: labelled(data, tmp_path_factory.mktemp(data.name)))
 
 
-def labelled(data: Path, folder: Path) -> tuple[Observations, Mounting]:
+def test_a_drones_clouds_on_the_map_give_the_answer_of_its_raw_lines(
+    shared_data: Path,
+    labelled_points: Callable[[Path], tuple[Observations, Mounting]],
+    tmp_path: Path,
+) -> None:
+    """Georeferenced with a boresight half a degree wrong, written as UTM, brought back."""
+    data, wrong = shared_data / "lanl_tent", (0.5, -0.4, 0.6)
+    raw, prior = labelled_points(data)
+    trajectory = read_sbet(data / "trajectory.sbet")
+    local = LocalTrajectory.of(trajectory, trajectory.mean_frame())
+    used = prior.with_boresight(np.radians(wrong))
+    zone = int(np.degrees(trajectory.longitude[0]) // 6) + 31
+    system = coordinate_system(f"EPSG:{32600 + zone}")
+    lines = []
+    for path in sorted(data.glob("*.laz")):
+        scan = read_scan(path)
+        inside = local.covers(scan.time)
+        points = georeference(scan.points_lidar[inside], scan.time[inside], local, used)
+        cloud = write_cloud(
+            tmp_path / path.name, system.from_local(points, local.frame), scan.time[inside],
+            32600 + zone,
+        )  # fmt: skip
+        lines.append(LineSource(path.stem, cloud, reading=settled(cloud, "points", Reading())[0]))
+    brought, start = labelled(data, tmp_path, lines, wrong)
+    assert np.abs(brought.points_lidar - raw.points_lidar).max() < 2e-4
+    start = start.with_boresight(prior.boresight)
+    answers = [
+        adjust(averaged(observations, start, 0.10), start, StochasticModel(loss="tukey"),
+               diagnostics=False).boresight
+        for observations in (raw, brought)
+    ]  # fmt: skip
+    assert np.degrees(np.abs(answers[0] - answers[1])).max() < 0.001
+
+
+def labelled(
+    data: Path,
+    folder: Path,
+    lines: Sequence[LineSource] = (),
+    boresight_deg: tuple[float, float, float] = (0.0, 0.0, 0.0),
+) -> tuple[Observations, Mounting]:
     """Observations of all labelled points, with the sigmas the data's notes state."""
     site = json.loads((data / "site.json").read_text())
     project = create_project(
         folder / "p",
         trajectory=data / "trajectory.sbet",
-        lines=[LineSource(path.stem, path) for path in sorted(data.glob("*.laz"))],
+        lines=lines or [LineSource(path.stem, path) for path in sorted(data.glob("*.laz"))],
         settings=Settings(
             lever_arm=tuple(site["lever_arm_m"]),
+            boresight_deg=boresight_deg,
             origin_deg_m=tuple(site["origin_deg_m"]),
             position_sigma=(0.02, 0.02, 0.02),
             attitude_sigma_deg=(0.015, 0.015, 0.015),

@@ -13,8 +13,9 @@ from lispac.cli.angles import angles as angles
 from lispac.cli.console import ConsoleProgress, has_display, print_json
 from lispac.cli.estimate import DEFAULT_LIDAR_SIGMA, print_result, project_numbers
 from lispac.cli.estimate import estimate as estimate
+from lispac.cli.look import look as look
 from lispac.cli.pick import pick as pick
-from lispac.project import LineSource, Project, Settings
+from lispac.project import LineSource, Project, Reading, Settings
 from lispac.workflow import demo as demo_survey
 from lispac.workflow import export, projects
 from lispac.workflow.survey import Survey, load_survey
@@ -62,7 +63,10 @@ def new(arguments: Namespace) -> None:
         ),
         **triples,
     )
-    lines = [LineSource(name, path, columns) for name, path in _named(arguments.lines)]
+    reading = Reading(
+        arguments.line_format or "", tuple(arguments.line_option), arguments.time_shift
+    )
+    lines = [LineSource(name, path, columns, reading) for name, path in _named(arguments.lines)]
     with ConsoleProgress() as progress:
         project, survey = projects.new_project(
             arguments.project,
@@ -70,6 +74,12 @@ def new(arguments: Namespace) -> None:
             lines=lines,
             settings=settings,
             accuracy=arguments.trajectory_accuracy,
+            trajectory_reading=Reading(
+                arguments.trajectory_format or "", tuple(arguments.trajectory_option)
+            ),
+            accuracy_reading=Reading(
+                arguments.accuracy_format or "", tuple(arguments.accuracy_option)
+            ),
             progress=progress,
         )
     _notes(survey)

@@ -29,6 +29,7 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"lispac {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _demo(commands)
+    _look(commands)
     _new(commands)
     _pick(commands)
     _estimate(commands)
@@ -55,14 +56,50 @@ def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
     _json(demo)
 
 
+def _look(commands: "Commands[argparse.ArgumentParser]") -> None:
+    look = _command(commands, "look", "say what a file is, what it assumes, and what to doubt")
+    look.add_argument("file", type=Path, metavar="FILE", help="trajectory, accuracies or points")
+    _json(look)
+
+
+def _option(text: str) -> tuple[str, str]:
+    name, separator, value = text.partition("=")
+    if not (name and separator):
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    return name.strip(), value.strip()
+
+
 def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
     new = _command(commands, "new", "make a project from raw lines and a trajectory")
     new.add_argument("project", type=Path, metavar="PROJECT", help="folder to make")
     new.add_argument(
-        "lines", type=Path, nargs="+", metavar="LINE", help="scan file (LAS, LAZ, text)"
+        "lines",
+        type=Path,
+        nargs="+",
+        metavar="LINE",
+        help="scan file (LAS, LAZ, E57, PLY, PCD, text)",
     )
-    new.add_argument("--trajectory", type=Path, required=True, metavar="FILE", help="SBET")
-    new.add_argument("--trajectory-accuracy", type=Path, metavar="FILE", help="smrmsg")
+    new.add_argument(
+        "--trajectory", type=Path, required=True, metavar="FILE",
+        help="SBET, Exail or POSPac text, or text with named columns",
+    )  # fmt: skip
+    new.add_argument(
+        "--trajectory-accuracy", type=Path, metavar="FILE", help="smrmsg, or a text that holds it"
+    )
+    for file, what in (
+        ("trajectory", "the trajectory"), ("accuracy", "its accuracies"), ("line", "the lines"),
+    ):  # fmt: skip
+        new.add_argument(
+            f"--{file}-format", metavar="KEY", help=f"format of {what} (default: as found in it)"
+        )
+        new.add_argument(
+            f"--{file}-option", type=_option, action="append", default=[], metavar="NAME=VALUE",
+            help=f"what the files do not say of {what}; `lispac look FILE` lists the options",
+        )  # fmt: skip
+    new.add_argument(
+        "--time-shift", type=float, default=0.0, metavar="SECONDS",
+        help="added to the times of the lines to bring them into the trajectory's",
+    )  # fmt: skip
     _triple(
         new, "--lever-arm", ("X", "Y", "Z"), "LiDAR from POS: forward, left, up (m)", required=True
     )

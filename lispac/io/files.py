@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.survey.time_quality import time_quality
 
 
 def require_file(path: Path, what: str) -> Path:
@@ -23,14 +24,16 @@ def require_file(path: Path, what: str) -> Path:
     if not path.exists():
         raise InputError(f"{path}: there is no such {what} file; check the path.")
     if not path.is_file():
-        raise InputError(f"{path}: this is a folder, not a {what} file.")
+        raise InputError(f"{path}: this is a folder, not a {what} file; choose a file.")
     if not os.access(path, os.R_OK):
         raise InputError(f"{path}: this {what} file cannot be read; check its permissions.")
     return path
 
 
-def read_records(path: Path, columns: int, what: str) -> NDArray[np.float64]:
-    """Read a file of little-endian float64 records.
+def read_records(
+    path: Path, columns: int, what: str, *, byte_order: str = "<"
+) -> NDArray[np.float64]:
+    """Read a file of float64 records, little-endian (``<``) unless told otherwise (``>``).
 
     Returns
     -------
@@ -51,7 +54,13 @@ def read_records(path: Path, columns: int, what: str) -> NDArray[np.float64]:
             f"(the last one has {size % record}); the file is cut short or not {what}: "
             "copy or export it again."
         )
-    records = np.fromfile(path, dtype="<f8").reshape(-1, columns)
+    try:
+        records = np.fromfile(path, dtype=f"{byte_order}f8").reshape(-1, columns)
+    except (OSError, ValueError, MemoryError) as error:
+        raise InputError(
+            f"{path}: this {what} file cannot be read to its end ({error}); "
+            "check that the disk is there and nothing else writes to it."
+        ) from error
     bad = ~np.isfinite(records).all(axis=1)
     if bad.any():
         raise InputError(
@@ -61,20 +70,42 @@ def read_records(path: Path, columns: int, what: str) -> NDArray[np.float64]:
     return records.astype(np.float64, copy=False)
 
 
-def require_increasing(time: NDArray[np.float64], path: Path, what: str) -> None:
+def require_increasing(
+    time: NDArray[np.float64], path: Path, what: str, numbers: NDArray[np.int64] | None = None
+) -> None:
     """Refuse times that stand still or run backwards.
+
+    Parameters
+    ----------
+    what : str
+        What a time belongs to: ``SBET record`` is said with its number.
+    numbers : ndarray of shape (n,), optional
+        Row in the file of each time, where that is not its place among the times.
 
     Raises
     ------
     InputError
     """
-    steps = np.diff(time)
-    if (steps <= 0).any():
-        k = int(np.argmax(steps <= 0)) + 1
+    quality = time_quality(time)
+    if quality.first_disorder is None:
+        return
+    k = quality.first_disorder
+    place = f"row {numbers[k]:,}" if numbers is not None else f"{what} record {k + 1:,}"
+    if quality.resolution is not None:
         raise InputError(
-            f"{path}: time runs from {time[k - 1]:.6f} to {time[k]:.6f} s at {what} record "
-            f"{k + 1:,}; times must increase: sort the file or export it again."
+            f"{path}: times stand on steps of {quality.resolution:g} s from {place} on, "
+            "as if they had gone through 32-bit numbers; export with 64-bit times."
         )
+    counted = [
+        f"{count:,} {kind}"
+        for count, kind in ((quality.duplicates, "repeat"), (quality.backward, "run backward"))
+        if count
+    ]
+    raise InputError(
+        f"{path}: time runs from {time[k - 1]:.6f} to {time[k]:.6f} s at {place} "
+        f"({' and '.join(counted)} of {len(time):,}); times must increase: sort the file or "
+        "export it again."
+    )
 
 
 @contextmanager

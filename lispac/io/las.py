@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import require_file, written_whole
+from lispac.io.las_guard import require_sound_header
 from lispac.survey.scan import Scan
 
 ASSUMPTIONS = ("LAS coordinates are metres in the LiDAR frame", "LAS gps_time is the point time")
@@ -27,7 +28,7 @@ def read_scan(path: Path) -> Scan:
         Where the file is missing, damaged, without gps_time, or empty.
     """
     path = require_file(Path(path), "LAS")
-    _require_sound_header(path)
+    require_sound_header(path)
     try:
         with laspy.open(path) as reader:
             names = set(reader.header.point_format.dimension_names)
@@ -60,29 +61,6 @@ def read_scan(path: Path) -> Scan:
         )
     require_finite(points, time, path)
     return Scan(points, time, intensity, ASSUMPTIONS)
-
-
-def _require_sound_header(path: Path) -> None:
-    """Refuse counts that the file is too short for; laspy would loop over them for minutes.
-
-    Offsets from the LAS 1.4 specification, table 3: header size, start of the points, number of
-    variable length records, and from version 1.4 on the start and number of the extended ones.
-    """
-    size = path.stat().st_size
-    with path.open("rb") as file:
-        header = file.read(375)
-    if len(header) < 227:
-        return  # laspy says so at once
-    header_size, points_start, records = struct.unpack_from("<HII", header, 94)
-    sound = header_size + 54 * records <= points_start <= size
-    if header[24:26] == b"\x01\x04" and len(header) == 375:
-        extended_start, extended = struct.unpack_from("<QI", header, 235)
-        sound = sound and (extended == 0 or extended_start + 60 * extended <= size)
-    if not sound:
-        raise InputError(
-            f"{path}: cannot be read as LAS or LAZ (its header does not fit its {size:,} bytes); "
-            "copy or export it again."
-        )
 
 
 def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path: Path) -> None:

@@ -44,7 +44,7 @@ def read_plane_files(
     """
     if not paths:
         raise InputError("No plane file was given; name at least one.")
-    tables = [_read_table(Path(path)) for path in paths]
+    tables = [read_table(Path(path)) for path in paths]
     names = _distinct_names([Path(path).stem for path in paths])
     target = np.repeat(np.arange(len(tables)), [len(table) for table in tables])
     rows = np.concatenate(tables)
@@ -102,7 +102,14 @@ def write_plane_file(
         np.savetxt(temporary, rows, fmt="%.12f")
 
 
-def _read_table(path: Path) -> NDArray[np.float64]:
+def read_table(path: Path) -> NDArray[np.float64]:
+    """All rows of a plane file, shape (n, 25).
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, empty, or not 25 columns of numbers with a unit normal.
+    """
     require_file(path, "plane")
     try:
         with warnings.catch_warnings():

@@ -30,6 +30,7 @@ from lispac.project import (
     LineSource,
     PickedSighting,
     Project,
+    Reading,
     Settings,
     Target,
     Triple,
@@ -109,12 +110,15 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
     return {
         "schema_version": SCHEMA_VERSION,
         "trajectory": _relative(project.trajectory, project.folder),
+        "trajectory_reading": encoded(project.trajectory_reading),
         "accuracy": project.accuracy and _relative(project.accuracy, project.folder),
+        "accuracy_reading": encoded(project.accuracy_reading),
         "lines": [
             {
                 "name": line.name,
                 "path": _relative(line.path, project.folder),
                 "columns": list(line.columns),
+                "reading": encoded(line.reading),
             }
             for line in project.lines
         ],
@@ -158,7 +162,12 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         trajectory=_absolute(content["trajectory"], folder),
         accuracy=_absolute(content["accuracy"], folder) if content["accuracy"] else None,
         lines=tuple(
-            LineSource(line["name"], _absolute(line["path"], folder), tuple(line["columns"]))
+            LineSource(
+                line["name"],
+                _absolute(line["path"], folder),
+                tuple(line["columns"]),
+                decoded(line["reading"], Reading),
+            )
             for line in content["lines"]
         ),
         settings=decoded(content["settings"], Settings),
@@ -170,6 +179,8 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         validation=tuple(PlaneComparison.from_dict(item) for item in content["validation"]),
         not_compared=dict(content["not_compared"]),
         truth_deg=_triple(content["truth_deg"]) if content["truth_deg"] else None,
+        trajectory_reading=decoded(content["trajectory_reading"], Reading),
+        accuracy_reading=decoded(content["accuracy_reading"], Reading),
     )
 
 

@@ -1,11 +1,15 @@
 """Applanix SBET trajectories and smrmsg accuracies."""
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import read_records, require_increasing, written_whole
+from lispac.io.trajectory_checks import require_attitude, require_base, require_heights
+from lispac.survey.time_base import base_of, unrolled
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 ASSUMPTIONS = (
@@ -15,8 +19,61 @@ ASSUMPTIONS = (
 )
 
 
-def read_sbet(path: Path) -> Trajectory:
-    """Read an SBET: 17 little-endian float64 a record.
+@dataclass(frozen=True)
+class SbetOptions:
+    """What an SBET does not say, in the words of the registry's options; Applanix's by default."""
+
+    heading: str = "minus-wander"
+    pitch: str = "bow-up"
+    roll: str = "starboard-down"
+    axes: str = "unknown"
+    time: str = "gps-week"
+    unit: str = "radians"
+    order: str = "latitude-longitude"
+    byte_order: str = "little-endian"
+
+    def words(self) -> tuple[str, ...]:
+        """Each of them in a sentence."""
+        wander = "less the wander angle" if self.heading == "minus-wander" else "as it is"
+        velocities = (
+            "velocities are not used and their axes were not checked"
+            if self.axes == "unknown"
+            else f"velocities are not used; their axes are {AXES[self.axes]}"
+        )
+        return (
+            f"SBET: true heading is the platform heading {wander}",
+            f"roll is positive {self.roll.replace('-', ' ')}"
+            + (" (its sign is turned here)" if self.roll == "port-down" else ""),
+            f"pitch is positive {self.pitch.replace('-', ' ')}"
+            + (" (its sign is turned here)" if self.pitch == "bow-up" else ""),
+            velocities,
+            f"times are {base_of(self.time).name}",
+            f"angles are in {self.unit}, positions are {self.order.replace('-', ' before ')}, "
+            f"numbers are {self.byte_order}",
+            "heights are above the ellipsoid; the datum is not stated in the file",
+        )
+
+
+AXES = {
+    "unknown": "unknown",
+    "wander-nwu": "x along the wander azimuth, y to its left, z up",
+    "wander-ned": "x along the wander azimuth, y to its right, z down",
+    "ned": "north, east, down",
+    "enu": "east, north, up",
+    "nwu": "north, west, up",
+    "neu": "north, east, up",
+}
+"""Velocity axes by their key."""
+
+
+def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
+    """Read an SBET: 17 float64 a record.
+
+    Parameters
+    ----------
+    options : SbetOptions, optional
+        After Applanix where there are none. With options, times that start again at midnight or
+        at the end of the week are counted on, which the assumptions then say.
 
     Raises
     ------
@@ -24,19 +81,71 @@ def read_sbet(path: Path) -> Trajectory:
         Where the file is missing, cut short, holds NaN, angles out of range or disordered times.
     """
     path = Path(path)
-    records = read_records(path, 17, "SBET")
+    chosen = options or SbetOptions()
+    byte_order = "<" if chosen.byte_order == "little-endian" else ">"
+    records = read_records(path, 17, "SBET", byte_order=byte_order)
     if len(records) < 2:
-        raise InputError(f"{path}: a trajectory needs at least two SBET records, this has one.")
-    time, latitude, longitude, height = records[:, :4].T
-    require_increasing(time, path, "SBET")
-    if np.abs(latitude).max() > np.pi / 2 or np.abs(longitude).max() > 2 * np.pi:
         raise InputError(
-            f"{path}: latitude or longitude is out of range for radians "
-            f"(up to {np.abs(records[:, 1:3]).max():.3f}); this is not SBET in radians."
+            f"{path}: a trajectory needs at least two SBET records, this has one; export more."
         )
+    time, latitude, longitude, height = records[:, :4].T
     roll, pitch, heading, wander = records[:, 7:11].T
-    attitude = np.stack([roll, -pitch, heading - wander], axis=1)
-    return Trajectory(time, latitude, longitude, height, attitude, ASSUMPTIONS)
+    assumptions: tuple[str, ...] = ASSUMPTIONS
+    if options is not None:
+        time, starts = unrolled(time)
+        assumptions = options.words() + (_STARTED_AGAIN if starts else ())
+    require_increasing(time, path, "SBET")
+    if options is not None:
+        require_base(path, time, base_of(options.time))
+    if chosen.unit == "degrees":
+        latitude, longitude, roll, pitch, heading, wander = (
+            np.radians(angle) for angle in (latitude, longitude, roll, pitch, heading, wander)
+        )
+    if chosen.order == "longitude-latitude":
+        latitude, longitude = longitude, latitude
+    _require_on_earth(path, latitude, longitude, chosen)
+    require_attitude(path, time, (roll, pitch, heading - wander))
+    require_heights(path, height)
+    attitude = np.stack(
+        [
+            -roll if chosen.roll == "port-down" else roll,
+            -pitch if chosen.pitch == "bow-up" else pitch,
+            heading - wander if chosen.heading == "minus-wander" else heading,
+        ],
+        axis=1,
+    )
+    return Trajectory(time, latitude, longitude, height, attitude, assumptions)
+
+
+_STARTED_AGAIN = (
+    "times start again at midnight or at the end of the week and are counted on from there",
+)
+
+
+def _require_on_earth(
+    path: Path,
+    latitude: NDArray[np.float64],
+    longitude: NDArray[np.float64],
+    chosen: SbetOptions,
+) -> None:
+    # The bounds leave room for the last digit.
+    limit, around = np.pi / 2 + 1e-9, 2 * np.pi + 1e-9
+    if np.abs(latitude).max() <= limit and np.abs(longitude).max() <= around:
+        return
+    largest = max(np.abs(latitude).max(), np.abs(longitude).max())
+    factor = np.degrees(1.0) if chosen.unit == "degrees" else 1.0
+    if chosen.unit == "degrees":
+        hint = "check the unit and that this is SBET"
+    elif np.abs(longitude).max() <= limit and np.abs(latitude).max() <= np.pi:
+        hint = "latitude and longitude look exchanged: choose the order longitude-latitude"
+    elif 1e-300 < largest <= 360:
+        hint = "these look like degrees: choose the unit degrees, or export in radians"
+    else:
+        hint = "it may be of another byte order or another format: export it again"
+    raise InputError(
+        f"{path}: latitude or longitude is out of range for {chosen.unit} "
+        f"(up to {factor * largest:.6g}); this is not SBET in {chosen.unit}: {hint}."
+    )
 
 
 def write_sbet(path: Path, trajectory: Trajectory) -> None:
@@ -63,11 +172,15 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
     """
     path = Path(path)
     records = read_records(path, 10, "smrmsg")
-    require_increasing(records[:, 0], path, "smrmsg")
+    # Where the trajectory counts on through midnight or the end of the week, so does this.
+    time, _ = unrolled(records[:, 0])
+    require_increasing(time, path, "smrmsg")
     position, attitude = records[:, 1:4], np.radians(records[:, 7:10] / 60)
     if (position < 0).any() or (attitude < 0).any():
-        raise InputError(f"{path}: an accuracy is negative; this is not an smrmsg file.")
-    return TrajectoryAccuracy(records[:, 0], position, attitude)
+        raise InputError(
+            f"{path}: an accuracy is negative; this is not an smrmsg file: choose another."
+        )
+    return TrajectoryAccuracy(time, position, attitude)
 
 
 def write_smrmsg(path: Path, accuracy: TrajectoryAccuracy) -> None:

@@ -5,7 +5,7 @@ from typing import Any
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 
 
 def upgraded(content: Content) -> Content:
@@ -31,4 +31,15 @@ def _from_1(content: Content) -> Content:
     }
 
 
-_UPGRADES: dict[int, Callable[[Content], Content]] = {1: _from_1}
+def _from_2(content: Content) -> Content:
+    """Version 3 says how each file is read; before there was one way for each."""
+    usual = {"format": "", "options": [], "time_shift": 0.0}
+    return content | {
+        "schema_version": 3,
+        "trajectory_reading": usual,
+        "accuracy_reading": usual,
+        "lines": [line | {"reading": usual} for line in content["lines"]],
+    }
+
+
+_UPGRADES: dict[int, Callable[[Content], Content]] = {1: _from_1, 2: _from_2}

@@ -1,13 +1,16 @@
 """Making, opening and saving projects."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import require_file
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.progress import Progress, no_progress
-from lispac.project import LineSource, Project, Settings, Triple
+from lispac.project import LineSource, Project, Reading, Settings, Triple
+from lispac.survey.source import USUAL
+from lispac.workflow.reading import LAS_ENDINGS, usual_or_settled
 from lispac.workflow.survey import Survey, load_survey
 
 
@@ -19,6 +22,8 @@ def create_project(
     settings: Settings,
     accuracy: Path | None = None,
     truth_deg: Triple | None = None,
+    trajectory_reading: Reading = USUAL,
+    accuracy_reading: Reading = USUAL,
 ) -> Project:
     """Make a project folder that points at the survey's files.
 
@@ -39,10 +44,12 @@ def create_project(
     project = Project(
         folder=folder,
         trajectory=Path(trajectory).absolute(),
-        lines=tuple(LineSource(n.name, Path(n.path).absolute(), n.columns) for n in lines),
+        lines=tuple(replace(n, path=Path(n.path).absolute()) for n in lines),
         settings=settings,
         accuracy=None if accuracy is None else Path(accuracy).absolute(),
         truth_deg=truth_deg,
+        trajectory_reading=trajectory_reading,
+        accuracy_reading=accuracy_reading,
     )
     _require_new(project)
     write_project(project)
@@ -69,9 +76,14 @@ def new_project(
     lines: Sequence[LineSource],
     settings: Settings,
     accuracy: Path | None = None,
+    trajectory_reading: Reading = USUAL,
+    accuracy_reading: Reading = USUAL,
     progress: Progress = no_progress,
 ) -> tuple[Project, Survey]:
     """Read the survey first, so that what cannot be used is said now, then make its project.
+
+    How each file is read is settled here, from what is given and what its format finds in it;
+    the survey's notes say what was found.
 
     Raises
     ------
@@ -81,11 +93,26 @@ def new_project(
     settings.require_sound()
     draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
     _require_new(draft)
+    trajectory_reading, notes = usual_or_settled(trajectory, "trajectory", trajectory_reading)
+    if accuracy is not None:
+        accuracy_reading, more = usual_or_settled(accuracy, "accuracy", accuracy_reading)
+        notes += more
+    known = []
+    for line in lines:
+        named = bool(line.columns) and line.path.suffix.lower() not in LAS_ENDINGS
+        reading, more = usual_or_settled(line.path, "points", line.reading, columns=named)
+        known.append(replace(line, reading=reading))
+        notes += more
+    draft = replace(
+        draft, lines=tuple(known), trajectory_reading=trajectory_reading,
+        accuracy_reading=accuracy_reading,
+    )  # fmt: skip
     survey = load_survey(draft, progress=progress)
     project = create_project(
-        folder, trajectory=trajectory, lines=lines, settings=settings, accuracy=accuracy
-    )
-    return project, survey
+        folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
+        trajectory_reading=trajectory_reading, accuracy_reading=accuracy_reading,
+    )  # fmt: skip
+    return project, replace(survey, notes=(*notes, *survey.notes))
 
 
 def open_project(folder: Path) -> Project:

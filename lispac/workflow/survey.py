@@ -10,14 +10,13 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.las import read_scan
-from lispac.io.sbet import read_sbet, read_smrmsg
-from lispac.io.text import read_text_scan
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import georeference
 from lispac.survey.scan import Scan
+from lispac.survey.time_base import matches, sentence
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
+from lispac.workflow.reading import read_accuracy, read_line, read_trajectory
 
 Array = NDArray[np.float64]
 
@@ -81,12 +80,12 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         Where a file is missing, damaged, or does not fit the others.
     """
     progress(0.0, f"Reading {project.trajectory.name}")
-    raw = read_sbet(project.trajectory)
+    raw = read_trajectory(project.trajectory, project.trajectory_reading)
     trajectory = LocalTrajectory.of(raw, _frame(project) or raw.mean_frame())
     _require_near(trajectory, project)
     notes = list(raw.assumptions)
     if project.accuracy is not None:
-        accuracy = read_smrmsg(project.accuracy)
+        accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
         _require_overlap(accuracy, trajectory, project.accuracy)
     else:
         accuracy = TrajectoryAccuracy.constant(
@@ -103,7 +102,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
             progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
         )
         step(0.0, f"Reading {line.path.name}")
-        scan = read_line(line)
+        scan = read_line(line, trajectory, mounting)
         scan, note = _inside(scan, trajectory, line.path)
         notes += [*scan.assumptions, *note]
         step(0.7, f"Georeferencing {line.name}")
@@ -113,18 +112,6 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         _require_picked_on(project, line, scan)
     progress(1.0, "Survey loaded")
     return Survey(trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)))
-
-
-def read_line(line: LineSource) -> Scan:
-    """Read one raw scan file by its ending: LAS or LAZ, else text with named columns.
-
-    Raises
-    ------
-    InputError
-    """
-    if line.path.suffix.lower() in (".las", ".laz"):
-        return read_scan(line.path)
-    return read_text_scan(line.path, line.columns)
 
 
 def _frame(project: Project) -> LocalFrame | None:
@@ -167,10 +154,11 @@ def _inside(scan: Scan, trajectory: LocalTrajectory, path: Path) -> tuple[Scan, 
     if inside.all() and not trajectory.has_gaps:
         return scan, ()
     if not inside.any():
+        told = sentence(matches(scan.time[:: max(1, len(scan) // 1000)], trajectory.time))
         raise InputError(
             f"{path}: its points ({scan.time.min():.1f} to {scan.time.max():.1f} s) lie outside "
             f"the trajectory ({trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s); "
-            "check the date and the time base, or leave the line out."
+            f"check the date and the time base, or leave the line out. {told}"
         )
     kept = Scan(
         scan.points_lidar[inside],

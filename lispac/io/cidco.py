@@ -1,0 +1,128 @@
+"""CIDCO's binary points: 22 little-endian float64 each, made for boresight calibration.
+
+X, Y, Z local; time; x, y, z LiDAR and their sigmas; roll, pitch, heading (radians) and their
+sigmas; POS position local and its sigmas. The points are read in the LiDAR frame; what else a
+point has goes along.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.points import (
+    CHUNK,
+    PLACE,
+    PREVIEW,
+    place_facts,
+    plainly,
+    require_filled,
+    require_points,
+    scale_of,
+    sight,
+    sniffer,
+    table,
+    time_base,
+)
+from lispac.io.registry import LIKELY, NOT, Choice, Finding, Format, PointChunk
+
+COLUMNS = 22
+RECORD = 8 * COLUMNS
+PARTS = {
+    "points_local": slice(0, 3), "sigma_lidar": slice(7, 10), "attitude": slice(10, 13),
+    "sigma_attitude": slice(13, 16), "position": slice(16, 19), "sigma_position": slice(19, 22),
+}  # fmt: skip
+NAMES = (
+    "X", "Y", "Z", "time", "x lidar", "y lidar", "z lidar", "sx", "sy", "sz", "roll", "pitch",
+    "heading", "s roll", "s pitch", "s heading", "X pos", "Y pos", "Z pos", "s X", "s Y", "s Z",
+)  # fmt: skip
+LONGEST_LEVER = 50.0  # metres between POS and LiDAR on any vessel
+
+
+@sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """No magic, but every record closes: the point is as far from the POS as the LiDAR says."""
+    if path.stat().st_size % RECORD:
+        return NOT
+    records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, COLUMNS)
+    return LIKELY if len(records) and _closed(records).all() else NOT
+
+
+def _closed(records: NDArray[np.float64]) -> NDArray[np.bool_]:
+    sigmas = records[:, [7, 8, 9, 13, 14, 15, 19, 20, 21]]
+    angles = records[:, 10:13]
+    with np.errstate(all="ignore"):  # a stranger's bytes make any numbers
+        distance = np.linalg.norm(records[:, 0:3] - records[:, 16:19], axis=1)
+        measured = np.linalg.norm(records[:, 4:7], axis=1)
+        finite = np.isfinite(records).all(axis=1)
+        near = np.abs(distance - measured) < LONGEST_LEVER
+        sound = (sigmas >= 0).all(axis=1) & (np.abs(angles) < 2 * np.pi + 1e-6).all(axis=1)
+        return finite & near & sound & (measured < 1e4) & (np.abs(records[:, 3]) < 1e10)
+
+
+def look(path: Path, choice: Choice) -> Finding:
+    """Read the first points.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or does not hold such records.
+    """
+    path = require_filled(path, "CIDCO")
+    settled = CIDCO.settled(choice)
+    records = next(_records(path, PREVIEW))
+    seen = sight(records[:, 4:7], records[:, 3], crs="")
+    facts = {
+        "format": "CIDCO binary, 22 float64 a point",
+        "points": f"{path.stat().st_size // RECORD:,}",
+        **place_facts(settled),
+        "time base": time_base(records[:, 3], settled["time_base"]),
+        **seen.facts,
+        "assumed": "columns in CIDCO's order; LiDAR coordinates are taken, the local ones and the "
+        "POS states go along; points and trajectory share one time base",
+    }
+    return Finding(facts, table(NAMES, tuple(records.T)), {}, seen.doubts)
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read in chunks.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, cut short, empty, or does not hold such records.
+    """
+    path = require_filled(path, "CIDCO")
+    scale, total = scale_of(CIDCO.settled(choice)), path.stat().st_size // RECORD
+    for records in _records(path, CHUNK):
+        extra = {name: records[:, columns].copy() for name, columns in PARTS.items()}
+        yield PointChunk(records[:, 4:7] * scale, records[:, 3].copy(), extra, total)
+
+
+def _records(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
+    size = path.stat().st_size
+    if size % RECORD:
+        raise InputError(
+            f"{path}: {size:,} bytes are not a whole number of {RECORD}-byte points (the last one "
+            f"has {size % RECORD}); the file is cut short or not CIDCO's: copy or export it again."
+        )
+    with plainly(path, "CIDCO binary"), path.open("rb") as file:
+        done = 0
+        while data := file.read(rows * RECORD):
+            whole = len(data) // RECORD * RECORD
+            records = np.frombuffer(data[:whole], "<f8").reshape(-1, COLUMNS).astype(np.float64)
+            require_points(records[:, 4:7], records[:, 3], path, done)
+            bad = ~_closed(records)
+            if bad.any():
+                raise InputError(
+                    f"{path}: point {done + int(np.argmax(bad)) + 1:,} does not hold together "
+                    "(distance to the POS, angles or sigmas): the file is not CIDCO's or has "
+                    "another byte order; export it again."
+                )
+            done += len(records)
+            yield records
+
+
+CIDCO = Format("CIDCO binary (22 columns)", "cidco", "points", (), PLACE, sniff, look, read)

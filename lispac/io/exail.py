@@ -1,0 +1,233 @@
+"""Text exports of Exail (iXblue) post-processing: APPS and Delph INS.
+
+These exports are made from templates, so their columns differ; what each column is stands in the
+header. Comment lines tell the name, what it is and its unit, and the last of them all names:
+
+    # latitude: Latitude, decimal degree
+    # heading: Heading, degree
+    #date   time   latitude   longitude   ellipsoidHeight   heading   roll   pitch
+
+The reader goes by these names and units, never by position. Signs are not in the header: iXblue's
+are roll positive port side up and pitch positive bow down.
+"""
+
+import re
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.io.registry import LIKELY, NOT, SURE, Choice, Finding
+from lispac.io.text_table import fields_of, first_lines, is_clock, lines_of
+from lispac.io.trajectory_columns import (
+    Column,
+    Conventions,
+    Rows,
+    accuracy_of,
+    role_of,
+    trajectory_of,
+)
+from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+_MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
+_DESCRIPTION = re.compile(r"#\s*(\w+)\s*:\s*(.+)")
+_UNITS = (
+    (r"hh\W*mm", "clock"),
+    (r"yyyy\W*mm", "date"),
+    (r"arc.?min", "arcmin"),
+    (r"degrees?\W+minutes?|\bdms\b", "dms"),
+    (r"deg", "deg"),
+    (r"rad", "rad"),
+    (r"us.survey.(feet|foot)", "us-ft"),
+    (r"feet|foot|\bft\b", "ft"),
+    (r"met(er|re)|\bm\b", "m"),
+    (r"second|\bs\b", "s"),
+)
+_SIGNS = {
+    "bow-up": r"(bow|nose) up|up (bow|nose)",
+    "bow-down": r"(bow|nose) down|down (bow|nose)",
+    "starboard-down": r"port( side)? up|left( side)? up|starboard( side)? down|right( side)? down",
+    "port-down": r"starboard( side)? up|right( side)? up|port( side)? down|left( side)? down",
+}
+
+
+def sniff_exail(path: Path) -> float:
+    """How sure it is that this is such an export: its comments name the maker and the columns."""
+    comments = [line for line in first_lines(path) if line.startswith("#")]
+    if not comments:
+        return NOT
+    names = _names(comments)
+    if len({role_of(name) for name in names} - {""}) < 5:
+        return NOT
+    if any(_MAKER.search(line) for line in comments):
+        return SURE
+    # Columns described one a line are the templates' way; a bare row of names is anybody's.
+    described = sum(_DESCRIPTION.match(line) is not None for line in comments)
+    return LIKELY if described >= 5 else NOT
+
+
+def sniff_exail_accuracy(path: Path) -> float:
+    """As `sniff_exail`, where all standard deviations are there."""
+    sureness = sniff_exail(path)
+    if not sureness:
+        return NOT
+    return sureness if has_sigmas(exail_layout(path).columns) else NOT
+
+
+def exail_layout(path: Path) -> TextLayout:
+    """Columns by the comment lines at the head.
+
+    Raises
+    ------
+    InputError
+        Where no comment line names columns.
+    """
+    lines = first_lines(path)
+    comments = [line for line in lines if line.startswith("#")]
+    names = _names(comments)
+    if not names:
+        # Reading the first line tells a missing, empty or binary file from one without names.
+        next(lines_of(path, "Exail text"), None)
+        raise InputError(
+            f"{path}: no line that starts with # names the columns; export with the header, or "
+            "read the file as generic text and state the columns."
+        )
+    described = {
+        match[1].lower(): match[2] for line in comments if (match := _DESCRIPTION.match(line))
+    }
+    sample = next((line for line in lines if line.strip() and not line.startswith("#")), "")
+    separator = "tab" if "\t" in sample else "auto"
+    fields = fields_of(sample, separator)
+    columns, doubts = [], []
+    for index, name in enumerate(names):
+        role = role_of(name)
+        if not role:
+            continue
+        words = described.get(name.lower(), "")
+        if role == "sea_height" and "ellips" in words.lower():
+            role = "height"
+        unit = unit_of(words)
+        if role == "time" and index < len(fields):
+            unit = "clock" if is_clock(fields[index]) else unit or "s"
+        if not unit:
+            unit = default_unit(role)
+            doubts.append(
+                f"The header gives no unit for {name}; {'degrees' if unit == 'deg' else unit} "
+                "is taken."
+            )
+        columns.append(Column(role, index, name, unit))
+    facts = {"Header": comments[0].lstrip("# ").strip() or "without title"}
+    facts |= {
+        f"Sign of {column.role}": words
+        for column in columns
+        if (words := sign_in(described.get(column.name.lower(), "")))
+    }
+    return TextLayout(tuple(columns), names, separator, exail_rows, facts, tuple(doubts))
+
+
+def unit_of(words: str) -> str:
+    """Unit that a description names; empty where it names none."""
+    return next((unit for form, unit in _UNITS if re.search(form, words.lower())), "")
+
+
+def default_unit(role: str) -> str:
+    """Unit taken for a column whose header names none; it is said where it is used."""
+    if role in ("time", "date"):
+        return {"time": "s", "date": "date"}[role]
+    angles = ("latitude", "longitude", "roll", "pitch", "heading")
+    return "deg" if role.removesuffix("_sd") in angles else "m"
+
+
+def sign_in(words: str) -> str:
+    """Sign that a description states (``positive bow down``), as an option; empty where none."""
+    if "positive" not in words.lower() and "+" not in words:
+        return ""
+    return next((sign for sign, form in _SIGNS.items() if re.search(form, words.lower())), "")
+
+
+def exail_rows(path: Path) -> Rows:
+    """Rows of data, split."""
+    separator = ""
+    for row, line in lines_of(path, "Exail text"):
+        if not line.strip() or line.startswith("#"):
+            continue
+        separator = separator or ("tab" if "\t" in line else "auto")
+        yield row, fields_of(line, separator)
+
+
+def look_exail(path: Path, choice: Choice) -> Finding:
+    """Header, first rows, detected options and doubts."""
+    path = Path(path)
+    layout = exail_layout(path)
+    found = _detected(layout) | dict(choice)
+    finding = look_at_text(path, layout, _conventions(found), found)
+    doubts = list(finding.doubts)
+    for angle in ("roll", "pitch"):
+        if f"Sign of {angle}" not in layout.facts and angle not in choice:
+            doubts.append(
+                f"The header does not say the sign of {angle}; iXblue's is taken (positive "
+                f"{found[angle].replace('-', ' ')})."
+            )
+    if any(column.unit == "clock" for column in layout.columns) and "time" not in choice:
+        doubts.append("The header does not say whether its times are UTC; UTC is taken.")
+    return Finding(finding.facts, finding.rows, found, tuple(doubts))
+
+
+def read_exail(path: Path, choice: Choice) -> Trajectory:
+    """Read the trajectory.
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    layout = exail_layout(path)
+    conventions = _conventions(_detected(layout) | dict(choice))
+    said = ("Exail text: columns and units by the header", *layout.doubts)
+    return trajectory_of(path, exail_rows(path), layout.columns, conventions, said)
+
+
+def look_exail_accuracy(path: Path, choice: Choice) -> Finding:
+    """Size of the standard deviations."""
+    path = Path(path)
+    layout = exail_layout(path)
+    return look_at_accuracy(path, layout, _conventions(_detected(layout) | dict(choice)))
+
+
+def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
+    """Read the standard deviations.
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    layout = exail_layout(path)
+    conventions = _conventions(_detected(layout) | dict(choice))
+    return accuracy_of(path, exail_rows(path), layout.columns, conventions)
+
+
+def _names(comments: list[str]) -> tuple[str, ...]:
+    """Names in the last comment line that has at least three that mean something."""
+    for line in reversed(comments):
+        names = fields_of(line.lstrip("# \t"), "tab" if "\t" in line.strip() else "auto")
+        if sum(bool(role_of(name)) for name in names) >= 3:
+            return tuple(names)
+    return ()
+
+
+def _detected(layout: TextLayout) -> dict[str, str]:
+    roles = {column.role: column for column in layout.columns}
+    time = "gps-week"
+    if "date" in roles:
+        time = "unix"
+    elif "time" in roles and roles["time"].unit == "clock":
+        time = "utc-day"
+    return {
+        "pitch": layout.facts.get("Sign of pitch", "bow-down"),
+        "roll": layout.facts.get("Sign of roll", "starboard-down"),
+        "time": time,
+    }
+
+
+def _conventions(choice: Choice) -> Conventions:
+    return Conventions(pitch=choice["pitch"], roll=choice["roll"], time=choice["time"])

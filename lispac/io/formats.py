@@ -1,0 +1,53 @@
+"""The list of formats; nothing else knows which there are."""
+
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.io.point_formats import POINTS
+from lispac.io.registry import NOT, Format, Kind
+from lispac.io.trajectory_formats import (
+    ASCII,
+    EXAIL,
+    EXAIL_ACCURACY,
+    POSPAC,
+    POSPAC_ACCURACY,
+    SBET,
+    SMRMSG,
+)
+
+TRAJECTORIES: tuple[Format, ...] = (SBET, EXAIL, POSPAC, ASCII)
+ACCURACIES: tuple[Format, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY)
+
+__all__ = ["ACCURACIES", "POINTS", "TRAJECTORIES", "format_of", "formats_of", "recognised"]
+
+
+def formats_of(kind: Kind) -> tuple[Format, ...]:
+    """All formats of a kind, the more usual first."""
+    return {"trajectory": TRAJECTORIES, "accuracy": ACCURACIES, "points": POINTS}[kind]
+
+
+def format_of(key: str) -> Format:
+    """The format of that key.
+
+    Raises
+    ------
+    InputError
+    """
+    known = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
+    if key not in known:
+        raise InputError(f"There is no format {key}; choose one of {', '.join(known)}.")
+    return known[key]
+
+
+def recognised(path: Path, kind: Kind) -> list[tuple[Format, float]]:
+    """Formats that a file may be in and how sure that is, the surest first.
+
+    Among equally sure ones those come first whose files end so, then the more usual ones.
+    """
+    path = Path(path)
+    found = [(format, format.sniff(path)) for format in formats_of(kind)]
+    ending = path.suffix.lower()
+    return sorted(
+        ((format, sureness) for format, sureness in found if sureness > NOT),
+        key=lambda pair: (-pair[1], ending not in pair[0].endings),
+    )

@@ -1,0 +1,186 @@
+"""LAS and LAZ of any kind with time, chunk by chunk with all their attributes."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import laspy
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.las_crs import stated_system
+from lispac.io.las_guard import require_sound_header
+from lispac.io.points import (
+    CHUNK,
+    LARGEST,
+    PLACE,
+    PREVIEW,
+    base_doubts,
+    place_facts,
+    plainly,
+    require_filled,
+    require_points,
+    scale_of,
+    sight,
+    sniffer,
+    table,
+    time_base,
+)
+from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+
+LARGEST_CHUNK = 1 << 28
+"""Bytes of point records read at once, whatever size a header claims for one."""
+FEET_SCALES = (0.3048, 1 / 0.3048)
+BOUNDS_DOUBT = "Points lie outside the bounds that the header states: the file may be damaged."
+SHOWN = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
+
+
+@sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """LAS and LAZ start with LASF."""
+    return SURE if head[:4] == b"LASF" else NOT
+
+
+def look(path: Path, choice: Choice) -> Finding:
+    """Read the header and the first points.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or has no time.
+    """
+    path = require_filled(path, "LAS")
+    with plainly(path, "LAS or LAZ"), _opened(path) as reader:
+        header = reader.header
+        stated = stated_system(header)
+        points = reader.read_points(min(PREVIEW, _rows_at_once(header)))
+        xyz = np.stack([points.x, points.y, points.z], axis=1)
+        time = np.asarray(points.gps_time)
+        names = [name for name in header.point_format.dimension_names if name in SHOWN]
+        values = [
+            xyz[:, "XYZ".index(name)] if name in "XYZ" else np.asarray(points[name])
+            for name in names
+        ]
+    require_points(xyz, time, path)
+    low, high = np.asarray(header.mins), np.asarray(header.maxs)
+    bounded = bool((np.abs([low, high]) <= LARGEST).all()) and bool(
+        ((xyz >= low - 0.01) & (xyz <= high + 0.01)).all()
+    )
+    if not bounded:
+        low, high = xyz.min(axis=0), xyz.max(axis=0)
+    seen = sight(xyz, time, crs=stated.text, low=low, high=high)
+    base = _time_base(header)
+    found = {
+        "frame": seen.frame,
+        "crs": stated.text,
+        "height_unit": stated.height_unit,
+        "time_base": base,
+    }
+    settled = LAS.settled({**found, **choice})
+    compressed = "LAZ" if header.are_points_compressed else "LAS"
+    facts = {
+        "format": f"{compressed} {header.version}, point format {header.point_format.id}",
+        "points": f"{header.point_count:,}",
+        "coordinate system": stated.name,
+        **place_facts(settled),
+        "resolution": ", ".join(f"{scale:g}" for scale in header.scales),
+        "time base": time_base(time, settled["time_base"]),
+        **seen.facts,
+        "attributes": ", ".join(header.point_format.dimension_names),
+        "written by": _text(header.generating_software) or "not stated",
+        "assumed": "points and trajectory share one time base",
+    }
+    return Finding(
+        facts,
+        table(names, values),
+        {name: value for name, value in found.items() if value},
+        (
+            *stated.doubts,
+            *seen.doubts,
+            *base_doubts(time, base),
+            *_header_doubts(header, stated.text, xyz),
+        ),
+    )
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read in chunks; standard attributes and extra dimensions keep their names and types.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, damaged, cut short, empty, or without time.
+    """
+    scale = scale_of(LAS.settled(choice))
+    path = require_filled(path, "LAS")
+    with plainly(path, "LAS or LAZ"), _opened(path) as reader:
+        header = reader.header
+        others = [
+            name for name in header.point_format.dimension_names
+            if name not in ("X", "Y", "Z", "gps_time")
+        ]  # fmt: skip
+        done = 0
+        for points in reader.chunk_iterator(_rows_at_once(header)):
+            xyz = np.stack([points.x, points.y, points.z], axis=1)
+            time = np.array(points.gps_time)
+            require_points(xyz, time, path, done)
+            done += len(time)
+            if not len(time):
+                break
+            extra = {name: np.array(points[name]) for name in others}
+            yield PointChunk(xyz * scale if scale != 1 else xyz, time, extra, header.point_count)
+        if done != header.point_count:
+            raise InputError(
+                f"{path}: the header promises {header.point_count:,} points, the file holds "
+                f"{done:,}; copy or export it again."
+            )
+
+
+def _opened(path: Path) -> laspy.LasReader:
+    require_sound_header(path)
+    reader = laspy.open(path)
+    header = reader.header
+    if "gps_time" not in set(header.point_format.dimension_names):
+        reader.close()
+        raise InputError(
+            f"{path}: point format {header.point_format.id} has no gps_time, so its points cannot "
+            "be put on the trajectory; export the line with GPS time."
+        )
+    if header.point_count == 0:
+        reader.close()
+        raise InputError(f"{path}: this line holds no points; leave it out.")
+    return reader
+
+
+def _rows_at_once(header: laspy.LasHeader) -> int:
+    return max(1, min(CHUNK, LARGEST_CHUNK // header.point_format.size))
+
+
+def _time_base(header: laspy.LasHeader) -> str:
+    if header.global_encoding.gps_time_type == laspy.header.GpsTimeType.STANDARD:
+        return "gps-adjusted"
+    return "gps-week"
+
+
+def _header_doubts(header: laspy.LasHeader, crs: str, xyz: np.ndarray) -> Iterator[str]:
+    """Scales too coarse or made from feet."""
+    geographic = bool(crs) and np.abs(xyz[:, :2]).max() <= 360
+    for axis, scale in zip("xyz", header.scales, strict=True):
+        metres = scale * 111_000 if geographic and axis != "z" else scale
+        if metres > 0.002:
+            yield (
+                f"Coordinates are stored in steps of {metres * 1000:,.0f} mm in {axis}: "
+                "the points are no better than that; export with 0.1 mm."
+            )
+            break
+    for factor in FEET_SCALES:
+        power = np.log10(header.scales[0] / factor)
+        if abs(power - round(power)) < 1e-4:
+            yield f"The resolution {header.scales[0]:g} comes from feet: check the unit."
+
+
+def _text(value: str | bytes) -> str:
+    text = value.decode("ascii", "replace") if isinstance(value, bytes) else value
+    return text.strip("\0 ")
+
+
+LAS = Format("LAS or LAZ", "las", "points", (".las", ".laz"), PLACE, sniff, look, read)

@@ -1,0 +1,161 @@
+"""The coordinate system a LAS header states: WKT, or GeoTIFF keys.
+
+laspy reads both, but of the keys only codes of horizontal systems: not heights, units, earth-
+centred coordinates, nor systems that writers (PDAL among them) name without a code.
+"""
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from laspy import LasHeader
+from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, WktCoordinateSystemVlr
+from pyproj import CRS
+from pyproj.exceptions import CRSError
+
+UNIT_CODES = {9001: "metre", 9002: "foot", 9003: "us-survey-foot"}
+UNIT_NAMES = {"metre": "metre", "foot": "foot", "US survey foot": "us-survey-foot"}
+MODEL, CITATION, GEOGRAPHIC, GEOGRAPHIC_CITATION = 1024, 1026, 2048, 2049
+PROJECTED, PROJECTED_CITATION, PROJECTION, LINEAR_UNIT = 3072, 3073, 3074, 3076
+VERTICAL, VERTICAL_UNIT = 4096, 4099
+GEOCENTRIC_MODEL = 3
+UTM = (16000, 16100)
+"""GeoTIFF's codes of UTM projections, north and south: these and the zone."""
+
+
+@dataclass(frozen=True)
+class StatedSystem:
+    """What a header says of its coordinate system.
+
+    Attributes
+    ----------
+    text : str
+        For `lispac.survey.crs.coordinate_system`; empty where the header says nothing usable.
+    name, height_unit : str
+    doubts : tuple of str
+    """
+
+    text: str = ""
+    name: str = "none"
+    height_unit: str = ""
+    doubts: tuple[str, ...] = ()
+
+
+def stated_system(header: LasHeader) -> StatedSystem:
+    """Read the coordinate system of a LAS header; WKT counts before GeoTIFF keys."""
+    records = list(header.vlrs) + list(header.evlrs or ())
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # PROJ's remarks on old WKT
+        for record in records:
+            if isinstance(record, WktCoordinateSystemVlr) and record.string.strip("\0 \n"):
+                return _of_wkt(record.string.strip("\0 \n"))
+        for record in records:
+            if isinstance(record, GeoKeyDirectoryVlr):
+                return _of_keys(*_keys(record, records))
+    return StatedSystem()
+
+
+def _of_wkt(wkt: str) -> StatedSystem:
+    crs = _parsed(wkt)
+    if crs is None:
+        return StatedSystem(
+            doubts=("The WKT of the header is not a coordinate system PROJ knows: give it.",)
+        )
+    code = crs.to_epsg()
+    return StatedSystem(f"EPSG:{code}" if code and CRS(code) == crs else wkt, crs.name)
+
+
+def _keys(
+    directory: GeoKeyDirectoryVlr, records: list[Any]
+) -> tuple[Mapping[int, int], Mapping[int, str]]:
+    """Keys with numbers and keys with texts."""
+    ascii_text = "".join(
+        "\0".join(record.strings) for record in records if isinstance(record, GeoAsciiParamsVlr)
+    )
+    numbers: dict[int, int] = {}
+    texts: dict[int, str] = {}
+    for key in directory.geo_keys:
+        if key.tiff_tag_location == 0:
+            numbers[key.id] = key.value_offset
+        elif key.tiff_tag_location == 34737:
+            text = ascii_text[key.value_offset : key.value_offset + key.count]
+            texts[key.id] = text.strip("|\0 ")
+    return numbers, texts
+
+
+def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str]) -> StatedSystem:
+    doubts: list[str] = []
+    crs: CRS | None = None
+    if numbers.get(MODEL) == GEOCENTRIC_MODEL:
+        crs = _geocentric(numbers.get(GEOGRAPHIC, 0))
+    else:
+        crs = _epsg(numbers.get(PROJECTED, 0))
+        if crs is None and PROJECTED not in numbers:
+            crs = _epsg(numbers.get(GEOGRAPHIC, 0))
+    if crs is None:
+        crs = _by_name(numbers, texts)
+        if crs is not None:
+            doubts.append(
+                f"The header gives no code but the name {crs.name}, taken as "
+                f"EPSG:{crs.to_epsg()}: check it."
+            )
+    if crs is None:
+        given = texts.get(PROJECTED_CITATION) or texts.get(CITATION) or "without a name"
+        return StatedSystem(
+            doubts=(f"The header's coordinate system ({given}) has no known code: give it.",)
+        )
+    unit = UNIT_CODES.get(numbers.get(LINEAR_UNIT, 0), "")
+    own = UNIT_NAMES.get(crs.axis_info[0].unit_name, "")
+    if unit and own and unit != own:
+        doubts.append(
+            f"The header says {unit}, but {crs.name} is in {own}: give the coordinate system "
+            "that the points are in."
+        )
+        return StatedSystem(doubts=tuple(doubts))
+    text = f"EPSG:{crs.to_epsg()}"
+    name = crs.name
+    vertical = numbers.get(VERTICAL, 0)
+    if 5001 <= vertical <= 5033:
+        pass  # GeoTIFF's codes for heights above an ellipsoid
+    elif vertical and (heights := _epsg(vertical)) is not None and heights.is_vertical:
+        text, name = f"{text}+{vertical}", f"{name} + {heights.name}"
+    elif 0 < vertical < 32767:
+        doubts.append(f"The header's code of heights, {vertical}, is not known: state them.")
+    height_unit = UNIT_CODES.get(numbers.get(VERTICAL_UNIT, 0), "")
+    return StatedSystem(text, name, height_unit, tuple(doubts))
+
+
+def _geocentric(code: int) -> CRS | None:
+    crs = _epsg(code)
+    if crs is None or crs.is_geocentric:
+        return crs
+    # Writers give the code of the geographic system of the same datum.
+    return CRS.from_epsg(4978) if code in (4326, 4979) else None
+
+
+def _by_name(numbers: Mapping[int, int], texts: Mapping[int, str]) -> CRS | None:
+    for key in (PROJECTED_CITATION, CITATION, GEOGRAPHIC_CITATION):
+        name = texts.get(key, "").split("|")[0].strip()
+        crs = _parsed(name) if name else None
+        # PROJ also finds what is spelled alike; only the very name will do.
+        if crs is None or crs.name != name or crs.to_epsg() is None:
+            continue
+        if crs.is_projected and crs.utm_zone is not None:
+            base = UTM[crs.utm_zone.endswith("S")]
+            stated = numbers.get(PROJECTION, 32767)
+            if stated not in (32767, base + int(crs.utm_zone[:-1])):
+                continue
+        return crs
+    return None
+
+
+def _epsg(code: int) -> CRS | None:
+    return _parsed(f"EPSG:{code}") if 1024 <= code <= 32766 else None
+
+
+def _parsed(text: str) -> CRS | None:
+    try:
+        return CRS.from_user_input(text)
+    except CRSError:
+        return None

@@ -1,0 +1,214 @@
+"""PCD of the Point Cloud Library, with a time: text, binary or compressed.
+
+open3d's legacy reader drops the time, its tensor reader reads as a whole and without guard against
+damaged files; no kept package reads it. So the header is read here; the compression is LZF.
+"""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.points import (
+    CHUNK,
+    HEAD,
+    PLACE,
+    TIME_FIELD,
+    TIME_UNIT,
+    plainly,
+    require_filled,
+    sniffer,
+)
+from lispac.io.records import Columns, Records, finding, points_of, require_axes, stored
+from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+
+TYPES = {
+    ("I", 1): "<i1", ("I", 2): "<i2", ("I", 4): "<i4", ("I", 8): "<i8",
+    ("U", 1): "<u1", ("U", 2): "<u2", ("U", 4): "<u4", ("U", 8): "<u8",
+    ("F", 4): "<f4", ("F", 8): "<f8",
+}  # fmt: skip
+NEEDED = ("FIELDS", "SIZE", "TYPE", "POINTS")
+EXPANSION = 300
+"""LZF makes at most 264 bytes out of three; a header that claims more is damaged."""
+
+
+@sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """PCD names its version and fields in the first lines."""
+    start = head[:2048]
+    return SURE if b"VERSION" in start and b"FIELDS" in start and b"\0" not in start[:20] else NOT
+
+
+def look(path: Path, choice: Choice) -> Finding:
+    """Read the header and the first points.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or has no time.
+    """
+    records, kind = _header(path)
+    with plainly(records.path, "PCD"):
+        columns = _returns(next(_columns(records, kind, 100_000)))
+        return finding(PCD, columns, records.facts, choice, records.path, records.count)
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read in chunks; other fields keep their names and types.
+
+    A point of which all three coordinates are NaN is no return, as PCL defines it, and left out.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, damaged, cut short, empty, or without time.
+    """
+    settled = PCD.settled(choice)
+    records, kind = _header(path)
+    done = 0
+    with plainly(records.path, "PCD"):
+        for columns in _columns(records, kind, CHUNK):
+            returns = _returns(columns)
+            if len(returns["x"]):
+                yield points_of(returns, settled, records.path, done=done, total=records.count)
+            done += len(columns["x"])
+
+
+def _returns(columns: Columns) -> Columns:
+    missing = np.isnan(columns["x"]) & np.isnan(columns["y"]) & np.isnan(columns["z"])
+    return (
+        {name: values[~missing] for name, values in columns.items()} if missing.any() else columns
+    )
+
+
+def _columns(records: Records, kind: str, rows: int) -> Iterator[Columns]:
+    blocks = stored(records, rows) if kind != "binary_compressed" else _unpacked(records, rows)
+    for columns in blocks:
+        yield {name: values for name, values in columns.items() if not name.startswith("_")}
+
+
+def _header(path: Path) -> tuple[Records, str]:
+    path = require_filled(path, "PCD")
+    with path.open("rb") as file:
+        head = file.read(HEAD)
+    entries: dict[str, list[str]] = {}
+    start = 0
+    while "DATA" not in entries:
+        end = head.find(b"\n", start) + 1
+        if not end:
+            raise InputError(f"{path}: this is not PCD: its header is missing or damaged.")
+        words = head[start:end].decode("ascii", "replace").split()
+        if words and not words[0].startswith("#"):
+            entries[words[0].upper()] = words[1:]
+        start = end
+    kind = (entries["DATA"] or ["missing"])[0].lower()
+    if kind not in ("ascii", "binary", "binary_compressed"):
+        raise InputError(f"{path}: the PCD data kind {kind[:20]} is not known.")
+    if missing := [name for name in NEEDED if not entries.get(name)]:
+        raise InputError(
+            f"{path}: the header of this PCD file has no {', '.join(missing)}; it "
+            "is damaged: export it again."
+        )
+    try:
+        dtype, count = _dtype(entries), int(entries["POINTS"][0])
+    except ValueError as error:
+        raise InputError(
+            f"{path}: the header of this PCD file is damaged ({error}); export it again."
+        ) from error
+    if count < 0:
+        raise InputError(f"{path}: the header of this PCD file is damaged (points {count}).")
+    require_axes(path, dtype.names or ())
+    facts = {"format": f"PCD, {kind.replace('_', ' ')}"}
+    view = entries.get("VIEWPOINT", [])
+    if view and view != ["0", "0", "0", "1", "0", "0", "0"]:
+        facts["viewpoint"] = " ".join(view)[:100] + " (stated, not applied)"
+    return Records(path, dtype, count, start, kind == "ascii", facts), kind
+
+
+def _dtype(entries: Mapping[str, list[str]]) -> np.dtype[Any]:
+    names, sizes, kinds = entries["FIELDS"], entries["SIZE"], entries["TYPE"]
+    counts = entries.get("COUNT", ["1"] * len(names))
+    fields: list[tuple[str, str] | tuple[str, str, tuple[int]]] = []
+    for k, (name, size, kind, many) in enumerate(zip(names, sizes, kinds, counts, strict=True)):
+        number = int(many)
+        if (kind.upper(), int(size)) not in TYPES or not 1 <= number <= 4096:
+            raise ValueError(f"field {name[:20]} of type {kind[:5]}, size {size[:5]}, {many[:9]}")
+        own = TYPES[kind.upper(), int(size)]
+        key = f"_{k}" if name == "_" else name  # padding has no name
+        fields.append((key, own) if number == 1 else (key, own, (number,)))
+    if len({field[0] for field in fields}) != len(fields):
+        raise ValueError("two fields of one name")
+    return np.dtype(fields)
+
+
+def _unpacked(records: Records, rows: int) -> Iterator[Columns]:
+    """Compressed data: one field after the other for all points, so all of it is unpacked."""
+    path, size = records.path, records.path.stat().st_size
+    if not records.count:
+        raise InputError(f"{path}: this line holds no points; leave it out.")
+    with path.open("rb") as file:
+        file.seek(records.start)
+        lengths = np.frombuffer(file.read(8), "<u4")
+        packed = np.frombuffer(file.read(), np.uint8)
+    whole = records.count * records.dtype.itemsize
+    if len(lengths) != 2 or lengths[0] > len(packed) or lengths[1] != whole:
+        raise InputError(
+            f"{path}: the compressed points do not fit the header ({size:,} bytes, "
+            f"{records.count:,} points promised); copy or export it again."
+        )
+    packed = packed[: int(lengths[0])]
+    if whole > EXPANSION * len(packed):
+        raise InputError(f"{path}: the compressed points are damaged; copy or export it again.")
+    data = np.empty(whole, np.uint8)
+    if _lzf(packed, data) != whole:
+        raise InputError(f"{path}: the compressed points are damaged; copy or export it again.")
+    columns, at = {}, 0
+    for name in records.dtype.names or ():
+        field = records.dtype.fields[name][0] if records.dtype.fields else np.dtype("u1")
+        length = field.itemsize * records.count
+        shape = (records.count, *field.shape)
+        columns[name] = data[at : at + length].view(field.base).reshape(shape)
+        at += length
+    for start in range(0, records.count, rows):
+        yield {name: values[start : start + rows] for name, values in columns.items()}
+
+
+@njit(nogil=True, cache=True)
+def _lzf(packed: NDArray[np.uint8], data: NDArray[np.uint8]) -> int:
+    """Unpack LZF; bytes written, or -1 where the packed bytes make no sense."""
+    i = o = 0
+    while i < len(packed):
+        control = int(packed[i])
+        i += 1
+        if control < 32:  # so many plain bytes and one more
+            length = control + 1
+            if i + length > len(packed) or o + length > len(data):
+                return -1
+            for k in range(length):
+                data[o + k] = packed[i + k]
+            i += length
+        else:  # bytes already written, again
+            length = control >> 5
+            if length == 7:
+                if i >= len(packed):
+                    return -1
+                length += int(packed[i])
+                i += 1
+            if i >= len(packed):
+                return -1
+            back = ((control & 31) << 8) + int(packed[i]) + 1
+            i += 1
+            length += 2
+            if back > o or o + length > len(data):
+                return -1
+            for k in range(length):
+                data[o + k] = data[o - back + k]
+        o += length
+    return o
+
+
+PCD = Format("PCD", "pcd", "points", (".pcd",), (TIME_FIELD, TIME_UNIT, *PLACE), sniff, look, read)

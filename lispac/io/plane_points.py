@@ -1,0 +1,83 @@
+"""The 25-column plane files of the thesis prototype, read as points of a line."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from lispac.io.plane_file import COLUMNS, read_table
+from lispac.io.points import (
+    PLACE,
+    place_facts,
+    require_filled,
+    require_points,
+    scale_of,
+    sight,
+    sniffer,
+    table,
+    time_base,
+)
+from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+
+PARTS = {
+    "points_local": slice(1, 4), "attitude": slice(8, 11), "sigma_attitude": slice(11, 14),
+    "position": slice(14, 17), "sigma_position": slice(17, 20), "plane": slice(20, 24),
+}  # fmt: skip
+NAMES = (
+    "key", "X", "Y", "Z", "time", "x lidar", "y lidar", "z lidar", "roll", "pitch", "heading",
+    "s roll", "s pitch", "s heading", "X pos", "Y pos", "Z pos", "s north", "s east", "s up",
+    "a", "b", "c", "d", "plane",
+)  # fmt: skip
+
+
+@sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """25 numbers in the first row, of which 21 to 23 are a unit normal."""
+    row = head.split(b"\n", 1)[0].replace(b",", b" ").split()
+    if len(row) != COLUMNS:
+        return NOT
+    normal = [float(field) for field in row[20:23]]
+    return SURE if abs(np.linalg.norm(normal) - 1) < 1e-3 else NOT
+
+
+def look(path: Path, choice: Choice) -> Finding:
+    """Read the file; plane files are small.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or is not a plane file.
+    """
+    rows = read_table(require_filled(path, "plane"))
+    settled = PLANES.settled(choice)
+    seen = sight(rows[:, 5:8], rows[:, 4], crs="")
+    facts = {
+        "format": "plane file, 25 columns",
+        "points": f"{len(rows):,}",
+        **place_facts(settled),
+        "time base": time_base(rows[:, 4], settled["time_base"]),
+        **seen.facts,
+        "assumed": "LiDAR coordinates are taken, the local ones and the POS states go along; "
+        "points and trajectory share one time base",
+    }
+    doubt = "A plane file holds the points of one target on all lines, not one line."
+    return Finding(facts, table(NAMES, tuple(rows.T)), {}, (doubt, *seen.doubts))
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read as one chunk.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or is not a plane file.
+    """
+    path = require_filled(path, "plane")
+    scale = scale_of(PLANES.settled(choice))
+    rows = read_table(path)
+    require_points(rows[:, 5:8], rows[:, 4], path)
+    extra = {name: rows[:, columns].copy() for name, columns in PARTS.items()}
+    yield PointChunk(rows[:, 5:8] * scale, rows[:, 4].copy(), extra, len(rows))
+
+
+PLANES = Format("Plane file (25 columns)", "planes", "points", (".txt",), PLACE, sniff, look, read)

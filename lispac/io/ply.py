@@ -1,0 +1,143 @@
+"""PLY, text or binary, with a time: the header is read here, the points as records.
+
+open3d reads PLY as a whole and without guard against damaged files; plyfile's licence does not fit.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.points import (
+    CHUNK,
+    HEAD,
+    PLACE,
+    TIME_FIELD,
+    TIME_UNIT,
+    plainly,
+    require_filled,
+    sniffer,
+)
+from lispac.io.records import Records, finding, points_of, require_axes, stored
+from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+
+TYPES = {
+    **dict.fromkeys(("char", "int8"), "i1"), **dict.fromkeys(("uchar", "uint8"), "u1"),
+    **dict.fromkeys(("short", "int16"), "i2"), **dict.fromkeys(("ushort", "uint16"), "u2"),
+    **dict.fromkeys(("int", "int32"), "i4"), **dict.fromkeys(("uint", "uint32"), "u4"),
+    **dict.fromkeys(("int64", "long"), "i8"), **dict.fromkeys(("uint64", "ulong"), "u8"),
+    **dict.fromkeys(("float", "float32"), "f4"), **dict.fromkeys(("double", "float64"), "f8"),
+}  # fmt: skip
+ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
+
+
+@sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """PLY starts with its name in a line of its own."""
+    return SURE if head[:4] in (b"ply\n", b"ply\r") else NOT
+
+
+def look(path: Path, choice: Choice) -> Finding:
+    """Read the header and the first points.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or has no time.
+    """
+    records = _header(path)
+    with plainly(records.path, "PLY"):
+        columns = next(stored(records, 10_000))
+        return finding(PLY, columns, records.facts, choice, records.path, records.count)
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read in chunks; other properties of the vertices keep their names and types.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, damaged, cut short, empty, or without time.
+    """
+    settled = PLY.settled(choice)
+    records = _header(path)
+    done = 0
+    with plainly(records.path, "PLY"):
+        for columns in stored(records, CHUNK):
+            chunk = points_of(columns, settled, records.path, done=done, total=records.count)
+            done += len(chunk.time)
+            yield chunk
+
+
+def _header(path: Path) -> Records:
+    path = require_filled(path, "PLY")
+    with path.open("rb") as file:
+        head = file.read(HEAD)
+    end = head.find(b"end_header")
+    start = head.find(b"\n", end) + 1
+    if head[:3] != b"ply" or end < 0 or not start:
+        raise InputError(f"{path}: this is not PLY: its header is missing or damaged.")
+    order, elements, comments = "", [], []
+    for line in head[:end].decode("ascii", "replace").splitlines():
+        words = line.split()
+        if words[:1] == ["format"] and len(words) > 1:
+            order = words[1]
+        elif words[:1] == ["element"] and len(words) == 3:
+            elements.append((words[1], _count(path, words[2]), list[tuple[str, str]]()))
+        elif words[:1] == ["property"] and elements:
+            elements[-1][2].append((words[-1], " ".join(words[1:-1])))
+        elif words[:1] in (["comment"], ["obj_info"]):
+            comments.append(" ".join(words[1:]))
+    if order not in ORDERS:
+        raise InputError(f"{path}: the PLY format {order or 'missing'} is not known.")
+    for name, count, properties in elements:
+        dtype = _dtype(path, name, properties, ORDERS[order])
+        if name == "vertex":
+            require_axes(path, dtype.names or ())
+            facts = {"format": f"PLY, {order.replace('_', ' ')}"}
+            if comments:
+                facts["comments"] = "; ".join(comments)[:500]
+            return Records(path, dtype, count, start, order == "ascii", facts)
+        if order == "ascii":
+            start = _after_lines(path, start, count)
+        else:
+            start += count * dtype.itemsize
+    raise InputError(f"{path}: this PLY file has no vertices.")
+
+
+def _count(path: Path, text: str) -> int:
+    if not text.isdecimal() or int(text) > 1 << 48:
+        raise InputError(f"{path}: the header of this PLY file is damaged (count {text[:20]}).")
+    return int(text)
+
+
+def _dtype(
+    path: Path, element: str, properties: list[tuple[str, str]], order: str
+) -> np.dtype[Any]:
+    fields: dict[str, str] = {}
+    for name, kind in properties:
+        if kind not in TYPES:
+            raise InputError(
+                f"{path}: {element} has the property {name} of type {kind or 'none'}, which no "
+                "point of a line has; export points alone, without faces."
+            )
+        if name in fields:
+            raise InputError(f"{path}: {element} has two properties {name}; export it again.")
+        fields[name] = order + TYPES[kind]
+    if not fields:
+        raise InputError(f"{path}: {element} has no properties; export it again.")
+    return np.dtype(list(fields.items()))
+
+
+def _after_lines(path: Path, start: int, count: int) -> int:
+    with path.open("rb") as file:
+        file.seek(start)
+        for _ in range(count):
+            if not file.readline(HEAD):
+                break
+        return file.tell()
+
+
+PLY = Format("PLY", "ply", "points", (".ply",), (TIME_FIELD, TIME_UNIT, *PLACE), sniff, look, read)

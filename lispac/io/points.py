@@ -1,0 +1,369 @@
+"""What all readers of points share: the options, and the doubts that numbers alone can raise."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import wraps
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import Cancelled, InputError, LispacError
+from lispac.io.files import require_file
+from lispac.io.registry import NOT, Choice, Option
+from lispac.survey.crs import ELLIPSOID, UNITS, CoordinateSystem, coordinate_system
+from lispac.survey.time_base import KEYS, base_of, plausible
+
+Array = NDArray[np.float64]
+
+CHUNK = 1_000_000
+PREVIEW = 10_000
+"""Points that a look reads."""
+ROWS = 10
+"""Points that a preview shows."""
+HEAD = 65_536
+"""Bytes that a sniff reads."""
+
+SCANNER, GEOREFERENCED = "scanner", "georeferenced"
+FRAME = Option(
+    "frame", "What the coordinates refer to: the scanner, or the map", (SCANNER, GEOREFERENCED),
+    SCANNER,
+)  # fmt: skip
+UNIT = Option("unit", "Unit of scanner-frame coordinates", tuple(UNITS), "metre")
+CRS = Option("crs", "Coordinate system of georeferenced points: EPSG code, EPSG:32619 say, or WKT")
+HEIGHT = Option(
+    "height", "What heights are counted from: ellipsoid, EPSG code of a vertical system, or the "
+    "path of a geoid grid; empty: as the coordinate system says",
+)  # fmt: skip
+HEIGHT_UNIT = Option(
+    "height_unit", "Unit of heights; empty: as the coordinate system says", ("", *UNITS)
+)
+DATUM = Option(
+    "trajectory_datum", "Geographic system of the trajectory, EPSG:7912 say; empty: as the points"
+)
+EPOCH = Option("epoch", "Date of the survey as a decimal year, where datums drift apart")
+TIME_BASE = Option("time_base", "What the times count; empty: as the file says", ("", *KEYS))
+PLACE = (FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE)
+"""Options of every reader: where the points are, and when."""
+
+SECONDS = {"second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9}
+TIME_FIELD = Option("time_field", "Name of the field with the time; empty: by the usual names")
+TIME_UNIT = Option("time_unit", "Unit of the time", tuple(SECONDS), "second")
+TIME_NAMES = (
+    "time", "gps_time", "gpstime", "timestamp", "time_stamp", "t", "scalar_gpstime",
+    "scalar_gps_time", "scalar_time", "scalar_timestamp",
+)  # fmt: skip
+"""Lower case, first one first."""
+
+COARSEST_TIME = 1e-3
+"""Seconds: at 10 deg/s, a brisk turn, a vessel turns by 0.01 deg in it."""
+LARGEST, LARGEST_TIME = 1e9, 1e11
+"""No coordinate on earth in any unit, and no time in seconds, is larger."""
+FAR = 1000.0
+"""Metres beyond which a vessel's scanner hardly sees."""
+
+
+def system_of(choice: Choice) -> CoordinateSystem | None:
+    """The coordinate system of settled options; None for points in the scanner frame.
+
+    Raises
+    ------
+    InputError
+        Where the system is not known or the options contradict each other.
+    """
+    if choice[FRAME.name] == SCANNER:
+        return None
+    epoch = str(choice[EPOCH.name]).strip()
+    try:
+        year = float(epoch) if epoch else None
+    except ValueError:
+        raise InputError(f"{epoch}: not a date as a decimal year; 2024.5 for example.") from None
+    return coordinate_system(
+        choice[CRS.name],
+        height=choice[HEIGHT.name],
+        height_unit=choice[HEIGHT_UNIT.name],
+        trajectory_datum=choice[DATUM.name],
+        epoch=year,
+    )
+
+
+def scale_of(choice: Choice) -> float:
+    """What the coordinates of a file are multiplied by: metres in the scanner frame."""
+    return UNITS[choice[UNIT.name]] if choice[FRAME.name] == SCANNER else 1.0
+
+
+def place_facts(choice: Choice) -> dict[str, str]:
+    """Frame and unit of settled options, in words."""
+    if choice[FRAME.name] == SCANNER:
+        return {
+            "frame": "scanner (LiDAR) frame",
+            "unit": f"{choice[UNIT.name]}, turned into metres",
+        }
+    return {"frame": "georeferenced", "unit": "of the coordinate system"}
+
+
+@contextmanager
+def plainly(path: Path, what: str) -> Iterator[None]:
+    """Turn whatever a library says about a damaged file into one sentence.
+
+    Libraries fail on damaged bytes with errors of any kind, so all are caught; only calls of
+    libraries and of decoders belong inside.
+
+    Raises
+    ------
+    InputError
+    """
+    try:
+        yield
+    except (LispacError, Cancelled):
+        raise
+    except OSError as error:
+        if error.errno is None:  # gzip's word for damaged data
+            raise _damaged(path, what, error) from error
+        raise InputError(
+            f"{path}: cannot be read to its end ({error.strerror or error}); "
+            "check the disk or network drive, or copy it again."
+        ) from error
+    except Exception as error:
+        raise _damaged(path, what, error) from error
+
+
+def _damaged(path: Path, what: str, error: Exception) -> InputError:
+    reason = " ".join(str(error).split())[:120] or type(error).__name__
+    return InputError(f"{path}: cannot be read as {what} ({reason}); copy or export it again.")
+
+
+def sniffer(judge: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
+    """A sniff by the first bytes of a file, which never fails."""
+
+    @wraps(judge)
+    def sniff(path: Path) -> float:
+        try:
+            with Path(path).open("rb") as file:
+                return judge(file.read(HEAD), Path(path))
+        except Exception:  # whatever a stranger's file does to a parser, it is not one of ours
+            return NOT
+
+    return sniff
+
+
+def require_filled(path: Path, what: str) -> Path:
+    """Give the path back where it is a file that can be read and holds something.
+
+    Raises
+    ------
+    InputError
+    """
+    path = require_file(Path(path), what)
+    if path.stat().st_size == 0:
+        raise InputError(f"{path}: this {what} file is empty; copy or export it again.")
+    return path
+
+
+def field_of_time(path: Path, names: Sequence[str], wanted: str) -> str:
+    """The field that holds the time.
+
+    Raises
+    ------
+    InputError
+        Where there is none.
+    """
+    if wanted:
+        if wanted in names:
+            return wanted
+        raise InputError(f"{path}: there is no field {wanted}; it has {', '.join(names)}.")
+    for usual in TIME_NAMES:
+        for name in names:
+            if name.lower() == usual:
+                return name
+    raise InputError(
+        f"{path}: no field holds a time (it has {', '.join(names) or 'none'}), so the points "
+        "cannot be put on the trajectory; export with time, or name the field."
+    )
+
+
+def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -> None:
+    """Refuse coordinates or times that are not numbers, and times too coarse to be used.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,)
+        As stored: its type tells how coarse it is.
+    first : int
+        Points of the file before these.
+
+    Raises
+    ------
+    InputError
+    """
+    good = (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME)  # NaN is not
+    if not good.all():
+        raise InputError(
+            f"{path}: point {first + int(np.argmin(good)) + 1:,} has a coordinate or time that is "
+            f"not a usable number ({int((~good).sum()):,} such points up to here); "
+            "clean or export it again."
+        )
+    step = coarseness(time)
+    if step > COARSEST_TIME:
+        raise InputError(
+            f"{path}: times around {float(np.max(np.abs(time))):,.0f} are stored with 32 bits, in "
+            f"steps of {step:.3g} s: too coarse to put points on the trajectory; "
+            "export with 64-bit time."
+        )
+    if len(time) >= 1000 and (time == time[0]).all():
+        raise InputError(
+            f"{path}: {len(time):,} points share the time {float(time[0]):.6f}; "
+            "the file was written without times: export it with them."
+        )
+
+
+def coarseness(time: NDArray[Any], seconds: float = 1.0) -> float:
+    """Steps of times stored with 32 bits, seconds; zero for 64 bits."""
+    if time.dtype != np.float32 or not len(time):
+        return 0.0
+    return float(np.spacing(np.float32(np.max(np.abs(time))))) * seconds
+
+
+@dataclass(frozen=True)
+class Sight:
+    """What a look at the first points tells; see `sight`.
+
+    Attributes
+    ----------
+    frame : str
+    facts : dict
+    doubts : tuple of str
+    """
+
+    frame: str
+    facts: dict[str, str]
+    doubts: tuple[str, ...]
+
+
+def sight(
+    xyz: Array, time: NDArray[Any], *, crs: str, low: Array | None = None, high: Array | None = None
+) -> Sight:
+    """Judge a file by its first points.
+
+    Parameters
+    ----------
+    xyz : ndarray of shape (n, 3), as stored
+    time : ndarray of shape (n,), seconds
+    crs : str
+        What the file says of its coordinate system; empty where nothing.
+    low, high : ndarray of shape (3,)
+        Bounds the header states, where it does.
+    """
+    doubts: list[str] = []
+    low = xyz.min(axis=0) if low is None else low
+    high = xyz.max(axis=0) if high is None else high
+    farthest = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high))))
+    size = float(np.linalg.norm(high - low))
+    away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
+    facts = {
+        f"{axis} from, to": f"{low[i]:,.3f}, {high[i]:,.3f}" for i, axis in enumerate("xyz")
+    } | {"time from, to": f"{time.min():.6f}, {time.max():.6f} s (first {len(time):,} points)"}
+    on_map = bool(crs) or farthest > 10 * FAR
+    if on_map and not crs:
+        doubts.append(
+            f"Coordinates up to {farthest:,.0f} are too large for the scanner frame and the file "
+            "names no coordinate system: give its EPSG code."
+        )
+    elif crs and farthest < FAR and not _is_geographic(crs):
+        doubts.append(
+            "The file names a coordinate system, but its coordinates are small enough for the "
+            "scanner frame: check which it is."
+        )
+    elif not on_map and farthest > FAR:
+        doubts.append(
+            f"Points lie up to {farthest:,.0f} from the origin, farther than a vessel's scanner "
+            "sees: check the unit (feet, millimetres?) and the frame."
+        )
+    elif not on_map and away > max(3 * size, 200.0):
+        doubts.append(
+            f"All points lie {away:,.0f} or more from the origin, so it is hardly the scanner: "
+            "check the frame."
+        )
+    elif len(xyz) > 100 and _looks_geographic(low, high) and (high - low)[:2].max() < 0.02:
+        doubts.append(
+            "The first two coordinates vary by less than 0.02: these may be degrees of longitude "
+            "and latitude; check the frame."
+        )
+    return Sight(
+        GEOREFERENCED if on_map else SCANNER, facts, (*doubts, *time_doubts(time, len(xyz)))
+    )
+
+
+def time_doubts(time: NDArray[Any], count: int) -> tuple[str, ...]:
+    """Doubts about times, seconds as stored."""
+    doubts = []
+    step = coarseness(time)
+    rounded = time.astype(np.float32)
+    hidden = float(np.spacing(np.max(np.abs(rounded)))) if len(rounded) else 0.0
+    if step > COARSEST_TIME / 10:
+        doubts.append(f"Times are stored with 32 bits, in steps of {step:.3g} s: export with 64.")
+    elif (
+        time.dtype == np.float64
+        and count > 100
+        and hidden > COARSEST_TIME
+        and (time == rounded).all()
+    ):
+        doubts.append(
+            f"Times look as if they had passed through 32 bits (steps of {hidden:.3g} s): "
+            "points may be put on the wrong pose; export with 64-bit time."
+        )
+    if np.issubdtype(time.dtype, np.integer):
+        doubts.append("Times are whole numbers: check their unit.")
+    elif count > 1 and (time == time[0]).all():
+        doubts.append("All points looked at share one time: the file may hold no times.")
+    backward = int(np.count_nonzero(np.diff(time.astype(np.float64)) < 0))
+    if backward:
+        doubts.append(
+            f"Times run backward {backward:,} times in the first {count:,} points; "
+            "points are taken in the order of the file."
+        )
+    return tuple(doubts)
+
+
+def time_base(time: NDArray[np.float64], stated: str) -> str:
+    """The time base in words: as stated, or those the values fit; the trajectory decides."""
+    if stated:
+        return f"{base_of(stated).name}, stated"
+    fitting = " or ".join(base.name for base in plausible(time))
+    return f"not stated; the values fit {fitting}" if fitting else "not stated"
+
+
+def base_doubts(time: NDArray[np.float64], stated: str) -> tuple[str, ...]:
+    """Doubts where times cannot be what the file states."""
+    if not stated or not len(time) or stated in {base.key for base in plausible(time)}:
+        return ()
+    fitting = " or ".join(base.name for base in plausible(time)) or "no known time base"
+    return (
+        f"The file states {base_of(stated).name}, but times such as {float(time[0]):.3f} are "
+        f"{fitting}: choose the time base.",
+    )
+
+
+def table(names: Sequence[str], columns: Sequence[NDArray[Any]]) -> tuple[tuple[str, ...], ...]:
+    """First rows of columns as text, the names at the head."""
+    rows = zip(*(column[:ROWS].tolist() for column in columns), strict=True)
+    return (tuple(names), *(tuple(_shown(value) for value in row) for row in rows))
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.6f}".rstrip("0").rstrip(".") if abs(value) >= 1e-3 else f"{value:g}"
+    return str(value)
+
+
+def _looks_geographic(low: Array, high: Array) -> bool:
+    return bool(abs(low[:2]).max() <= 360 and abs(high[:2]).max() <= 360)
+
+
+def _is_geographic(crs: str) -> bool:
+    try:
+        return coordinate_system(crs, height=ELLIPSOID).is_geographic
+    except InputError:
+        return False

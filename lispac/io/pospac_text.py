@@ -1,0 +1,217 @@
+"""Text exports of Applanix POSPac (POS Export Utility).
+
+After a title and the settings comes a line of column names between commas, then a line of units in
+parentheses, then rows between blanks:
+
+    TIME, DISTANCE, EASTING, NORTHING, ELLIPSOID HEIGHT, LATITUDE, LONGITUDE, ..., HEADING SD
+    (time in Sec, distance in Meters, position in Meters, lat, long in Degrees, ...)
+
+The reader goes by these names and units, never by position. Signs are Applanix's: roll positive
+starboard down, pitch positive bow up.
+"""
+
+import re
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.io.exail import default_unit, unit_of
+from lispac.io.registry import LIKELY, NOT, SURE, Choice, Finding
+from lispac.io.text_table import fields_of, first_lines, is_data, lines_of
+from lispac.io.trajectory_columns import (
+    Column,
+    Conventions,
+    Rows,
+    accuracy_of,
+    role_of,
+    trajectory_of,
+)
+from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+_MAKER = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)
+_UNIT = re.compile(
+    r"([A-Za-z][A-Za-z ,]*?)\s+in\s+([A-Za-z./]+(?:\s+(?:Min\w*|Survey \w+))?)", re.I
+)
+_FACTS = {
+    "Date of Mission": "Date of mission",
+    "Mapping frame datum": "Mapping frame",
+    "POSPROC SBET file": "Made from",
+}
+
+
+def sniff_pospac(path: Path) -> float:
+    """How sure it is that this is such an export, by its title and line of names."""
+    lines = first_lines(path)
+    found = _names_line(lines)
+    if found is None:
+        return NOT
+    if any(_MAKER.search(line) for line in lines[: found[0]]):
+        return SURE
+    following = lines[found[0] + 1 : found[0] + 4]
+    return LIKELY if any(line.strip().startswith("(time in") for line in following) else NOT
+
+
+def sniff_pospac_accuracy(path: Path) -> float:
+    """As `sniff_pospac`, where all standard deviations are there."""
+    sureness = sniff_pospac(path)
+    if not sureness:
+        return NOT
+    return sureness if has_sigmas(pospac_layout(path).columns) else NOT
+
+
+def pospac_layout(path: Path) -> TextLayout:
+    """Columns by the line of names and the line of units.
+
+    Raises
+    ------
+    InputError
+        Where there is no line of names, or positions are not in decimal degrees.
+    """
+    lines = first_lines(path)
+    found = _names_line(lines)
+    if found is None:
+        # Reading the first line tells a missing, empty or binary file from one without names.
+        next(lines_of(path, "POSPac text"), None)
+        raise InputError(
+            f"{path}: no line names the columns (TIME, ..., LATITUDE, LONGITUDE, ...); export with "
+            "the header, or read the file as generic text and state the columns."
+        )
+    start, names = found
+    units_line = next(
+        (line for line in lines[start + 1 : start + 5] if line.strip().startswith("(")), ""
+    )
+    stated = _stated_units(units_line)
+    columns: list[Column] = []
+    doubts: list[str] = []
+    for index, name in enumerate(names):
+        role = role_of(name)
+        if not role or any(column.role == role for column in columns):
+            continue
+        unit = stated.get(_group(role), "")
+        if not unit:
+            unit = default_unit(role)
+            doubts.append(f"The header gives no unit for {name.lower()}; {unit} is taken.")
+        if unit in ("dms", "clock"):
+            raise InputError(
+                f"{path}: {name.lower()} is in degrees, minutes and seconds or in hours; export "
+                "decimal degrees and seconds."
+            )
+        columns.append(Column(role, index, name, unit))
+    facts = {"Header": "POSPac text export"}
+    for line in lines[:start]:
+        key, colon, value = line.strip().partition(":")
+        if colon and key.strip() in _FACTS and value.strip():
+            facts[_FACTS[key.strip()]] = value.strip().rstrip(";").strip()
+    return TextLayout(tuple(columns), names, "auto", pospac_rows, facts, tuple(doubts))
+
+
+def pospac_rows(path: Path) -> Rows:
+    """Rows of data, split; everything up to the line of names is passed over."""
+    found = _names_line(first_lines(path))
+    start = found[0] + 1 if found else 0
+    for row, line in lines_of(path, "POSPac text"):
+        if row <= start or not line.strip():
+            continue
+        fields = fields_of(line)
+        if line.strip().startswith("("):
+            continue
+        if not is_data(fields):
+            raise InputError(
+                f"{path}, row {row:,}: {line.strip()[:40]!r} is not a row of numbers; export the "
+                "file again."
+            )
+        yield row, fields
+
+
+def look_pospac(path: Path, choice: Choice) -> Finding:
+    """Header, first rows and doubts."""
+    path = Path(path)
+    layout = pospac_layout(path)
+    found = {"crs": "", "time": "gps-week"} | dict(choice)
+    return look_at_text(path, layout, _conventions(layout, found), found)
+
+
+def read_pospac(path: Path, choice: Choice) -> Trajectory:
+    """Read the trajectory.
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    layout = pospac_layout(path)
+    said = ("POSPac text: columns and units by the header", *layout.doubts)
+    conventions = _conventions(layout, choice)
+    return trajectory_of(path, pospac_rows(path), layout.columns, conventions, said)
+
+
+def look_pospac_accuracy(path: Path, choice: Choice) -> Finding:
+    """Size of the standard deviations."""
+    path = Path(path)
+    layout = pospac_layout(path)
+    return look_at_accuracy(path, layout, _conventions(layout, choice))
+
+
+def read_pospac_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
+    """Read the standard deviations.
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    layout = pospac_layout(path)
+    return accuracy_of(path, pospac_rows(path), layout.columns, _conventions(layout, choice))
+
+
+def _names_line(lines: list[str]) -> tuple[int, tuple[str, ...]] | None:
+    """Index and names of the line of column names."""
+    for index, line in enumerate(lines):
+        if not line.strip().upper().startswith("TIME") or line.count(",") < 4:
+            continue
+        names = tuple(name.strip() for name in line.split(","))
+        if sum(bool(role_of(name)) for name in names) >= 5:
+            return index, names
+    return None
+
+
+def _stated_units(line: str) -> dict[str, str]:
+    """Unit of each group of columns, out of the line in parentheses."""
+    units: dict[str, str] = {}
+    for what, unit in _UNIT.findall(line):
+        words = what.lower()
+        key = "m" if unit.lower() == "m" else unit_of(unit)
+        if unit.lower().startswith("sec"):
+            key = "s"
+        if "position sd" in words:
+            units["position_sd"] = key
+        elif "orientation" in words:
+            units.setdefault("attitude", key)
+            if "sd" in words:
+                units["attitude_sd"] = key
+        elif "lat" in words:
+            units["geographic"] = key
+        elif "position" in words:
+            units["position"] = key
+        elif "time" in words:
+            units["time"] = key
+    return units
+
+
+def _group(role: str) -> str:
+    """Group of columns that the line of units speaks of."""
+    if role in ("latitude", "longitude"):
+        return "geographic"
+    if role.removesuffix("_sd") in ("roll", "pitch", "heading"):
+        return "attitude_sd" if role.endswith("_sd") else "attitude"
+    if role.endswith("_sd"):
+        return "position_sd"
+    return role if role == "time" else "position"
+
+
+def _conventions(layout: TextLayout, choice: Choice) -> Conventions:
+    roles = {column.role for column in layout.columns}
+    geographic = roles.issuperset({"latitude", "longitude"})
+    return Conventions(
+        time=choice.get("time", "gps-week"), crs="" if geographic else choice.get("crs", "")
+    )

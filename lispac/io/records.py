@@ -1,0 +1,222 @@
+"""Points as records of fields after a text header: what PLY and PCD have in common."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.points import (
+    PREVIEW,
+    SECONDS,
+    base_doubts,
+    coarseness,
+    field_of_time,
+    place_facts,
+    require_points,
+    scale_of,
+    sight,
+    table,
+    time_base,
+)
+from lispac.io.registry import Choice, Finding, Format, PointChunk
+
+LARGEST = 1 << 28  # bytes of records read at once
+Columns = Mapping[str, NDArray[Any]]
+
+
+@dataclass(frozen=True)
+class Records:
+    """Where the points of a file lie and what they hold.
+
+    Attributes
+    ----------
+    path : Path
+    dtype : numpy.dtype
+        Structured: the fields of one point, in the byte order of the file.
+    count : int
+        Points the header promises.
+    start : int
+        Byte at which they begin.
+    ascii : bool
+        Whether they are text, one point a row.
+    facts : mapping of str to str
+        What else the header says.
+    """
+
+    path: Path
+    dtype: np.dtype[Any]
+    count: int
+    start: int
+    ascii: bool
+    facts: Mapping[str, str]
+
+    def require_whole(self) -> None:
+        """Refuse a header that promises more than the file holds.
+
+        Raises
+        ------
+        InputError
+        """
+        if not self.count:
+            raise InputError(f"{self.path}: this line holds no points; leave it out.")
+        least = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
+        held = (self.path.stat().st_size - self.start) // least
+        if held < self.count - (1 if self.ascii else 0):
+            raise InputError(
+                f"{self.path}: the header promises {self.count:,} points, the file has room for "
+                f"{max(held, 0):,}; it is cut short: copy or export it again."
+            )
+
+
+def stored(records: Records, rows: int) -> Iterator[Columns]:
+    """Columns of up to ``rows`` points at once, as stored.
+
+    Raises
+    ------
+    InputError
+        Where the file ends early.
+    """
+    records.require_whole()
+    rows = max(1, min(rows, LARGEST // records.dtype.itemsize))
+    with records.path.open("rb") as file:
+        file.seek(records.start)
+        done = 0
+        while done < records.count:
+            wanted = min(rows, records.count - done)
+            block = (
+                _text(file, records, wanted, done)
+                if records.ascii
+                else _binary(file, records, wanted)
+            )
+            if len(block) != wanted:
+                raise InputError(
+                    f"{records.path}: the header promises {records.count:,} points, the file "
+                    f"holds {done + len(block):,}; copy or export it again."
+                )
+            done += wanted
+            yield {name: block[name] for name in records.dtype.names or ()}
+
+
+def _binary(file: IO[bytes], records: Records, wanted: int) -> NDArray[Any]:
+    data = file.read(wanted * records.dtype.itemsize)
+    return np.frombuffer(data[: len(data) // records.dtype.itemsize * records.dtype.itemsize],
+                         records.dtype)  # fmt: skip
+
+
+def _text(file: IO[bytes], records: Records, wanted: int, done: int) -> NDArray[Any]:
+    lines = []
+    for _ in range(wanted):
+        line = file.readline(1 << 16)
+        if not line:
+            break
+        lines.append(line.decode("ascii", "replace"))
+    if not lines:
+        return np.empty(0, records.dtype)
+    try:
+        return np.loadtxt(lines, dtype=records.dtype, ndmin=1, comments=None)
+    except ValueError as error:
+        for number, text in enumerate(lines, start=done + 1):
+            try:
+                np.loadtxt([text], dtype=records.dtype, ndmin=1, comments=None)
+            except ValueError:
+                raise InputError(
+                    f"{records.path}: point {number:,} reads {text.strip()[:60]!r}, which is not "
+                    f"{len(records.dtype.names or ())} numbers as the header says; "
+                    "copy or export it again."
+                ) from error
+        raise
+
+
+def points_of(
+    columns: Columns, choice: Choice, path: Path, *, done: int, total: int | None
+) -> PointChunk:
+    """A chunk of columns named x, y, z and a time.
+
+    Raises
+    ------
+    InputError
+        Where there is no time, or a value is not a number.
+    """
+    name = field_of_time(path, tuple(columns), str(choice["time_field"]))
+    if columns[name].ndim > 1:
+        raise InputError(f"{path}: the field {name} holds more than one value a point.")
+    xyz = np.stack([columns[axis].astype(np.float64) for axis in "xyz"], axis=1)
+    time = columns[name]
+    factor = SECONDS[choice["time_unit"]]
+    in_seconds = time * np.float32(factor) if time.dtype == np.float32 else time * factor
+    require_points(xyz, in_seconds, path, done)
+    extra = {
+        key: np.ascontiguousarray(values).astype(values.dtype.newbyteorder("="), copy=False)
+        for key, values in columns.items()
+        if key not in ("x", "y", "z", name)
+    }
+    return PointChunk(xyz * scale_of(choice), in_seconds.astype(np.float64), extra, total)
+
+
+def require_axes(path: Path, names: tuple[str, ...]) -> None:
+    """Refuse fields without x, y and z.
+
+    Raises
+    ------
+    InputError
+    """
+    if missing := [axis for axis in "xyz" if axis not in names]:
+        raise InputError(
+            f"{path}: the points have no {', '.join(missing)} (fields: "
+            f"{', '.join(names) or 'none'}); export them with coordinates and time."
+        )
+
+
+def finding(
+    format_: Format, columns: Columns, facts: Mapping[str, str], choice: Choice, path: Path,
+    count: int | None,
+) -> Finding:  # fmt: skip
+    """What a look at the first points tells.
+
+    Parameters
+    ----------
+    facts : mapping of str to str
+        What the header says.
+    count : int or None
+        Points in the whole file.
+    """
+    given, choice = choice, format_.settled(choice)
+    first = {name: values[:PREVIEW] for name, values in columns.items()}
+    field = field_of_time(path, tuple(first), str(choice["time_field"]))
+    chunk = points_of(first, {**choice, "unit": "metre"}, path, done=0, total=count)
+    stored_time = first[field]
+    seen = sight(chunk.xyz, chunk.time, crs=str(choice["crs"]))
+    doubts = list(seen.doubts)
+    step = coarseness(stored_time, SECONDS[choice["time_unit"]])
+    if step > 1e-4:
+        doubts.append(f"Times are stored with 32 bits, in steps of {step:.2g} s: export with 64.")
+    if np.issubdtype(stored_time.dtype, np.integer) and choice["time_unit"] == "second":
+        doubts.append(f"The time {field} is in whole numbers: state its unit.")
+    farthest = float(np.abs(chunk.xyz).max())
+    grain = float(np.spacing(np.float32(farthest)))
+    if any(first[axis].dtype == np.float32 for axis in "xyz") and grain > 1e-3:
+        doubts.append(
+            f"Coordinates are stored with 32 bits, in steps of {grain * 1000:.0f} mm at "
+            f"{farthest:,.0f}: the points are no better than that; export with 64."
+        )
+    found = {"frame": seen.frame, "time_field": field}
+    settled = format_.settled({**found, **given})
+    return Finding(
+        {
+            **facts,
+            **({} if count is None else {"points": f"{count:,}"}),
+            **place_facts(settled),
+            "time base": time_base(chunk.time, str(choice["time_base"])),
+            **seen.facts,
+            "fields": ", ".join(first),
+            "assumed": f"{field} is the time in {choice['time_unit']}s; "
+            "points and trajectory share one time base",
+        },
+        table(tuple(first), tuple(first.values())),
+        found,
+        (*doubts, *base_doubts(chunk.time, str(choice["time_base"]))),
+    )

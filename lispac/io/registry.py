@@ -1,0 +1,147 @@
+"""The formats the program reads, behind one list.
+
+A format says what it is called, how its files end, how sure it is that a file is one of its own,
+what the user may have to state, and how to read it. The import dialogue, the command line and the
+tests all work on this list; nothing else knows which formats there are.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+Kind = Literal["trajectory", "accuracy", "points"]
+Choice = Mapping[str, Any]
+"""Options by name, as the user or a detection has settled them."""
+
+SURE, LIKELY, POSSIBLE, NOT = 1.0, 0.7, 0.3, 0.0
+"""How sure a format is of a file: its magic or structure fits it alone; structure and values fit;
+nothing speaks against it; it is not one."""
+
+
+@dataclass(frozen=True)
+class Option:
+    """Something a file does not say by itself.
+
+    Attributes
+    ----------
+    name : str
+        As in the project file and at the command line.
+    meaning : str
+        One sentence for the dialogue.
+    choices : tuple of str
+        What may be chosen; empty where it is free text (a column mapping, say).
+    default : str
+        Used where neither user nor detection says otherwise.
+    """
+
+    name: str
+    meaning: str
+    choices: tuple[str, ...] = ()
+    default: str = ""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a look into a file told.
+
+    Attributes
+    ----------
+    facts : mapping of str to str
+        For the preview: header entries, counts, spans, frame, unit, time base.
+    rows : tuple of tuple of str
+        First rows, the names of the columns at the head.
+    choice : mapping
+        Options as detected.
+    doubts : tuple of str
+        A sentence for each thing the user should look at before importing.
+    """
+
+    facts: Mapping[str, str]
+    rows: tuple[tuple[str, ...], ...] = ()
+    choice: Choice = None  # type: ignore[assignment]
+    doubts: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.choice is None:
+            object.__setattr__(self, "choice", {})
+
+
+@dataclass(frozen=True, eq=False)
+class PointChunk:
+    """Some points of a line, as the file has them.
+
+    Attributes
+    ----------
+    xyz : ndarray of shape (n, 3)
+        In the frame and unit that the reader's assumptions state.
+    time : ndarray of shape (n,), seconds, in the file's time base
+    extra : mapping of str to ndarray of shape (n, ...)
+        Whatever else the file has, under its own names and types; ``intensity`` where there is one.
+    total : int or None
+        Points in the whole file, where it says so.
+    """
+
+    xyz: NDArray[np.float64]
+    time: NDArray[np.float64]
+    extra: Mapping[str, NDArray[Any]]
+    total: int | None = None
+
+
+@dataclass(frozen=True)
+class Format:
+    """One format of files.
+
+    Attributes
+    ----------
+    name : str
+        As in the dialogue: ``Applanix SBET``.
+    key : str
+        As in the project file and at the command line: ``sbet``.
+    kind : {"trajectory", "accuracy", "points"}
+    endings : tuple of str
+        Lower case, with the dot.
+    options : tuple of Option
+    sniff : callable
+        Path to how sure the format is that the file is one of its own; reads the beginning alone
+        and never fails on whatever bytes it finds.
+    look : callable
+        Path and options to a `Finding`; reads as little as that takes.
+    read : callable
+        Path and options to a `Trajectory` or `TrajectoryAccuracy`; for points, to an iterator of
+        `PointChunk` of about a million points each.
+    """
+
+    name: str
+    key: str
+    kind: Kind
+    endings: tuple[str, ...]
+    options: tuple[Option, ...]
+    sniff: Callable[[Path], float]
+    look: Callable[[Path, Choice], Finding]
+    read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy | Iterator[PointChunk]]
+
+    def settled(self, choice: Choice) -> dict[str, str]:
+        """All options: those of ``choice``, the others by default.
+
+        Raises
+        ------
+        InputError
+            Where there is no such option or choice.
+        """
+        known = {option.name: option for option in self.options}
+        for name, value in choice.items():
+            if name not in known:
+                raise InputError(f"{self.name} has no option {name}; leave it out.")
+            choices = known[name].choices
+            if choices and value not in choices:
+                raise InputError(
+                    f"{self.name}: {name} cannot be {value}; choose {' or '.join(choices)}."
+                )
+        return {name: choice.get(name, option.default) for name, option in known.items()}

@@ -1,0 +1,222 @@
+"""What an SBET's own numbers tell about how its writer made it.
+
+The format is bare numbers. Their order, unit and byte order show in their size, frames and signs in
+the motion (`lispac.io.sbet_motion`).
+"""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.files import require_file
+from lispac.io.sbet import SbetOptions
+from lispac.io.sbet_motion import signs_of, velocity_frame
+from lispac.io.trajectory_facts import Motion, course_doubts, facts_of, motion_of, time_doubts
+from lispac.survey.time_base import plausible, unrolled
+
+Array = NDArray[np.float64]
+
+RECORD = 17 * 8
+BLOCK, BLOCKS = 1000, 60
+"""Records a block, and blocks looked at where a file has more: five seconds each at 200 Hz."""
+
+
+MOST_TIMES = 1_000_000
+"""Times looked through for disorder and gaps; of more, every n-th."""
+
+
+@dataclass(frozen=True)
+class Detection:
+    """What was found: options, facts for the preview, and a sentence for each doubt."""
+
+    options: SbetOptions
+    facts: dict[str, str]
+    doubts: tuple[str, ...]
+    head: Array
+
+
+def blocks_of(path: Path, byte_order: str = "<") -> tuple[list[Array], int]:
+    """Blocks of neighbouring records, spread over the file, and the count of records.
+
+    Returns
+    -------
+    list of ndarray of shape (n, 17)
+    int
+    """
+    try:
+        whole = Path(path).stat().st_size // RECORD
+        if not whole:
+            return [], 0
+        records = np.memmap(path, dtype=f"{byte_order}f8", mode="r", shape=(whole, 17))
+        if whole <= BLOCK * BLOCKS:
+            starts = np.array([0])
+            length = whole
+        else:
+            starts, length = np.linspace(0, whole - BLOCK, BLOCKS).astype(np.int64), BLOCK
+        return [np.array(records[k : k + length], dtype=np.float64) for k in starts], whole
+    except (OSError, ValueError):
+        return [], 0
+
+
+def _times(path: Path, byte_order: str, count: int) -> Array:
+    """Times of all records, or of every n-th where there are many."""
+    mark = "<" if byte_order == "little-endian" else ">"
+    records = np.memmap(path, dtype=f"{mark}f8", mode="r", shape=(count, 17))
+    return np.array(records[:: 1 + count // MOST_TIMES, 0], dtype=np.float64)
+
+
+def fits(head: Array) -> float:
+    """How well first records of shape (n, 17) fit an SBET in radians, from 0 to 1."""
+    if len(head) < 2 or not np.isfinite(head).all():
+        return 0.0
+    time, angles = head[:, 0], head[:, 7:11]
+    if not plausible(time) or np.abs(head).max() > 1e11:
+        return 0.0
+    sound = [
+        bool((np.diff(time) > 0).all() and np.diff(time).max() < 60),
+        bool(np.abs(head[:, 1]).max() <= np.pi / 2 and np.abs(head[:, 2]).max() <= 2 * np.pi),
+        bool(np.abs(head[:, 3]).max() < 2e4 and np.abs(head[:, 4:7]).max() < 1000),
+        bool(np.abs(angles[:, :2]).max() <= np.pi and np.abs(angles[:, 2:]).max() <= 1000),
+        # Tiny numbers everywhere are other bytes read as numbers.
+        bool((np.abs(head[:, 1:3]) > 1e-9).any()),
+    ]
+    return sum(sound) / len(sound)
+
+
+def byte_order_of(path: Path) -> tuple[str, float]:
+    """Byte order in which the first records fit better, and how well they do."""
+    scores = {}
+    for name, mark in (("little-endian", "<"), ("big-endian", ">")):
+        try:
+            with Path(path).open("rb") as file:
+                head = file.read(100 * RECORD)
+        except OSError:
+            return "little-endian", 0.0
+        head = head[: len(head) // RECORD * RECORD]
+        scores[name] = fits(np.frombuffer(head, dtype=f"{mark}f8").reshape(-1, 17))
+    best = max(scores, key=lambda name: scores[name])
+    return best, scores[best]
+
+
+def detect_sbet(path: Path) -> Detection:
+    """Look at an SBET and find its options.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, empty or shorter than two records.
+    """
+    path = require_file(Path(path), "SBET")
+    size = path.stat().st_size
+    if size < 2 * RECORD:
+        raise InputError(
+            f"{path}: {size:,} bytes are {'nothing' if not size else 'not two SBET records'}; "
+            "export it again."
+        )
+    doubts: list[str] = []
+    byte_order, _ = byte_order_of(path)
+    options = SbetOptions(byte_order=byte_order)
+    if byte_order == "big-endian":
+        doubts.append("The numbers are big-endian, which SBET is not; check who wrote the file.")
+    blocks, count = blocks_of(path, "<" if byte_order == "little-endian" else ">")
+    if not blocks:
+        raise InputError(f"{path}: this SBET file cannot be read; check that the disk is there.")
+    head = blocks[0][:5]
+    if size % RECORD:
+        doubts.append(
+            f"The file ends within a record ({size % RECORD} of {RECORD} bytes): it is cut short "
+            "or not SBET; copy or export it again."
+        )
+    facts = {"Records": f"{count:,}"}
+    sound = [block[np.isfinite(block).all(axis=1)] for block in blocks]
+    lost = sum(len(block) for block in blocks) - sum(len(block) for block in sound)
+    if lost:
+        doubts.append(f"{lost:,} of the records looked at hold values that are not numbers.")
+    usable = [block for block in sound if len(block) > 2]
+    if not usable or max(float(np.abs(block).max()) for block in usable) > 1e11:
+        doubts.append("The numbers are not those of an SBET; choose the format the file has.")
+        return Detection(options, facts, tuple(doubts), head)
+    time = _times(path, options.byte_order, count)
+    if not np.isfinite(time).all():
+        time = np.concatenate([block[:, 0] for block in usable])
+    return _examined(usable, options, facts, doubts, head, time)
+
+
+def _examined(
+    blocks: list[Array],
+    options: SbetOptions,
+    facts: dict[str, str],
+    doubts: list[str],
+    head: Array,
+    time: Array,
+) -> Detection:
+    """Detection from blocks of finite records, and all times where they are not too many."""
+    table = np.vstack(blocks)
+    options, said = _unit_and_order(table, options)
+    doubts += said
+    if options.unit == "degrees":
+        blocks = [_in_radians(block) for block in blocks]
+    motions = [_motions(block) for block in blocks]
+    options, facts["Velocities"], said = velocity_frame(blocks, motions, options)
+    doubts += said
+    if options.order == "longitude-latitude":
+        blocks = [block[:, [0, 2, 1, *range(3, 17)]] for block in blocks]
+        motions = [(exchanged, own) for own, exchanged in motions]
+    options, facts["Roll and pitch"], said = signs_of(blocks, options)
+    doubts += said
+    bases = plausible(table[:, 0])
+    if bases:
+        options = replace(options, time=bases[0].key)
+    table = np.vstack(blocks)
+    _, latitude, longitude, height = table[:, :4].T
+    speed = np.concatenate([own.speed for own, _ in motions])
+    facts.update(facts_of(time, latitude, longitude, height, speed))
+    wander = np.degrees(table[:, 10])
+    facts["Wander angle"] = f"{wander.min():.4f} to {wander.max():.4f} deg"
+    doubts += time_doubts(unrolled(time)[0], options.time)
+    if options.order == "latitude-longitude":
+        headings = [
+            block[:, 9] - (block[:, 10] if options.heading == "minus-wander" else 0)
+            for block in blocks
+        ]
+        doubts += course_doubts(motions, headings)
+    return Detection(options, facts, tuple(doubts), head)
+
+
+def _unit_and_order(table: Array, options: SbetOptions) -> tuple[SbetOptions, list[str]]:
+    """Degrees for radians, and an order that the range of latitude rules out."""
+    first, second = (float(np.abs(table[:, k]).max()) for k in (1, 2))
+    if max(first, second) > 2 * np.pi:
+        if max(first, second) > 360:
+            return options, [
+                f"Latitude and longitude reach {max(first, second):.6g} and can be neither "
+                "radians nor degrees; choose the format the file has."
+            ]
+        said = ["Latitude and longitude look like degrees; all angles are taken to be in degrees."]
+        if np.abs(table[:, 9]).max() <= 2 * np.pi:
+            said.append(
+                "The heading stays below 6.3 and may be in radians although the positions are in "
+                "degrees; export the file in radians to be sure."
+            )
+        return replace(options, unit="degrees"), said
+    if first > np.pi / 2 and second <= np.pi / 2:
+        return replace(options, order="longitude-latitude"), [
+            "The first of the two positions exceeds 90 deg, so longitude is taken to stand before "
+            "latitude."
+        ]
+    return options, []
+
+
+def _in_radians(block: Array) -> Array:
+    block = block.copy()
+    block[:, [1, 2, 7, 8, 9, 10]] = np.radians(block[:, [1, 2, 7, 8, 9, 10]])
+    return block
+
+
+def _motions(block: Array) -> tuple[Motion, Motion]:
+    """Velocities from positions, as the file has them and with latitude and longitude exchanged."""
+    time, first, second, height = block[:, :4].T
+    return motion_of(time, first, second, height), motion_of(time, second, first, height)

@@ -1,0 +1,281 @@
+"""What the motion in an SBET tells about its velocity frame, heading and signs.
+
+The frame of the velocities shows when they are compared with the positions, and with it whether the
+heading counts from the wander azimuth. The signs of roll and pitch show in the angular rates, where
+there are any. Roll in turns and pitch against vertical velocity are not used: a vessel may heel to
+either side in a turn, and pitches about its heave a quarter of a wave apart.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.io.sbet import AXES, SbetOptions
+from lispac.io.trajectory_facts import MOVING, Motion, wrapped
+
+Array = NDArray[np.float64]
+
+FITTING, APART = 0.02, 3.0
+"""Part of the speed by which velocities may miss, and by how many times the next must miss more."""
+
+SMALLEST_WANDER = 1e-4
+"""Radians below which a wander angle changes nothing."""
+
+
+def in_frame(axes: str, velocity: Array, wander: Array) -> Array:
+    """North, east and up, shape (n, 3), of velocities in the axes of that key (`AXES`)."""
+    x, y, z = velocity.T
+    if axes.startswith("wander"):
+        right = -y if axes == "wander-nwu" else y
+        north = x * np.cos(wander) + right * np.sin(wander)
+        east = right * np.cos(wander) - x * np.sin(wander)
+        return np.stack([north, east, z if axes.endswith("u") else -z], axis=1)
+    named = {"n": 1.0, "s": -1.0, "e": 1.0, "w": -1.0, "u": 1.0, "d": -1.0}
+    place = {"n": 0, "e": 1, "w": 1, "u": 2, "d": 2}
+    turned = np.empty_like(velocity)
+    for axis, values in zip(axes, (x, y, z), strict=True):
+        turned[:, place[axis]] = named[axis] * values
+    return turned
+
+
+def velocity_frame(
+    blocks: Sequence[Array], motions: Sequence[tuple[Motion, Motion]], options: SbetOptions
+) -> tuple[SbetOptions, str, list[str]]:
+    """Frame of the velocities and what follows from it, by comparison with the positions."""
+    velocity, wander, own, exchanged = _moving(blocks, motions)
+    turns = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
+    unchecked = (
+        ""
+        if turns < SMALLEST_WANDER
+        else " The platform heading is taken less the wander angle, after Applanix."
+    )
+    if not any(np.any(block[:, 4:7]) for block in blocks):
+        return (
+            options,
+            "all zero",
+            [
+                "All velocities are zero, so neither their axes nor the wander angle could be "
+                "checked against the course." + unchecked
+            ],
+        )
+    if len(velocity) < 20:
+        return (
+            options,
+            "not checked",
+            [
+                "The carrier hardly moves in the part looked at, so the velocities could not be "
+                "checked against the course." + unchecked
+            ],
+        )
+    misfits = {
+        key: _misfit(in_frame(key, velocity, wander), own) for key in AXES if key != "unknown"
+    }
+    swapped = min(_misfit(in_frame(key, velocity, wander), exchanged) for key in misfits)
+    best = min(misfits, key=lambda key: misfits[key])
+    if misfits[best] > FITTING:
+        if swapped <= FITTING and options.order == "latitude-longitude":
+            chosen = replace(options, order="longitude-latitude")
+            again = [(other, first) for first, other in motions]
+            chosen, fact, said = velocity_frame(blocks, again, chosen)
+            return (
+                chosen,
+                fact,
+                [
+                    "Longitude is taken to stand before latitude: only then do the velocities "
+                    "agree with the positions.",
+                    *said,
+                ],
+            )
+        return (
+            options,
+            "agree with the positions in no known frame",
+            [
+                "The velocities agree with the positions in no known frame (the best, "
+                f"{AXES[best]}, misses by {100 * misfits[best]:.0f} % of the speed); check axes, "
+                "unit and heading." + unchecked
+            ],
+        )
+    fact = f"{AXES[best]} (agree with the positions to {100 * misfits[best]:.2g} % of the speed)"
+    chosen = replace(options, axes=best)
+    limit = max(APART * misfits[best], misfits[best] + 0.003)
+    rivals = [key for key in misfits if key != best and misfits[key] < limit]
+    if not rivals and turns >= SMALLEST_WANDER:
+        return _heading_of(chosen, blocks, motions, turns, fact)
+    if turns < SMALLEST_WANDER:
+        # Without a wander angle its frames are those counted from north.
+        plain = [key for key in (best, *rivals) if not key.startswith("wander")]
+        chosen, fact = replace(chosen, axes=plain[0]), fact.replace(AXES[best], AXES[plain[0]])
+        rivals = plain[1:]
+        if not rivals:
+            return chosen, fact, []
+    others = " or ".join(AXES[key] for key in rivals)
+    return (
+        chosen,
+        fact,
+        [
+            f"The velocities fit the axes {others} about as well: the motion looked at does not "
+            "tell them apart." + unchecked
+        ],
+    )
+
+
+def _heading_of(
+    chosen: SbetOptions,
+    blocks: Sequence[Array],
+    motions: Sequence[tuple[Motion, Motion]],
+    turns: float,
+    fact: str,
+) -> tuple[SbetOptions, str, list[str]]:
+    """What a frame found beyond doubt tells about the heading, where there is a wander angle."""
+    if chosen.axes.startswith("wander"):
+        return replace(chosen, heading="minus-wander"), fact, []
+    offsets = []
+    for kept in (1.0, 0.0):
+        found = [
+            wrapped(own.course - block[own.index, 9] + kept * block[own.index, 10])[
+                own.speed > MOVING
+            ]
+            for block, (own, _) in zip(blocks, motions, strict=True)
+        ]
+        offsets.append(abs(float(np.median(np.concatenate(found)))))
+    less, whole = offsets
+    # A vessel's drift angle exceeds 15 deg rarely; smaller wander angles cannot be told from it.
+    if turns > np.radians(30) and min(less, whole) < np.radians(15) < max(less, whole):
+        heading = "minus-wander" if less < whole else "as-is"
+        return (
+            replace(chosen, heading=heading),
+            fact,
+            [
+                f"The heading is taken {heading.replace('-', ' ')}: it then follows the course to "
+                f"{np.degrees(min(less, whole)):.1f} deg instead of "
+                f"{np.degrees(max(less, whole)):.1f}."
+            ],
+        )
+    return (
+        chosen,
+        fact,
+        [
+            "The velocities count from true north although there is a wander angle (up to "
+            f"{np.degrees(turns):.2f} deg), so the heading may do so too; it is taken less the "
+            "wander angle, after Applanix: check with the writer of the file."
+        ],
+    )
+
+
+def _moving(
+    blocks: Sequence[Array], motions: Sequence[tuple[Motion, Motion]]
+) -> tuple[Array, Array, Array, Array]:
+    """Velocities, wander, and velocities from positions (as read, exchanged) where it moves."""
+    rows: list[tuple[Array, Array, Array, Array]] = []
+    for block, (own, exchanged) in zip(blocks, motions, strict=True):
+        common, first, second = np.intersect1d(own.index, exchanged.index, return_indices=True)
+        fast = np.hypot(block[common, 4], block[common, 5]) > MOVING
+        rows.append(
+            (
+                block[common, 4:7][fast],
+                block[common, 10][fast],
+                _stacked(own, first[fast]),
+                _stacked(exchanged, second[fast]),
+            )
+        )
+    velocity, wander, own_all, exchanged_all = (
+        np.concatenate([row[k] for row in rows]) for k in range(4)
+    )
+    return velocity, wander, own_all, exchanged_all
+
+
+def _stacked(motion: Motion, rows: NDArray[np.int64]) -> Array:
+    return np.stack([motion.north[rows], motion.east[rows], motion.up[rows]], axis=1)
+
+
+def _misfit(velocity: Array, truth: Array) -> float:
+    """Median of what velocities miss of those from positions, as a part of the speed.
+
+    The vertical counts as far as it is there at all: a vessel's is small, and then says nothing.
+    """
+    speed = float(np.median(np.hypot(velocity[:, 0], velocity[:, 1])))
+    return float(np.median(np.linalg.norm(velocity - truth, axis=1))) / max(speed, 1e-9)
+
+
+def signs_of(blocks: Sequence[Array], options: SbetOptions) -> tuple[SbetOptions, str, list[str]]:
+    """Signs of roll and pitch by the angular rates of the body.
+
+    A positive rate about the forward axis takes the starboard side down whether y is to starboard
+    or to port; the rate about y raises the bow in the first case and lowers it in the second, and
+    the rate about z against the heading tells which case it is.
+    """
+    stated = "as Applanix states: roll positive starboard down, pitch positive bow up"
+    if not any(np.any(block[:, 14:17]) for block in blocks):
+        return (
+            options,
+            "signs not checked",
+            [
+                "All angular rates are zero, so the signs of roll and pitch could not be checked; "
+                f"they are taken {stated}."
+            ],
+        )
+    roll, pitch, heading = (_agreement(blocks, 7 + k, 14 + k) for k in range(3))
+    facts, doubts = [], []
+    if roll is not None:
+        options = replace(options, roll="starboard-down" if roll > 0 else "port-down")
+        facts.append(f"roll positive {options.roll.replace('-', ' ')}")
+    if pitch is not None and heading is not None:
+        options = replace(options, pitch="bow-up" if pitch * heading > 0 else "bow-down")
+        facts.append(f"pitch positive {options.pitch.replace('-', ' ')}")
+    if len(facts) < 2:
+        unknown = " and ".join(
+            name
+            for name, known in (
+                ("roll", roll is not None),
+                ("pitch", len(facts) == 2 or (pitch is not None and heading is not None)),
+            )
+            if not known
+        )
+        doubts.append(
+            f"The motion looked at is too small to check the sign of {unknown} against the "
+            f"angular rates; it is taken {stated}."
+        )
+    if facts and (options.roll == "port-down" or options.pitch == "bow-down"):
+        doubts.append(
+            "The angular rates say that signs differ from Applanix's: "
+            f"{', '.join(facts)}. This holds if the rates are in the writer's own body axes, "
+            "x forward; check with the writer of the file."
+        )
+    return (
+        options,
+        ", ".join(facts) + " (by the angular rates)" if facts else "signs not checked",
+        doubts,
+    )
+
+
+def _agreement(blocks: Sequence[Array], angle: int, rate: int) -> float | None:
+    """How changes of an angle follow its integrated rate, -1 to 1; None where that tells nothing.
+
+    Changes over half a second, of a tenth of a degree at least: shorter ones are noise and
+    vibration.
+    """
+    changes, turns = [], []
+    for block in blocks:
+        time = block[:, 0]
+        steps = np.diff(time)
+        if len(time) < 3 or (steps <= 0).any() or (steps > 1).any():
+            continue
+        reach = max(1, round(0.5 / float(np.median(steps))))
+        values = np.unwrap(block[:, angle])
+        turned = np.concatenate(
+            [[0.0], np.cumsum((block[1:, rate] + block[:-1, rate]) / 2 * steps)]
+        )
+        changes.append((values[reach:] - values[:-reach])[::reach])
+        turns.append((turned[reach:] - turned[:-reach])[::reach])
+    if not changes:
+        return None
+    change, turn = np.concatenate(changes), np.concatenate(turns)
+    # About zero, not about the mean: a steady turn tells the sign as well.
+    size = float(np.sqrt(np.mean(change**2)))
+    length = float(np.linalg.norm(change) * np.linalg.norm(turn))
+    if len(change) < 10 or size < np.radians(0.1) or length == 0:
+        return None
+    agreement = float(change @ turn) / length
+    return agreement if abs(agreement) > 0.9 else None

@@ -1,0 +1,303 @@
+"""Points as text, plain or gzipped: one point a row, columns named by its first row or the user."""
+
+import gzip
+import zlib
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.points import (
+    CHUNK,
+    HEAD,
+    PLACE,
+    PREVIEW,
+    ROWS,
+    SECONDS,
+    TIME_UNIT,
+    place_facts,
+    plainly,
+    require_filled,
+    require_points,
+    scale_of,
+    sight,
+    sniffer,
+    time_base,
+)
+from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding, Format, Option, PointChunk
+from lispac.io.text_layout import REQUIRED, SEPARATORS, Layout, layout_of, rows_of
+
+COLUMNS = Option(
+    "columns", "Name of each column from the left, parted by blanks: time x y z are needed, - "
+    "passes a column over; empty: as the first row of the file says",
+)  # fmt: skip
+SEPARATOR = Option("separator", "What parts the columns", ("auto", *SEPARATORS), "auto")
+DECIMAL = Option("decimal", "Decimal sign", ("auto", "point", "comma"), "auto")
+BLOCK = 8 << 20  # bytes parsed at once
+GZIP, UTF16 = b"\x1f\x8b", (b"\xff\xfe", b"\xfe\xff")
+
+
+@sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """Rows of four numbers or more; likely where a first row names time, x, y and z."""
+    if head.startswith(GZIP):
+        head = zlib.decompressobj(wbits=31).decompress(head, HEAD)
+    if b"\0" in head:
+        return NOT
+    lines = _text(head).splitlines()[:100]
+    layout, rows = layout_of(lines), rows_of(lines)
+    body = rows[layout.first : -1] or rows[layout.first :]  # the last row may be cut
+    if not body or not all(layout.is_numbers(row) for row in body):
+        return NOT
+    return LIKELY if set(REQUIRED) <= set(layout.names) else POSSIBLE
+
+
+def look(path: Path, choice: Choice) -> Finding:
+    """Read the first rows, and propose separator, decimal sign and columns.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or holds no rows of numbers.
+    """
+    path = require_filled(path, "text")
+    found, layout, lines = _detected(path)
+    rows = rows_of(lines)
+    settled = _settled(found, choice)
+    shown = [layout.fields(row) for row in rows[layout.first : layout.first + ROWS]]
+    columns = settled["columns"].split()
+    head = (
+        columns if len(columns) == len(shown[0]) else [f"{k}" for k in range(1, 1 + len(shown[0]))]
+    )
+    preview = tuple(tuple(row) for row in (head, *shown))
+    facts = {
+        "format": "text, gzipped" if _is_packed(path) else "text",
+        "separator": settled["separator"],
+        "decimal": settled["decimal"],
+        "columns": settled["columns"] or "not named",
+    }
+    if not columns:
+        doubt = "The file does not name its columns: name them from the left, time x y z at least."
+        return Finding({**facts, **place_facts(settled)}, preview, found, (doubt,))
+    chunk = next(_chunks(path, settled, PREVIEW), None)
+    if chunk is None:
+        raise InputError(f"{path}: this line holds no points; leave it out.")
+    require_points(chunk.xyz, chunk.time, path)
+    seen = sight(chunk.xyz, chunk.time, crs=str(choice.get("crs", "")))
+    found["frame"] = seen.frame
+    settled = _settled(found, choice)
+    facts |= {
+        **place_facts(settled),
+        "time base": time_base(chunk.time, settled["time_base"]),
+        **seen.facts,
+        "assumed": f"time in {settled['time_unit']}s; points and trajectory share one time base",
+    }
+    above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
+    feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
+    doubts = ("The head of the file speaks of feet: check the unit.",) if feet else ()
+    return Finding(facts, preview, found, (*doubts, *seen.doubts))
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read in chunks; columns beyond time, x, y, z go along under their names.
+
+    Separator, decimal sign and names of columns are those of the file where not chosen.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, empty, damaged, or a row does not fit the columns.
+    """
+    path = require_filled(path, "text")
+    settled = _settled(_detected(path)[0], choice)
+    if not settled["columns"]:
+        raise InputError(
+            f"{path}: the file does not name its columns; name them from the left, "
+            "time x y z at least."
+        )
+    scale, done = scale_of(settled), 0
+    for chunk in _chunks(path, settled, CHUNK):
+        require_points(chunk.xyz, chunk.time, path, done)
+        done += len(chunk.time)
+        yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra) if scale != 1 else chunk
+    if not done:
+        raise InputError(f"{path}: this line holds no points; leave it out.")
+
+
+def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
+    """Options as the file shows them, its layout, and the first lines."""
+    with plainly(path, "text"), _opened(path) as file:
+        lines = next(_blocks(file, path, HEAD), [])[:200]
+    layout = layout_of(lines)
+    if layout.first == len(rows_of(lines)):
+        raise InputError(
+            f"{path}: no row of four numbers or more is in it; this is not a text file of points."
+        )
+    found = {
+        "separator": layout.separator,
+        "decimal": "comma" if layout.decimal_comma else "point",
+    }
+    if set(REQUIRED) <= set(layout.names):
+        found["columns"] = " ".join(layout.names)
+    return found, layout, lines
+
+
+def _settled(found: Choice, choice: Choice) -> dict[str, str]:
+    """What is chosen; for the rest, and where it says auto, what was found."""
+    return TEXT.settled(
+        {**found, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
+    )
+
+
+def _chunks(path: Path, settled: Choice, rows: int) -> Iterator[PointChunk]:
+    names = _columns(path, settled["columns"])
+    layout = Layout(settled["separator"], settled["decimal"] == "comma")
+    wanted = [k for k, name in enumerate(names) if name != "-"]
+    factor = SECONDS[settled["time_unit"]]
+    parts: list[NDArray[np.float64]] = []
+    number = held = 0
+    with plainly(path, "text"), _opened(path) as file:
+        for block in _blocks(file, path, min(BLOCK, 100 * rows)):
+            parts.append(_parsed(path, block, number, names, wanted, layout))
+            number += len(block)
+            held += len(parts[-1])
+            if held >= rows:
+                whole = np.concatenate(parts)
+                full = held - held % rows
+                for start in range(0, full, rows):
+                    yield _chunk(whole[start : start + rows], names, wanted, factor)
+                parts, held = [whole[full:]], held - full
+    if held:
+        yield _chunk(np.concatenate(parts), names, wanted, factor)
+
+
+def _chunk(
+    part: NDArray[np.float64], names: Sequence[str], wanted: list[int], factor: float
+) -> PointChunk:
+    at = {names[k]: column for column, k in enumerate(wanted)}
+    xyz = np.ascontiguousarray(part[:, [at["x"], at["y"], at["z"]]])
+    extra = {name: part[:, column].copy() for name, column in at.items() if name not in REQUIRED}
+    return PointChunk(xyz, part[:, at["time"]] * factor, extra)
+
+
+def _columns(path: Path, text: str) -> list[str]:
+    known = (*REQUIRED, "intensity")
+    names = [
+        name.lower() if name.lower() in known else name
+        for name in text.replace(",", " ").replace(";", " ").split()
+    ]
+    missing = [name for name in REQUIRED if name not in names]
+    if missing:
+        raise InputError(
+            f"{path}: the column names given ({', '.join(names) or 'none'}) lack "
+            f"{', '.join(missing)}; name every column of the file from the left."
+        )
+    twice = sorted({name for name in names if name != "-" and names.count(name) > 1})
+    if twice:
+        raise InputError(f"{path}: two columns are named {', '.join(twice)}; name each once.")
+    return names
+
+
+def _parsed(
+    path: Path, block: list[str], number: int, names: Sequence[str], wanted: list[int],
+    layout: Layout,
+) -> NDArray[np.float64]:  # fmt: skip
+    """Numbers of a block of lines, of which ``number`` came before."""
+    rows = rows_of(block)
+    before = 0
+    if number == 0:  # names of columns, or a count of points, at the head
+        before = next((k for k, row in enumerate(rows) if layout.is_numbers(row)), len(rows))
+    text = [layout.plain(row) for row in rows[before:]]
+    if not text:
+        return np.empty((0, len(wanted)))
+    _require_width(path, block, number, layout.fields(text[0]), names)
+    try:
+        return np.loadtxt(
+            text, delimiter=SEPARATORS[layout.separator], usecols=wanted, ndmin=2, comments=None
+        )
+    except ValueError as error:
+        _name_the_row(path, block, number, before, names, wanted, layout)
+        raise InputError(f"{path}: rows must be numbers ({error}).") from error
+
+
+def _name_the_row(
+    path: Path, block: list[str], number: int, before: int, names: Sequence[str],
+    wanted: list[int], layout: Layout,
+) -> None:  # fmt: skip
+    """Say which row of a block is at fault."""
+    passed = 0
+    for k, line in enumerate(block, start=number + 1):
+        if not rows_of([line]):
+            continue
+        passed += 1
+        if passed <= before:
+            continue
+        fields = layout.fields(line)
+        _require_width(path, [line], k - 1, fields, names)
+        for column in wanted:
+            try:
+                float(fields[column])
+            except ValueError:
+                raise InputError(
+                    f"{path}, row {k:,}: {names[column]} is {fields[column][:40]!r}; "
+                    "rows must be numbers."
+                ) from None
+
+
+def _require_width(
+    path: Path, lines: list[str], number: int, fields: list[str], names: Sequence[str]
+) -> None:
+    if len(fields) < len(names):
+        row = number + 1 if len(lines) == 1 else number + 1 + _first_row(lines)
+        raise InputError(
+            f"{path}, row {row:,}: {len(fields)} columns where {len(names)} were named "
+            f"({', '.join(names)}); name the columns the file has."
+        )
+
+
+def _first_row(lines: list[str]) -> int:
+    return next((k for k, line in enumerate(lines) if rows_of([line])), 0)
+
+
+def _is_packed(path: Path) -> bool:
+    with path.open("rb") as file:
+        return file.read(2) == GZIP
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[IO[bytes]]:
+    with path.open("rb") as raw:
+        start = raw.read(2)
+        raw.seek(0)
+        if start in UTF16:
+            raise InputError(f"{path}: this text is UTF-16; save it as UTF-8.")
+        yield cast(IO[bytes], gzip.GzipFile(fileobj=raw)) if start == GZIP else raw
+
+
+def _text(data: bytes) -> str:
+    return data.decode("utf-8-sig", errors="replace")
+
+
+def _blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
+    """Whole lines, ``size`` bytes at once; never more than a bounded rest is carried over."""
+    rest = b""
+    while data := file.read(size):
+        data = rest + data
+        end = data.rfind(b"\n") + 1
+        data, rest = data[:end], data[end:]
+        if len(rest) > HEAD or b"\0" in data[:HEAD]:
+            raise InputError(f"{path}: this is not text with one point a row.")
+        if data:
+            yield _text(data).split("\n")[:-1]
+    if rest.strip():
+        yield [_text(rest)]
+
+
+TEXT = Format(
+    "Text (CSV, also .gz)", "text", "points", (".txt", ".csv", ".xyz", ".asc", ".pts", ".gz"),
+    (COLUMNS, SEPARATOR, DECIMAL, TIME_UNIT, *PLACE), sniff, look, read,
+)  # fmt: skip

@@ -1,0 +1,115 @@
+"""How a text file lays its numbers out: what parts the columns, the decimal sign, their names."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from lispac.io.points import TIME_NAMES
+
+REQUIRED = ("time", "x", "y", "z")
+SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
+REMARKS = ("#", "%", "//")
+MEANINGS = {
+    **dict.fromkeys(("x", "easting", "east", "e", "lon", "longitude"), "x"),
+    **dict.fromkeys(("y", "northing", "north", "n", "lat", "latitude"), "y"),
+    **dict.fromkeys(("z", "height", "h", "elevation", "up", "u"), "z"),
+    **dict.fromkeys((*TIME_NAMES, "sow", "seconds"), "time"),
+    **dict.fromkeys(("intensity", "i", "scalar_intensity", "reflectance"), "intensity"),
+}
+"""What usual column names mean; lower case, without their unit."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How rows become numbers.
+
+    Attributes
+    ----------
+    separator : str
+        One of `SEPARATORS`.
+    decimal_comma : bool
+    names : tuple of str
+        Of the columns, as the row above the numbers has them; empty where there is none.
+    first : int
+        Rows before the first one of numbers.
+    """
+
+    separator: str
+    decimal_comma: bool
+    names: tuple[str, ...] = ()
+    first: int = 0
+
+    def plain(self, row: str) -> str:
+        """A row as `float` reads it: no quotes, decimal points."""
+        row = row.replace('"', "")
+        return row.replace(",", ".") if self.decimal_comma else row
+
+    def fields(self, row: str) -> list[str]:
+        """The columns of a row."""
+        return [field.strip() for field in self.plain(row).split(SEPARATORS[self.separator])]
+
+    def is_numbers(self, row: str) -> bool:
+        """Whether a row has four numbers or more, and few other columns: so have no names."""
+        numbers = [_is_number(field) for field in self.fields(row)]
+        return sum(numbers) >= max(len(REQUIRED), len(numbers) // 2 + 1)
+
+
+def rows_of(lines: Sequence[str]) -> list[str]:
+    """Rows that are neither empty nor remarks."""
+    stripped = (line.strip("\r\n ") for line in lines)
+    return [line for line in stripped if line and not line.startswith(REMARKS)]
+
+
+def layout_of(lines: Sequence[str]) -> Layout:
+    """Guess the layout from the first lines; ``first`` is their number where none has numbers."""
+    rows = rows_of(lines)
+    for first, row in enumerate(rows):
+        for separator, decimal_comma in _candidates(row):
+            layout = Layout(separator, decimal_comma)
+            if layout.is_numbers(row):
+                names = _names(lines, row, separator, len(layout.fields(row)))
+                return Layout(separator, decimal_comma, names, first)
+    return Layout("blank", False, (), len(rows))
+
+
+def _candidates(row: str) -> list[tuple[str, bool]]:
+    if ";" in row:
+        return [("semicolon", "." not in row and "," in row)]
+    if "\t" in row:
+        return [("tab", "." not in row and "," in row)]
+    if "," in row:
+        # 1,5 2,5 is two numbers with decimal commas; 1.5, 2.5 and 1,2,3,4 are lists.
+        comma_is_decimal = "." not in row and bool(re.search(r"\d,\d+\s+-?\d+,\d", row))
+        return [("blank", True)] if comma_is_decimal else [("comma", False)]
+    return [("blank", False)]
+
+
+def _names(lines: Sequence[str], row: str, separator: str, columns: int) -> tuple[str, ...]:
+    """Names from one of the three lines above the numbers, which may be marked as a remark."""
+    written = [bare for line in lines if (bare := line.strip("\r\n ")).strip()]
+    for line in reversed(written[: written.index(row)][-3:]):
+        plain = line.lstrip("#%/ ").replace('"', "")
+        fields = [field.strip() for field in plain.split(SEPARATORS[separator])]
+        if len(fields) != columns:
+            fields = plain.replace(",", " ").replace(";", " ").split()
+        if len(fields) == columns and not any(map(_is_number, fields)):
+            return _meant(fields)
+    return ()
+
+
+def _meant(fields: Sequence[str]) -> tuple[str, ...]:
+    """Names in the program's words where they are usual ones; none twice."""
+    names: list[str] = []
+    for field in fields:
+        bare = re.sub(r"[\s_]*[\[(].*[\])]$|_(m|s|ft)$", "", field).strip().lower()
+        name = MEANINGS.get(bare, re.sub(r"\s+", "_", field) or "-")
+        names.append(name if name not in names else "-")
+    return tuple(names)
+
+
+def _is_number(field: str) -> bool:
+    try:
+        float(field)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,233 @@
+"""Rows of text as columns of numbers: separators, angles in degrees and minutes, clock and date."""
+
+import re
+from calendar import timegm
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.files import require_file
+
+Array = NDArray[np.float64]
+
+SEPARATORS = ("auto", "comma", "semicolon", "tab", "blank")
+BLOCK = 50_000
+LONGEST_LINE = 20_000
+"""Characters; a longer one is not a row of a table, and binary files have no line ends at all."""
+
+_CLOCK = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2}(?:[.,]\d*)?)Z?")
+_DATE = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})")
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eEdD][-+]?\d+)?")
+_DMS_SEPARATORS = re.compile("[°º'’′\"”″:dms]+|\\s+")
+
+
+def first_lines(path: Path, count: int = 200) -> list[str]:
+    """First lines of a text file; empty where it is not text, and never an error.
+
+    Bytes that no text holds (NUL) and lines longer than any row mark a file that is not text.
+    """
+    try:
+        with Path(path).open("rb") as file:
+            head = file.read(256 * 1024)
+    except OSError:
+        return []
+    if b"\0" in head:
+        return []
+    lines = head.decode("utf-8-sig", errors="replace").splitlines()[:count]
+    return [] if any(len(line) > LONGEST_LINE for line in lines) else lines
+
+
+def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
+    """Number and content of each line, without line end.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or is not text.
+    """
+    path = require_file(Path(path), what)
+    if path.stat().st_size == 0:
+        raise InputError(f"{path}: this {what} file is empty; export it again.")
+    try:
+        with path.open(encoding="utf-8-sig", errors="replace", newline=None) as file:
+            number = 0
+            while line := file.readline(LONGEST_LINE + 1):
+                number += 1
+                if len(line) > LONGEST_LINE or "\0" in line:
+                    raise InputError(
+                        f"{path}, row {number:,}: this is not text; choose the format it has."
+                    )
+                yield number, line.rstrip("\r\n")
+    except OSError as error:
+        raise InputError(
+            f"{path}: this {what} file cannot be read to its end ({error.strerror}); check that "
+            "the disk is there."
+        ) from error
+
+
+def fields_of(line: str, separator: str = "auto") -> list[str]:
+    """Split one row; ``auto`` takes semicolon, tab or comma where there is one, else blanks."""
+    if separator == "auto":
+        separator = next((name for name, mark in _MARKS.items() if mark in line), "blank")
+    if separator == "blank":
+        return line.split()
+    return [field.strip() for field in line.strip(" \r\n").split(_MARKS[separator])]
+
+
+_MARKS = {"semicolon": ";", "tab": "\t", "comma": ","}
+
+
+def is_number(field: str) -> bool:
+    """Whether a field reads as one finite number."""
+    return _NUMBER.fullmatch(field.strip()) is not None
+
+
+def is_data(fields: Sequence[str]) -> bool:
+    """Whether a row looks like data: its first field is a number, a clock time or a date."""
+    first = fields[0] if fields else ""
+    return is_number(first) or bool(_CLOCK.match(first)) or bool(_DATE.match(first))
+
+
+def number(field: str) -> float:
+    """A number; a comma may stand for the decimal point where it does not separate columns."""
+    return float(field.replace(",", ".").replace("D", "e").replace("d", "e"))
+
+
+def degrees_minutes_seconds(field: str) -> float:
+    """Decimal degrees of ``45 30 15.5 N``, ``-73°12'08"`` or ``W073:12:08``.
+
+    Raises
+    ------
+    ValueError
+    """
+    text = field.strip().upper()
+    # In 12D30M05S the last letter marks the seconds; a second S would be the hemisphere.
+    marked = "D" in text and "M" in text and text.count("S") == 1
+    hemisphere = ""
+    if text[:1] and text[0] in "NSEW":
+        hemisphere, text = text[0], text[1:]
+    elif text[-1:] and text[-1] in "NSEW" and not (marked and text[-1] == "S"):
+        hemisphere, text = text[-1], text[:-1]
+    text = text.strip()
+    negative = text.startswith("-")
+    if negative and hemisphere in ("S", "W"):
+        raise ValueError(f"{field!r} has both a sign and a hemisphere")
+    sign = -1.0 if negative or hemisphere in ("S", "W") else 1.0
+    parts = [part for part in _DMS_SEPARATORS.split(text.lstrip("+-").lower()) if part]
+    if not 1 <= len(parts) <= 3:
+        raise ValueError(f"{field!r} is not degrees, minutes and seconds")
+    values = [number(part) for part in parts]
+    if any(value < 0 for value in values) or any(value >= 60 for value in values[1:]):
+        raise ValueError(f"{field!r} is not degrees, minutes and seconds")
+    return sign * sum(value / 60**k for k, value in enumerate(values))
+
+
+def clock(field: str) -> float:
+    """Seconds of the day of ``14:03:07.250``.
+
+    Raises
+    ------
+    ValueError
+    """
+    match = _CLOCK.fullmatch(field.strip())
+    if not match:
+        raise ValueError(f"{field!r} is not a time as hh:mm:ss")
+    hours, minutes, seconds = int(match[1]), int(match[2]), number(match[3])
+    if hours > 24 or minutes > 59 or seconds >= 61:
+        raise ValueError(f"{field!r} is not a time as hh:mm:ss")
+    return 3600.0 * hours + 60.0 * minutes + seconds
+
+
+def is_clock(field: str) -> bool:
+    """Whether a field is a time as hh:mm:ss."""
+    return _CLOCK.fullmatch(field.strip()) is not None
+
+
+def day(field: str) -> float:
+    """Seconds since 1970-01-01 at the start of ``2024-05-31``, leap seconds not counted.
+
+    Raises
+    ------
+    ValueError
+    """
+    match = _DATE.fullmatch(field.strip())
+    if not match:
+        raise ValueError(f"{field!r} is not a date as yyyy-mm-dd")
+    year, month, of_month = (int(part) for part in match.groups())
+    if not (1 <= month <= 12 and 1 <= of_month <= 31):
+        raise ValueError(f"{field!r} is not a date as yyyy-mm-dd")
+    return float(timegm((year, month, of_month, 0, 0, 0)))
+
+
+def columns_of(
+    path: Path,
+    rows: Iterator[tuple[int, list[str]]],
+    wanted: Sequence[tuple[int, Callable[[str], float], str]],
+) -> tuple[list[Array], NDArray[np.int64]]:
+    """Columns of numbers from rows of fields.
+
+    Parameters
+    ----------
+    rows : iterator of (row number, fields)
+    wanted : sequence of (index, parser, name)
+
+    Returns
+    -------
+    columns : list of ndarray of shape (n,)
+    numbers : ndarray of shape (n,)
+        Row in the file of each entry.
+
+    Raises
+    ------
+    InputError
+        With the row and the column where a field is missing or cannot be read.
+    """
+    width = max(index for index, _, _ in wanted) + 1
+    blocks: list[Array] = []
+    numbers: list[NDArray[np.int64]] = []
+    while block := list(islice(rows, BLOCK)):
+        for row, fields in block:
+            if len(fields) < width:
+                raise InputError(
+                    f"{path}, row {row:,}: {len(fields)} columns where at least {width} are "
+                    "needed; the file is cut short or its columns are not as stated."
+                )
+        values = [
+            _parsed([fields[index] for _, fields in block], parse) for index, parse, _ in wanted
+        ]
+        bad = ~np.isfinite(values)
+        if bad.any():
+            k = int(np.argmax(bad.any(axis=0)))
+            index, _, name = wanted[int(np.argmax(bad[:, k]))]
+            row, fields = block[k]
+            raise InputError(
+                f"{path}, row {row:,}: {name} is {fields[index][:40]!r}, which is not a usable "
+                "value; check the columns stated, or export the file again."
+            )
+        blocks.append(np.array(values))
+        numbers.append(np.array([row for row, _ in block]))
+    if not blocks:
+        raise InputError(
+            f"{path}: the file holds no rows of data; check what is stated of its "
+            "separators and header, or export it again."
+        )
+    return list(np.hstack(blocks)), np.concatenate(numbers)
+
+
+def _parsed(fields: list[str], parse: Callable[[str], float]) -> Array:
+    """Values of fields; not a number where one cannot be read."""
+    if parse is number:
+        try:
+            return np.fromiter(map(float, fields), dtype=np.float64, count=len(fields))
+        except (ValueError, OverflowError):
+            pass  # one by one, to find which
+    values = np.full(len(fields), np.nan)
+    for k, field in enumerate(fields):
+        with suppress(ValueError, OverflowError):
+            values[k] = parse(field)
+    return values

@@ -1,0 +1,102 @@
+"""Values that no trajectory has, whatever file it comes from."""
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.survey.time_base import TimeBase, plausible
+from lispac.survey.trajectory import LONGEST_GAP
+
+Array = NDArray[np.float64]
+Numbers = NDArray[np.int64]
+
+HIGHEST = 1e5
+"""Metres that no survey exceeds."""
+
+FASTEST_TURN = 0.7
+"""Radians a second that a carrier does not exceed over a second; a wrong unit does in any turn."""
+
+
+def require_base(path: Path, time: Array, base: TimeBase) -> None:
+    """Refuse a time base that the times cannot be in by their values.
+
+    Raises
+    ------
+    InputError
+    """
+    possible = plausible(time)
+    if base in possible:
+        return
+    hint = (
+        f"choose {' or '.join(other.key for other in possible)}"
+        if possible
+        else "they fit no known time base; check which column or record is the time"
+    )
+    raise InputError(
+        f"{path}: times from {time.min():.6g} to {time.max():.6g} cannot be {base.name}; {hint}."
+    )
+
+
+def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -> None:
+    """Refuse heights no survey has.
+
+    Raises
+    ------
+    InputError
+    """
+    bad = np.abs(height) > HIGHEST
+    if bad.any():
+        k = int(np.argmax(bad))
+        place = f"row {numbers[k]:,}" if numbers is not None else f"record {k + 1:,}"
+        raise InputError(
+            f"{path}, {place}: a height of {height[k]:.6g} m cannot be; check the columns and "
+            "their unit."
+        )
+
+
+def require_attitude(
+    path: Path,
+    time: Array,
+    attitude: tuple[Array, Array, Array],
+    numbers: Numbers | None = None,
+) -> None:
+    """Refuse angles, in radians, that cannot be.
+
+    A heading may count on over full turns; then it starts near a full circle and changes no faster
+    than a carrier turns.
+
+    Raises
+    ------
+    InputError
+    """
+    roll, pitch, heading = attitude
+    bad = (np.abs(roll) > np.pi + 1e-6) | (np.abs(pitch) > np.pi / 2 + 1e-6)
+    if not _counts_on(time, heading):
+        bad |= np.abs(heading) > 4 * np.pi
+    if bad.any():
+        k = int(np.argmax(bad))
+        place = f"row {numbers[k]:,}" if numbers is not None else f"record {k + 1:,}"
+        angles = ", ".join(f"{np.degrees(angle[k]):.6g}" for angle in attitude)
+        raise InputError(
+            f"{path}, {place}: roll, pitch, heading {angles} deg cannot be; state degrees where "
+            "radians were taken, or check the columns."
+        )
+
+
+def _counts_on(time: Array, heading: Array) -> bool:
+    """Whether a heading beyond two full turns got there by turning."""
+    size = np.abs(heading)
+    if size.max() <= 4 * np.pi:
+        return True
+    if size.min() > 4 * np.pi or size.max() > 1e6 or time[-1] - time[0] > 1e7:
+        return False
+    seconds = np.arange(time[0], time[-1], 1.0)
+    if len(seconds) < 2:
+        return False
+    turns = np.abs(np.diff(np.interp(seconds, time, heading)))
+    # Over a gap nothing is known.
+    after = np.minimum(np.searchsorted(time, seconds[1:]), len(time) - 1)
+    known = time[after] - time[np.maximum(after - 1, 0)] <= LONGEST_GAP
+    return bool((turns[known] < FASTEST_TURN).all())

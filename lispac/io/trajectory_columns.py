@@ -1,0 +1,339 @@
+"""A trajectory, or its accuracy, out of columns whose meaning and unit are known."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.files import require_increasing
+from lispac.io.text_table import clock, columns_of, day, degrees_minutes_seconds, number
+from lispac.io.trajectory_checks import Numbers, require_attitude, require_base, require_heights
+from lispac.survey.time_base import GPS_EPOCH, base_of, unrolled
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+Array = NDArray[np.float64]
+
+PARSERS: Mapping[str, tuple[Callable[[str], float], float]] = {
+    "rad": (number, 1.0),
+    "deg": (number, np.pi / 180),
+    "dms": (degrees_minutes_seconds, np.pi / 180),
+    "arcmin": (number, np.pi / 180 / 60),
+    "m": (number, 1.0),
+    "ft": (number, 0.3048),
+    "us-ft": (number, 1200 / 3937),
+    "s": (number, 1.0),
+    "clock": (clock, 1.0),
+    "date": (day, 1.0),
+}
+"""How a unit is read, and the factor to radians, metres or seconds."""
+
+UNIT_WORDS = {
+    "rad": "radians",
+    "deg": "degrees",
+    "dms": "degrees, minutes and seconds",
+    "arcmin": "arc minutes",
+    "m": "metres",
+    "ft": "feet of 0.3048 m",
+    "us-ft": "US survey feet",
+    "s": "seconds",
+    "clock": "hours, minutes and seconds",
+    "date": "date",
+}
+
+_NAMES = {
+    "time": "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec",
+    "date": "date day",
+    "latitude": "latitude lat",
+    "longitude": "longitude lon long lng",
+    "height": "height ellipsoidheight ellipsoidalheight hell hgt heightell h z ellht",
+    "sea_height": "altitude alt elevation orthoheight orthometricheight msl orthheight hmsl",
+    "roll": "roll",
+    "pitch": "pitch",
+    "heading": "heading yaw azimuth hdg trueheading",
+    "easting": "easting east x e",
+    "northing": "northing north y n",
+    "north_sd": "northsd northingsd latitudesd latsd sdnorth latitudestd northstd",
+    "east_sd": "eastsd eastingsd longitudesd lonsd longsd sdeast longitudestd eaststd",
+    "height_sd": "heightsd altitudesd ellipsoidheightsd upsd downsd sdheight heightstd altitudestd",
+    "roll_sd": "rollsd sdroll rollstd",
+    "pitch_sd": "pitchsd sdpitch pitchstd",
+    "heading_sd": "headingsd sdheading headingstd yawsd",
+}
+ROLES = {name: role for role, names in _NAMES.items() for name in names.split()}
+"""Role of a column by its name in lower case, letters and digits alone."""
+
+POSITION = ("latitude", "longitude")
+GRID = ("easting", "northing")
+ATTITUDE = ("roll", "pitch", "heading")
+SIGMAS = ("north_sd", "east_sd", "height_sd", "roll_sd", "pitch_sd", "heading_sd")
+
+
+def role_of(name: str) -> str:
+    """Role of a column called ``name``; empty where it is none the program uses."""
+    return ROLES.get("".join(c for c in name.lower() if c.isalnum()), "")
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column of a file: what it means, where it stands, what it is called and its unit."""
+
+    role: str
+    index: int
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class Conventions:
+    """What rows of numbers do not say, each with the words of the registry's options."""
+
+    pitch: str = "bow-up"
+    roll: str = "starboard-down"
+    time: str = "gps-week"
+    heading: str = "true"
+    crs: str = ""
+
+    def words(self) -> tuple[str, ...]:
+        """Each of them in a sentence."""
+        heading = (
+            "heading is clockwise from true north"
+            if self.heading == "true"
+            else "heading is clockwise from grid north (the meridian convergence is added here)"
+        )
+        turned = " (its sign is turned here)"
+        return (
+            f"times are {base_of(self.time).name}",
+            f"roll is positive {self.roll.replace('-', ' ')}"
+            + (turned if self.roll == "port-down" else ""),
+            f"pitch is positive {self.pitch.replace('-', ' ')}"
+            + (turned if self.pitch == "bow-up" else ""),
+            heading,
+        )
+
+
+Rows = Iterator[tuple[int, list[str]]]
+
+
+def trajectory_of(
+    path: Path,
+    rows: Rows,
+    columns: Sequence[Column],
+    conventions: Conventions,
+    assumptions: tuple[str, ...],
+) -> Trajectory:
+    """Read a trajectory from rows of fields.
+
+    Raises
+    ------
+    InputError
+        Where a column is missing, a row cannot be read, or the values cannot be a trajectory.
+    """
+    chosen = _chosen(path, columns, conventions)
+    values, numbers = _read(path, rows, chosen)
+    time, notes = _times(path, values, conventions)
+    if len(time) < 2:
+        raise InputError(
+            f"{path}: a trajectory needs at least two rows, this has one; export more."
+        )
+    require_increasing(time, path, "text", numbers)
+    convergence = 0.0 * time
+    if "latitude" in values:
+        latitude, longitude = values["latitude"], values["longitude"]
+        _require_on_earth(path, latitude, longitude, numbers)
+    else:
+        latitude, longitude, convergence = _from_grid(path, values, conventions.crs)
+        notes += (
+            f"eastings and northings are in {conventions.crs}; latitude and longitude are on its "
+            "own datum",
+        )
+    height = values["height"] if "height" in values else values["sea_height"]
+    require_heights(path, height, numbers)
+    if "height" not in values:
+        notes += (
+            "heights are above sea level and taken as if above the ellipsoid: absolute heights "
+            "are off by the geoid height",
+        )
+    roll, pitch, heading = (values[role] for role in ATTITUDE)
+    require_attitude(path, time, (roll, pitch, heading), numbers)
+    attitude = np.stack(
+        [
+            -roll if conventions.roll == "port-down" else roll,
+            -pitch if conventions.pitch == "bow-up" else pitch,
+            heading + convergence if conventions.heading == "grid" else heading,
+        ],
+        axis=1,
+    )
+    units = tuple(
+        f"column {column.name} is in {UNIT_WORDS[column.unit]}"
+        for column in chosen
+        if column.role not in ("time", "date")
+    )
+    return Trajectory(
+        time,
+        latitude,
+        longitude,
+        height,
+        attitude,
+        assumptions + conventions.words() + notes + units,
+    )
+
+
+def accuracy_of(
+    path: Path, rows: Rows, columns: Sequence[Column], conventions: Conventions
+) -> TrajectoryAccuracy:
+    """Read standard deviations from rows of fields.
+
+    Raises
+    ------
+    InputError
+    """
+    chosen = [_one(path, columns, "time"), *(_one(path, columns, role) for role in SIGMAS)]
+    chosen += [column for column in columns if column.role == "date"]
+    values, numbers = _read(path, rows, chosen)
+    time, _ = _times(path, values, conventions)
+    require_increasing(time, path, "text", numbers)
+    for role in SIGMAS:
+        if (values[role] < 0).any():
+            row = numbers[int(np.argmax(values[role] < 0))]
+            raise InputError(
+                f"{path}, row {row:,}: a standard deviation is negative; check that this is the "
+                "column of standard deviations, or export again."
+            )
+    table = [values[role] for role in SIGMAS]
+    return TrajectoryAccuracy(time, np.stack(table[:3], axis=1), np.stack(table[3:], axis=1))
+
+
+def missing_roles(columns: Sequence[Column]) -> list[str]:
+    """What a trajectory still lacks, in words."""
+    roles = {column.role for column in columns}
+    missing = [role for role in ("time", *ATTITUDE) if role not in roles]
+    if not roles & {"height", "sea_height"}:
+        missing.insert(1, "height")
+    if not (roles.issuperset(POSITION) or roles.issuperset(GRID)):
+        missing.insert(1, "latitude and longitude (or easting and northing)")
+    return missing
+
+
+def _one(path: Path, columns: Sequence[Column], role: str) -> Column:
+    for column in columns:
+        if column.role == role:
+            return column
+    raise InputError(
+        f"{path}: there is no column of {role.replace('_sd', ' standard deviation')}; export it "
+        "too, or choose another file."
+    )
+
+
+def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> list[Column]:
+    missing = missing_roles(columns)
+    if missing:
+        raise InputError(
+            f"{path}: the columns {', '.join(column.name for column in columns) or '(none)'} lack "
+            f"{', '.join(missing)}; export these too, or state the columns."
+        )
+    roles = {column.role for column in columns}
+    place = GRID if conventions.crs and roles.issuperset(GRID) else POSITION
+    if not roles.issuperset(place):
+        raise InputError(
+            f"{path}: the positions are eastings and northings; state their coordinate system "
+            "(an EPSG code, EPSG:32619 say)."
+        )
+    if conventions.heading == "grid" and place is POSITION:
+        raise InputError(
+            f"{path}: a heading from grid north needs eastings, northings and their coordinate "
+            "system; state the system or choose a true heading."
+        )
+    height = "height" if "height" in roles else "sea_height"
+    chosen = [_one(path, columns, role) for role in ("time", *place, height, *ATTITUDE)]
+    return chosen + [column for column in columns if column.role == "date"][:1]
+
+
+def _read(path: Path, rows: Rows, columns: Sequence[Column]) -> tuple[dict[str, Array], Numbers]:
+    wanted = [(column.index, PARSERS[column.unit][0], column.name) for column in columns]
+    table, numbers = columns_of(path, rows, wanted)
+    with np.errstate(over="ignore"):
+        values = {
+            column.role: values * PARSERS[column.unit][1]
+            for column, values in zip(columns, table, strict=True)
+        }
+    return values, numbers
+
+
+def _times(
+    path: Path, values: Mapping[str, Array], conventions: Conventions
+) -> tuple[Array, tuple[str, ...]]:
+    base = base_of(conventions.time)
+    time = values["time"]
+    if "date" in values:
+        if base.period is not None or base.key == "gps-adjusted":
+            raise InputError(
+                f"{path}: its rows have a date, so their times are UTC or GPS seconds, not "
+                f"{base.name}; choose unix (UTC) or gps-full (GPS)."
+            )
+        calendar = values["date"] + time
+        return (calendar if base.utc else calendar - GPS_EPOCH), (
+            f"date and time of day are {'UTC' if base.utc else 'GPS'}",
+        )
+    time, starts = unrolled(time)
+    require_base(path, time, base)
+    if not starts:
+        return time, ()
+    return time, (
+        f"times start again {starts} time{'s' if starts > 1 else ''} (midnight or end of the "
+        "week) and are counted on from there",
+    )
+
+
+def _require_on_earth(path: Path, latitude: Array, longitude: Array, numbers: Numbers) -> None:
+    bad = (np.abs(latitude) > np.pi / 2) | (np.abs(longitude) > 2 * np.pi)
+    if not bad.any():
+        return
+    row = int(np.argmax(bad))
+    lat, lon = np.degrees(latitude[row]), np.degrees(longitude[row])
+    if abs(lat) <= 180 and np.abs(longitude).max() <= np.pi / 2:
+        hint = "latitude and longitude may be swapped: state the columns the other way round"
+    elif abs(lat) > 90 and np.abs(np.radians(latitude)).max() <= np.pi / 2:
+        hint = "they are degrees read as radians: state degrees"
+    else:
+        hint = "check the columns and their unit"
+    raise InputError(
+        f"{path}, row {numbers[row]:,}: latitude {lat:.6g} and longitude {lon:.6g} deg are not on "
+        f"Earth; {hint}."
+    )
+
+
+def _from_grid(path: Path, values: Mapping[str, Array], crs: str) -> tuple[Array, Array, Array]:
+    """Latitude, longitude and meridian convergence, radians, of eastings and northings."""
+    from pyproj import CRS, Proj, Transformer
+    from pyproj.exceptions import ProjError
+
+    try:
+        system = CRS.from_user_input(crs)
+        if not system.is_projected or system.geodetic_crs is None:
+            raise InputError(
+                f"{path}: {crs} ({system.name}) is not a projected coordinate system; state the "
+                "one of the eastings and northings."
+            )
+        to_geographic = Transformer.from_crs(system, system.geodetic_crs, always_xy=True)
+        longitude, latitude = to_geographic.transform(values["easting"], values["northing"])
+        bad = ~(np.isfinite(longitude) & np.isfinite(latitude))
+        if bad.any():
+            raise InputError(
+                f"{path}: eastings and northings lie outside {crs} ({system.name}); state the "
+                "coordinate system they are in, and check that they are not swapped."
+            )
+        factors = Proj(system).get_factors(longitude, latitude)
+    except ProjError as error:
+        raise InputError(
+            f"{path}: the coordinate system {crs!r} cannot be used ({_short(error)}); state an "
+            "EPSG code such as EPSG:32619."
+        ) from error
+    convergence = np.radians(np.asarray(factors.meridian_convergence, dtype=np.float64))
+    return np.radians(latitude), np.radians(longitude), convergence
+
+
+def _short(error: Exception) -> str:
+    return str(error).splitlines()[0][:120] if str(error) else type(error).__name__

@@ -1,0 +1,214 @@
+"""What a trajectory looks like, for the preview, and what its own motion says against it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.frames import ECCENTRICITY_SQUARED, SEMI_MAJOR_AXIS
+from lispac.survey.time_base import base_of, plausible
+from lispac.survey.time_quality import time_quality
+from lispac.survey.trajectory import LONGEST_GAP
+
+Array = NDArray[np.float64]
+
+MOVING = 0.3
+"""Metres a second from which a course over ground means something."""
+
+FASTEST = 350.0
+"""Metres a second; no carrier of a survey is faster."""
+
+
+MOST_CENTRES = 10_000
+"""States of a block at which the velocity is taken; of more, every n-th."""
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """Velocities from positions.
+
+    Attributes
+    ----------
+    index : ndarray of shape (n,)
+        State in the block at the middle of each difference.
+    north, east, up : ndarray of shape (n,), metres a second
+    """
+
+    index: NDArray[np.int64]
+    north: Array
+    east: Array
+    up: Array
+
+    @property
+    def speed(self) -> Array:
+        """Horizontal speed, metres a second."""
+        return np.hypot(self.north, self.east)
+
+    @property
+    def course(self) -> Array:
+        """Course over ground, radians clockwise from true north."""
+        return np.arctan2(self.east, self.north)
+
+
+def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> Motion:
+    """Velocities over half a second about each state, over less in a block of a few seconds.
+
+    Where the states are farther apart, between neighbours; not over gaps.
+    """
+    count = len(time)
+    if count < 3:
+        empty = np.zeros(0)
+        return Motion(np.zeros(0, dtype=np.int64), empty, empty, empty)
+    with np.errstate(all="ignore"):
+        reach = min(0.25, float(time[-1] - time[0]) / 8)
+        index = np.arange(1, count - 1, 1 + count // MOST_CENTRES)
+        before = np.minimum(np.searchsorted(time, time[index] - reach), index - 1)
+        after = np.maximum(np.searchsorted(time, time[index] + reach, side="right") - 1, index + 1)
+        after = np.minimum(after, count - 1)
+        span = time[after] - time[before]
+        sin = np.sin(latitude[index])
+        root = np.sqrt(1 - ECCENTRICITY_SQUARED * sin**2)
+        meridian = SEMI_MAJOR_AXIS * (1 - ECCENTRICITY_SQUARED) / root**3 + height[index]
+        parallel = (SEMI_MAJOR_AXIS / root + height[index]) * np.cos(latitude[index])
+        turn = wrapped(longitude[after] - longitude[before])
+        north = (latitude[after] - latitude[before]) * meridian / span
+        east = turn * parallel / span
+        up = (height[after] - height[before]) / span
+        # The state has to be in the middle, or its velocity is another one in a turn.
+        offset = np.abs((time[after] + time[before]) / 2 - time[index])
+        sound = np.isfinite(north) & np.isfinite(east) & np.isfinite(up)
+        sound &= (span > 0) & (span < 2 * LONGEST_GAP) & (offset < 0.1 * span)
+    return Motion(index[sound], north[sound], east[sound], up[sound])
+
+
+def wrapped(angle: Array) -> Array:
+    """Angles brought to -pi to pi."""
+    return np.remainder(angle + np.pi, 2 * np.pi) - np.pi
+
+
+def facts_of(
+    time: Array, latitude: Array, longitude: Array, height: Array, speed: Array
+) -> dict[str, str]:
+    """Span, rate, area, heights and speed of a sample, in words (arrays of shape (n,))."""
+    facts = {
+        "Start": f"{time[0]:.3f} s",
+        "End": f"{time[-1]:.3f} s",
+        "Duration": duration_words(float(time[-1] - time[0])),
+    }
+    steps = np.diff(time)
+    steps = steps[(steps > 0) & (steps <= LONGEST_GAP)]
+    if len(steps):
+        facts["Rate"] = f"{len(steps) / steps.sum():.4g} per second"
+    facts["Latitude"] = f"{np.degrees(latitude.min()):.6f} to {np.degrees(latitude.max()):.6f} deg"
+    facts["Longitude"] = (
+        f"{np.degrees(longitude.min()):.6f} to {np.degrees(longitude.max()):.6f} deg"
+    )
+    facts["Height"] = f"{height.min():.2f} to {height.max():.2f} m"
+    if len(speed):
+        facts["Speed"] = f"{speed.min():.2f} to {speed.max():.2f} m/s"
+    return facts
+
+
+def duration_words(seconds: float) -> str:
+    """A duration as 2 h 03 min, 4 min 10 s or 7.5 s."""
+    if seconds >= 3600:
+        return f"{int(seconds // 3600)} h {int(seconds % 3600 // 60):02d} min"
+    if seconds >= 60:
+        return f"{int(seconds // 60)} min {int(seconds % 60):02d} s"
+    return f"{seconds:.1f} s"
+
+
+def time_doubts(time: Array, stated: str) -> tuple[str, ...]:
+    """What is doubtful about the times of a sample in the order of the file.
+
+    Parameters
+    ----------
+    stated : str
+        Key of the time base taken.
+    """
+    doubts = list(time_quality(time).doubts)
+    bases = plausible(time)
+    if not bases:
+        doubts.append(
+            f"Times from {time.min():.6g} to {time.max():.6g} s fit no known time base; check "
+            "which column or record is the time."
+        )
+    elif stated not in {base.key for base in bases}:
+        doubts.append(
+            f"The times cannot be {stated}; by their values they are "
+            f"{' or '.join(base.name for base in bases)}."
+        )
+    else:
+        # That UTC could be meant goes for any time of day or week; the base taken is stated.
+        known = base_of(stated)
+        others = [
+            base.name
+            for base in bases
+            if base is not known and (base.period is None or base.period != known.period)
+            if not (base.utc and base.period is not None)
+        ]
+        if others:
+            doubts.append(
+                f"The times are taken as {known.name}; by their values alone they could also be "
+                f"{' or '.join(others)}."
+            )
+    steps = np.diff(time)
+    if len(steps) and float(steps.max()) > LONGEST_GAP:
+        wide = int((steps > LONGEST_GAP).sum())
+        doubts.append(
+            f"The trajectory has {wide:,} gap{'s' if wide > 1 else ''} longer than {LONGEST_GAP:g} "
+            f"s, the longest {float(steps.max()):.1f} s; points in gaps cannot be used."
+        )
+    return tuple(doubts)
+
+
+def course_doubts(
+    motions: Sequence[tuple[Motion, Motion]], headings: Sequence[Array]
+) -> tuple[str, ...]:
+    """What course over ground says against heading, position and unit.
+
+    Parameters
+    ----------
+    motions : sequence of (Motion, Motion)
+        Of each block of neighbouring states, as read and with latitude and longitude exchanged.
+    headings : sequence of ndarray of shape (n,), radians
+        Of each block.
+    """
+    speeds = np.concatenate([motion.speed for motion, _ in motions] or [np.zeros(0)])
+    fast = float(np.median(speeds)) if len(speeds) else 0.0
+    if fast > FASTEST:
+        return (
+            f"The positions move at {fast:.4g} m/s; degrees may have been read as radians, or "
+            "the times may be in another unit.",
+        )
+    differences = [
+        _heading_differences([pair[which] for pair in motions], headings) for which in (0, 1)
+    ]
+    if min(len(difference) for difference in differences) < 20:
+        return (
+            "The carrier hardly moves in the part looked at, so heading and the order of latitude "
+            "and longitude could not be checked against the course.",
+        )
+    own, exchanged = (float(np.median(np.abs(difference))) for difference in differences)
+    if own > np.pi / 4 and exchanged < np.pi / 8 and exchanged < own / 3:
+        return ("Latitude and longitude look exchanged: the course then follows the heading.",)
+    if own > 3 * np.pi / 4:
+        return (
+            "The heading points backward along the course; check that it is the bow's and "
+            "clockwise from north.",
+        )
+    if own > np.pi / 4:
+        return (
+            f"Heading and course over ground differ by {np.degrees(own):.0f} deg in the middle; "
+            "check the heading, its unit and its sense.",
+        )
+    return ()
+
+
+def _heading_differences(motions: Sequence[Motion], headings: Sequence[Array]) -> Array:
+    found = [
+        wrapped(motion.course - heading[motion.index])[motion.speed > MOVING]
+        for motion, heading in zip(motions, headings, strict=True)
+    ]
+    return np.concatenate(found) if found else np.zeros(0)

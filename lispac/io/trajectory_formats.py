@@ -1,0 +1,289 @@
+"""Formats of trajectories and of their accuracies, for the list."""
+
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.ascii_trajectory import DEFAULTS, look_ascii, read_ascii, sniff_ascii
+from lispac.io.exail import (
+    look_exail,
+    look_exail_accuracy,
+    read_exail,
+    read_exail_accuracy,
+    sniff_exail,
+    sniff_exail_accuracy,
+)
+from lispac.io.files import require_file
+from lispac.io.pospac_text import (
+    look_pospac,
+    look_pospac_accuracy,
+    read_pospac,
+    read_pospac_accuracy,
+    sniff_pospac,
+    sniff_pospac_accuracy,
+)
+from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Choice, Finding, Format, Kind, Option
+from lispac.io.sbet import AXES, SbetOptions, read_sbet, read_smrmsg
+from lispac.io.sbet_detection import RECORD, byte_order_of, detect_sbet
+from lispac.io.text_table import SEPARATORS
+from lispac.io.trajectory_preview import accuracy_facts
+from lispac.survey.time_base import KEYS, plausible
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+SMRMSG_RECORD = 10 * 8
+SBET_COLUMNS = (
+    "time", "latitude", "longitude", "height", "velocity x", "velocity y", "velocity z", "roll",
+    "pitch", "heading", "wander", "acceleration x", "acceleration y", "acceleration z", "rate x",
+    "rate y", "rate z",
+)  # fmt: skip
+SMRMSG_COLUMNS = (
+    "time", "north", "east", "down", "velocity north", "velocity east", "velocity down", "roll",
+    "pitch", "heading",
+)  # fmt: skip
+
+PITCH = Option(
+    "pitch", "Which way the bow moves where pitch grows.", ("bow-up", "bow-down"), "bow-up"
+)
+ROLL = Option(
+    "roll",
+    "Which side goes down where roll grows; starboard down is port up.",
+    ("starboard-down", "port-down"),
+    "starboard-down",
+)
+TIME = Option("time", "What the times count.", KEYS, "gps-week")
+
+
+def _sniff_sbet(path: Path) -> float:
+    try:
+        size = Path(path).stat().st_size
+    except OSError:
+        return NOT
+    if size < 2 * RECORD:
+        return NOT
+    byte_order, fit = byte_order_of(path)
+    if fit == 1:
+        whole = size % RECORD == 0 and byte_order == "little-endian"
+        return SURE if whole else LIKELY
+    # In degrees, or with the positions exchanged, one of the tests fails and the rest hold.
+    return POSSIBLE if fit >= 0.6 else NOT
+
+
+def _look_sbet(path: Path, choice: Choice) -> Finding:
+    found = detect_sbet(path)
+    rows = tuple(tuple(f"{value:.10g}" for value in row) for row in found.head)
+    return Finding(
+        found.facts, (SBET_COLUMNS, *rows), asdict(found.options) | dict(choice), found.doubts
+    )
+
+
+def _read_sbet(path: Path, choice: Choice) -> Trajectory:
+    return read_sbet(path, SbetOptions(**SBET.settled(choice)))
+
+
+def _smrmsg_head(path: Path) -> NDArray[np.float64]:
+    try:
+        with Path(path).open("rb") as file:
+            data = file.read(1000 * SMRMSG_RECORD)
+    except OSError:
+        return np.zeros((0, 10))
+    whole = len(data) // SMRMSG_RECORD * SMRMSG_RECORD
+    return np.frombuffer(data[:whole], dtype="<f8").reshape(-1, 10)
+
+
+def _sniff_smrmsg(path: Path) -> float:
+    head = _smrmsg_head(path)
+    if not len(head) or not np.isfinite(head).all() or not plausible(head[:, 0]):
+        return NOT
+    sound = (head[:, 1:] >= 0).all() and head[:, 1:].max() < 1e4 and head[:, 1:].max() > 1e-9
+    if not sound or (np.diff(head[:, 0]) <= 0).any():
+        return NOT
+    return SURE if Path(path).stat().st_size % SMRMSG_RECORD == 0 else LIKELY
+
+
+def _look_smrmsg(path: Path, choice: Choice) -> Finding:
+    size = require_file(Path(path), "smrmsg").stat().st_size
+    head = _smrmsg_head(path)
+    rows = tuple(tuple(f"{value:.6g}" for value in row) for row in head[:5])
+    doubts: list[str] = []
+    if not size or size % SMRMSG_RECORD:
+        doubts.append(
+            f"{size:,} bytes are not a whole number of {SMRMSG_RECORD}-byte records: the file is "
+            "empty, cut short or not smrmsg; copy or export it again."
+        )
+    facts = {"Records": f"{size // SMRMSG_RECORD:,}"}
+    if len(head) and not doubts:
+        try:
+            found, said = accuracy_facts(read_smrmsg(path))
+            facts |= found
+            doubts += said
+        except InputError as error:
+            doubts.append(str(error))
+    return Finding(facts, (SMRMSG_COLUMNS, *rows), dict(choice), tuple(doubts))
+
+
+def _read_smrmsg(path: Path, choice: Choice) -> TrajectoryAccuracy:
+    return read_smrmsg(path)
+
+
+def _format(
+    name: str,
+    key: str,
+    kind: Kind,
+    endings: tuple[str, ...],
+    options: tuple[Option, ...],
+    sniff: Callable[[Path], float],
+    look: Callable[[Path, Choice], Finding],
+    read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy],
+) -> Format:
+    """A format that refuses options it does not have before it looks or reads."""
+
+    def look_checked(path: Path, choice: Choice) -> Finding:
+        made.settled(choice)
+        return look(Path(path), choice)
+
+    def read_checked(path: Path, choice: Choice) -> Trajectory | TrajectoryAccuracy:
+        made.settled(choice)
+        return read(Path(path), choice)
+
+    made = Format(name, key, kind, endings, options, sniff, look_checked, read_checked)
+    return made
+
+
+SBET = _format(
+    "Applanix SBET",
+    "sbet",
+    "trajectory",
+    (".out", ".sbet"),
+    (
+        Option(
+            "heading",
+            "Whether the wander angle has to be taken off the platform heading to get true "
+            "heading.",
+            ("minus-wander", "as-is"),
+            "minus-wander",
+        ),
+        PITCH,
+        ROLL,
+        Option(
+            "axes",
+            "Axes of the velocities; they serve to check the heading.",
+            tuple(AXES),
+            "unknown",
+        ),
+        TIME,
+        Option("unit", "Unit of all angles.", ("radians", "degrees"), "radians"),
+        Option(
+            "order",
+            "Which of the two positions stands first.",
+            ("latitude-longitude", "longitude-latitude"),
+            "latitude-longitude",
+        ),
+        Option(
+            "byte_order", "Order of the bytes.", ("little-endian", "big-endian"), "little-endian"
+        ),
+    ),
+    _sniff_sbet,
+    _look_sbet,
+    _read_sbet,
+)
+
+EXAIL_OPTIONS = (
+    Option(PITCH.name, PITCH.meaning, PITCH.choices, "bow-down"),
+    ROLL,
+    Option(TIME.name, TIME.meaning, TIME.choices, "unix"),
+)
+EXAIL = _format(
+    "Exail (iXblue) APPS or Delph INS text",
+    "exail-text",
+    "trajectory",
+    (".txt", ".csv"),
+    EXAIL_OPTIONS,
+    sniff_exail,
+    look_exail,
+    read_exail,
+)
+
+POSPAC_OPTIONS = (
+    TIME,
+    Option(
+        "crs", "Coordinate system of eastings and northings where there is no latitude (EPSG:...)."
+    ),
+)
+POSPAC = _format(
+    "Applanix POSPac text",
+    "pospac-text",
+    "trajectory",
+    (".txt", ".csv"),
+    POSPAC_OPTIONS,
+    sniff_pospac,
+    look_pospac,
+    read_pospac,
+)
+
+ASCII = _format(
+    "Text, columns stated",
+    "ascii-trajectory",
+    "trajectory",
+    (".txt", ".csv", ".asc", ".pos", ".dat"),
+    (
+        Option(
+            "columns",
+            "What each column is, from the left: time, date, latitude, longitude, easting, "
+            "northing, height, roll, pitch, heading; - passes one over.",
+            (),
+            DEFAULTS["columns"],
+        ),
+        Option("separator", "What stands between the columns.", SEPARATORS, "auto"),
+        Option(
+            "header", "Rows to pass over at the head; auto: up to the first of numbers.", (), "auto"
+        ),
+        Option(
+            "position", "Unit of latitude and longitude.", ("degrees", "radians", "dms"), "degrees"
+        ),
+        Option("attitude", "Unit of roll, pitch and heading.", ("degrees", "radians"), "degrees"),
+        Option("heights", "Unit of the heights.", ("metres", "feet", "us-survey-feet"), "metres"),
+        PITCH,
+        ROLL,
+        Option("heading", "North that the heading counts from.", ("true", "grid"), "true"),
+        Option("crs", "Coordinate system of eastings and northings (EPSG:32619, say)."),
+        TIME,
+    ),
+    sniff_ascii,
+    look_ascii,
+    read_ascii,
+)
+
+SMRMSG = _format(
+    "Applanix smrmsg",
+    "smrmsg",
+    "accuracy",
+    (".out", ".smrmsg"),
+    (),
+    _sniff_smrmsg,
+    _look_smrmsg,
+    _read_smrmsg,
+)
+EXAIL_ACCURACY = _format(
+    "Exail (iXblue) text, standard deviations",
+    "exail-sigmas",
+    "accuracy",
+    (".txt", ".csv"),
+    EXAIL_OPTIONS,
+    sniff_exail_accuracy,
+    look_exail_accuracy,
+    read_exail_accuracy,
+)
+POSPAC_ACCURACY = _format(
+    "Applanix POSPac text, standard deviations",
+    "pospac-sigmas",
+    "accuracy",
+    (".txt", ".csv"),
+    POSPAC_OPTIONS,
+    sniff_pospac_accuracy,
+    look_pospac_accuracy,
+    read_pospac_accuracy,
+)

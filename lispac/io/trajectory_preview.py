@@ -1,0 +1,172 @@
+"""A look into a trajectory of text: a part of it read, its facts and its doubts."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import chain, islice
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.registry import Choice, Finding
+from lispac.io.text_table import fields_of, is_data
+from lispac.io.trajectory_columns import (
+    SIGMAS,
+    Column,
+    Conventions,
+    Rows,
+    accuracy_of,
+    missing_roles,
+    trajectory_of,
+)
+from lispac.io.trajectory_facts import (
+    course_doubts,
+    duration_words,
+    facts_of,
+    motion_of,
+    time_doubts,
+)
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
+
+
+@dataclass(frozen=True)
+class TextLayout:
+    """What a text file's beginning, or the user, says about its columns.
+
+    Attributes
+    ----------
+    columns : tuple of Column
+        Those the program uses.
+    names : tuple of str
+        All columns from the left, for the preview.
+    separator : str
+    rows : callable
+        Path to the rows of data, each with its number in the file.
+    facts : dict of str to str
+    doubts : tuple of str
+    """
+
+    columns: tuple[Column, ...]
+    names: tuple[str, ...]
+    separator: str
+    rows: Callable[[Path], Rows]
+    facts: dict[str, str]
+    doubts: tuple[str, ...] = ()
+
+
+def look_at_text(
+    path: Path, layout: TextLayout, conventions: Conventions, choice: Choice
+) -> Finding:
+    """Facts, first rows and doubts of a trajectory of text, from its first and last rows."""
+    head = list(islice(layout.rows(path), HEAD_ROWS))
+    facts = {
+        **layout.facts,
+        "Columns": ", ".join(layout.names) or "not known",
+        "Rows": f"about {_estimated_rows(path, head):,}",
+    }
+    rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
+    missing = missing_roles(layout.columns)
+    doubts = list(layout.doubts)
+    if missing:
+        doubts.append(f"The columns lack {', '.join(missing)}; a trajectory needs them.")
+        return Finding(facts, rows, choice, tuple(doubts))
+    try:
+        first = trajectory_of(path, iter(head), layout.columns, conventions, ())
+    except InputError as error:
+        doubts.append(str(error))
+        return Finding(facts, rows, choice, tuple(doubts))
+    whole, said = _with_tail(path, layout, conventions, first, head)
+    motion = motion_of(first.time, first.latitude, first.longitude, first.height)
+    exchanged = motion_of(first.time, first.longitude, first.latitude, first.height)
+    speed = motion.speed
+    facts |= facts_of(whole.time, whole.latitude, whole.longitude, whole.height, speed)
+    doubts += said
+    doubts += time_doubts(first.time, conventions.time)
+    doubts += course_doubts([(motion, exchanged)], [first.attitude[:, 2]])
+    return Finding(facts, rows, choice, tuple(doubts))
+
+
+def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -> Finding:
+    """Facts and doubts of standard deviations in text, from the first rows."""
+    head = list(islice(layout.rows(path), HEAD_ROWS))
+    rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
+    facts = {**layout.facts, "Columns": ", ".join(layout.names) or "not known"}
+    try:
+        accuracy = accuracy_of(path, iter(head), layout.columns, conventions)
+    except InputError as error:
+        return Finding(facts, rows, {"time": conventions.time}, (*layout.doubts, str(error)))
+    found, doubts = accuracy_facts(accuracy)
+    return Finding(facts | found, rows, {"time": conventions.time}, (*layout.doubts, *doubts))
+
+
+def accuracy_facts(accuracy: TrajectoryAccuracy) -> tuple[dict[str, str], tuple[str, ...]]:
+    """Span and size of standard deviations, and what is doubtful about them."""
+    time, doubts = accuracy.time, []
+    facts = {
+        "Start": f"{time[0]:.3f} s",
+        "End": f"{time[-1]:.3f} s",
+        "Duration": duration_words(float(time[-1] - time[0])),
+    }
+    position, attitude = accuracy.position, np.degrees(accuracy.attitude)
+    for name, values in zip(("north", "east", "height"), position.T, strict=True):
+        facts[f"Sigma {name}"] = f"{values.min():.3f} to {values.max():.3f} m"
+    for name, values in zip(("roll", "pitch", "heading"), attitude.T, strict=True):
+        facts[f"Sigma {name}"] = f"{values.min():.4f} to {values.max():.4f} deg"
+    if not position.any() or not attitude.any():
+        doubts.append("Standard deviations are all zero; the file holds no accuracy.")
+    if np.median(attitude) > 1 or np.median(position) > 100:
+        doubts.append(
+            "Standard deviations are large (in the middle "
+            f"{np.median(position):.3g} m and {np.median(attitude):.3g} deg); check their unit."
+        )
+    return facts, tuple(doubts)
+
+
+def has_sigmas(columns: Sequence[Column]) -> bool:
+    """Whether the columns hold all six standard deviations."""
+    return {column.role for column in columns}.issuperset(SIGMAS)
+
+
+def _with_tail(
+    path: Path,
+    layout: TextLayout,
+    conventions: Conventions,
+    first: Trajectory,
+    head: Sequence[tuple[int, list[str]]],
+) -> tuple[Trajectory, list[str]]:
+    """First and last rows as one trajectory; the first alone where the last do not fit it."""
+    if len(head) < HEAD_ROWS:
+        return first, []
+    tail = list(_tail(path, layout))
+    # In a short file the last rows begin among the first ones.
+    seen = [k for k, (_, fields) in enumerate(tail) if fields == head[-1][1]]
+    rows = chain(head, tail[seen[-1] + 1 :] if seen else tail)
+    try:
+        return trajectory_of(path, rows, layout.columns, conventions, ()), []
+    except InputError:
+        return first, [
+            "The last rows do not go on from the first ones: the file may be cut short or its "
+            "times run backward. The facts are those of the first rows; reading names the row."
+        ]
+
+
+def _tail(path: Path, layout: TextLayout) -> Rows:
+    try:
+        with path.open("rb") as file:
+            file.seek(max(0, path.stat().st_size - TAIL_BYTES))
+            lines = file.read().decode("utf-8", errors="replace").splitlines()[1:]
+    except OSError:
+        lines = []
+    for row, line in enumerate(lines, start=1):
+        fields = fields_of(line, layout.separator)
+        if is_data(fields):
+            yield row, fields
+
+
+def _estimated_rows(path: Path, head: Sequence[tuple[int, list[str]]]) -> int:
+    if len(head) < HEAD_ROWS:
+        return len(head)
+    length = sum(len(field) + 1 for _, fields in head for field in fields) / len(head)
+    return int(path.stat().st_size / max(length, 1.0))

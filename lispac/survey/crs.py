@@ -1,0 +1,391 @@
+"""Coordinate systems of georeferenced points, by PROJ: to the earth's centre and the local frame.
+
+A map projection is neither true to north nor to scale: points never go from grid coordinates to
+the local frame by subtraction, always by latitude, longitude and height above the ellipsoid.
+
+The trajectory carries no datum. A cloud is made by adding vectors to the trajectory and projecting
+the sum, so unless the user says otherwise both are in the datum of the cloud and nothing is shifted
+between datums: that is what makes the inverse exact. PROJ's network access stays off.
+"""
+
+import os
+import warnings
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from pyproj import CRS, Transformer
+from pyproj.crs import CompoundCRS, GeographicCRS
+from pyproj.datadir import get_user_data_dir  # type: ignore[attr-defined]
+from pyproj.enums import TransformDirection
+from pyproj.exceptions import CRSError, ProjError
+from pyproj.network import set_network_enabled  # type: ignore[attr-defined]
+from pyproj.transformer import TransformerGroup
+
+from lispac.errors import InputError
+from lispac.geometry.frames import (
+    FLATTENING,
+    SEMI_MAJOR_AXIS,
+    LocalFrame,
+    ecef_to_geodetic,
+    geodetic_to_ecef,
+)
+
+Array = NDArray[np.float64]
+Geodetic = tuple[Array, Array, Array]
+
+UNITS = {"metre": 1.0, "foot": 0.3048, "us-survey-foot": 1200 / 3937}
+"""Metres in each unit a length may be given in."""
+ELLIPSOID = "ellipsoid"
+GRID_ENDINGS = (".gtx", ".tif", ".tiff")
+BLOCK = 1 << 17  # points per call of PROJ, which releases the GIL
+
+
+@dataclass(frozen=True, eq=False)
+class CoordinateSystem:
+    """How the coordinates of a cloud become latitude, longitude and height.
+
+    Made by `coordinate_system`.
+
+    Attributes
+    ----------
+    crs : pyproj.CRS
+        As given.
+    height : str
+        What heights are counted from, in words.
+    unit : str
+        Of the horizontal coordinates.
+    assumptions : tuple of str
+        What was taken for granted, in words.
+    """
+
+    crs: CRS
+    height: str
+    unit: str
+    assumptions: tuple[str, ...]
+    _height_factor: float
+    _to_geographic: Transformer
+    _to_ellipsoid: Transformer | None
+    _epoch: float | None
+
+    @property
+    def name(self) -> str:
+        """Name and, where there is one, EPSG code."""
+        code = self.crs.to_epsg()
+        return f"{self.crs.name} (EPSG:{code})" if code else str(self.crs.name)
+
+    @property
+    def is_geographic(self) -> bool:
+        """Whether horizontal coordinates are longitude and latitude in degrees."""
+        return bool(self.crs.is_geographic)
+
+    def to_geodetic(self, points_crs: Array) -> Geodetic:
+        """Latitude, longitude (radians) and ellipsoidal height (metres) of points.
+
+        Parameters
+        ----------
+        points_crs : ndarray of shape (n, 3)
+            East, north (or longitude, latitude in degrees) and height, as LAS stores them.
+
+        Raises
+        ------
+        InputError
+            Where points lie outside what the system or its geoid grid covers.
+        """
+        return _in_blocks(self._block_to_geodetic, *np.asarray(points_crs, dtype=float).T)
+
+    def to_ecef(self, points_crs: Array) -> Array:
+        """Earth-centred coordinates of points, shape (n, 3), metres."""
+        return geodetic_to_ecef(*self.to_geodetic(points_crs))
+
+    def to_local(self, points_crs: Array, frame: LocalFrame) -> Array:
+        """Points in the local frame, shape (n, 3), metres."""
+        return frame.to_local(*self.to_geodetic(points_crs))
+
+    def from_geodetic(self, latitude: Array, longitude: Array, height: Array) -> Array:
+        """The inverse of `to_geodetic`, shape (n, 3)."""
+        return np.stack(_in_blocks(self._block_from_geodetic, latitude, longitude, height), axis=-1)
+
+    def from_ecef(self, points_ecef: Array) -> Array:
+        """The inverse of `to_ecef`, shape (n, 3)."""
+        return self.from_geodetic(*ecef_to_geodetic(points_ecef))
+
+    def from_local(self, points_local: Array, frame: LocalFrame) -> Array:
+        """The inverse of `to_local`, shape (n, 3)."""
+        return self.from_geodetic(*frame.to_geodetic(points_local))
+
+    def _block_to_geodetic(self, x: Array, y: Array, z: Array) -> Geodetic:
+        place = self._transform(self._to_geographic, (x, y, z * self._height_factor))
+        if self._to_ellipsoid is not None:
+            place = self._transform(self._to_ellipsoid, place)
+        longitude, latitude, height = place
+        self._require_inside(place, (x, y, z))
+        return np.radians(latitude), np.radians(longitude), height
+
+    def _block_from_geodetic(self, latitude: Array, longitude: Array, height: Array) -> Geodetic:
+        given = (np.degrees(longitude), np.degrees(latitude), height)
+        back = TransformDirection.INVERSE
+        place = given
+        if self._to_ellipsoid is not None:
+            place = self._transform(self._to_ellipsoid, place, back)
+        x, y, z = self._transform(self._to_geographic, place, back)
+        self._require_inside((x, y, z), given)
+        return x, y, z / self._height_factor
+
+    def _transform(
+        self,
+        transformer: Transformer,
+        place: Geodetic,
+        direction: TransformDirection = TransformDirection.FORWARD,
+    ) -> Geodetic:
+        epoch = None if self._epoch is None else np.full(len(place[0]), self._epoch)
+        set_network_enabled(active=False)
+        moved = transformer.transform(*place, tt=epoch, direction=direction)
+        return moved[0], moved[1], moved[2]
+
+    def _require_inside(self, moved: Geodetic, given: Geodetic) -> None:
+        outside = ~np.isfinite(np.stack(moved)).all(axis=0)
+        if outside.any():
+            first = int(np.argmax(outside))
+            place = ", ".join(f"{axis[first]:,.3f}" for axis in given)
+            raise InputError(
+                f"The point at {place} lies outside {self.name} or its geoid grid "
+                f"({int(outside.sum()):,} such points): check the coordinate system."
+            )
+
+
+def coordinate_system(
+    text: str,
+    *,
+    height: str = "",
+    height_unit: str = "",
+    trajectory_datum: str = "",
+    epoch: float | None = None,
+) -> CoordinateSystem:
+    """Settle a coordinate system.
+
+    Parameters
+    ----------
+    text : str
+        An EPSG code (``EPSG:32619``, ``32619``, ``EPSG:6347+5703``), WKT, or a name PROJ knows.
+    height : str
+        What heights are counted from: ``ellipsoid``, the EPSG code of a vertical system, or the
+        path of a geoid grid (.gtx, .tif). Empty: as the system says, else the ellipsoid.
+    height_unit : str
+        One of `UNITS`; empty: as the system says, else that of the horizontal coordinates.
+    trajectory_datum : str
+        Geographic system of the trajectory where it is not that of the points.
+    epoch : float or None, decimal year
+        Needed where the shift between the datums changes with time.
+
+    Raises
+    ------
+    InputError
+        Where PROJ does not know the system, it is not tied to the earth, or a grid is missing.
+    """
+    try:
+        return _settled(_unbound(_known(text)), height, height_unit, trajectory_datum, epoch)
+    except (CRSError, ProjError, IndexError) as error:  # pyproj's words for systems out of joint
+        raise InputError(
+            f"{_short(text)}: PROJ cannot use this coordinate system ("
+            f"{_short(str(error))}); give its EPSG code, EPSG:32619 for example."
+        ) from error
+
+
+def _settled(
+    crs: CRS, height: str, height_unit: str, trajectory_datum: str, epoch: float | None
+) -> CoordinateSystem:
+    horizontal, vertical = _parts(crs)
+    if not (horizontal.is_projected or horizontal.is_geographic or horizontal.is_geocentric):
+        raise InputError(
+            f"{_short(crs.name)}: this coordinate system is not tied to the earth; "
+            "give the EPSG code of the one the points are in."
+        )
+    assumptions = [f"coordinate system {crs.name}"]
+    grid: Path | None = None
+    if height.lower().endswith(GRID_ENDINGS):
+        grid, vertical = Path(height), None
+    elif height == ELLIPSOID:
+        vertical = None
+    elif height:
+        vertical = _vertical(height)
+    elif vertical is None and len(crs.axis_info) < 3:
+        assumptions.append("the coordinate system names no heights: taken above the ellipsoid")
+    if horizontal.is_geocentric:
+        grid = vertical = None
+    source = (
+        horizontal.to_3d() if vertical is None
+        else CompoundCRS(crs.name, [horizontal.to_2d(), vertical])
+    )  # fmt: skip
+    factor, unit = _height_factor(crs, source, height_unit)
+    if not height_unit and len(crs.axis_info) < 3:
+        like = "" if crs.is_geographic else ", as the horizontal coordinates"
+        assumptions.append(f"heights in {unit}{like}")
+    target = _target(horizontal, trajectory_datum)
+    assumptions.append(
+        f"trajectory in {target.name}, not shifted to another datum" if not trajectory_datum
+        else f"trajectory in {target.name}, points shifted there from {horizontal.name}"
+    )  # fmt: skip
+    to_geographic = _best(source, target, epoch)
+    above = grid.name if grid else vertical.name if vertical else ELLIPSOID
+    return CoordinateSystem(
+        crs=crs,
+        height=f"{above} ({unit})",
+        unit=horizontal.axis_info[0].unit_name,
+        assumptions=tuple(assumptions),
+        _height_factor=factor,
+        _to_geographic=to_geographic,
+        _to_ellipsoid=None if grid is None else _geoid(grid),
+        _epoch=epoch,
+    )
+
+
+def _known(text: str) -> CRS:
+    if not text.strip():
+        raise InputError(
+            "The points name no coordinate system; give its EPSG code, EPSG:32619 for example."
+        )
+    plain = text.strip()
+    try:
+        return CRS.from_user_input(f"EPSG:{plain}" if plain.isdigit() else plain)
+    except CRSError as error:
+        raise InputError(
+            f"{_short(text)}: not a coordinate system known to PROJ; "
+            "give its EPSG code, EPSG:32619 for example, or its WKT."
+        ) from error
+
+
+def _short(text: str) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= 60 else f"{line[:57]}..."
+
+
+def _parts(crs: CRS) -> tuple[CRS, CRS | None]:
+    """The horizontal system, and the vertical one where heights are not above the ellipsoid."""
+    if not crs.is_compound:
+        return crs, None
+    horizontal, vertical = crs.sub_crs_list[:2]
+    return _unbound(horizontal), _unbound(vertical)
+
+
+def _unbound(crs: CRS) -> CRS:
+    """The system without a shift to another datum that its text may have brought."""
+    return crs.source_crs if crs.is_bound and crs.source_crs is not None else crs
+
+
+def _vertical(height: str) -> CRS:
+    vertical = _known(height)
+    if not vertical.is_vertical:
+        raise InputError(
+            f"{height}: {vertical.name} is not a system of heights; give ellipsoid, the EPSG code "
+            "of a vertical system, or a geoid grid (.gtx, .tif)."
+        )
+    return vertical
+
+
+def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]:
+    """What heights are multiplied by to be in the unit of ``source``, and their unit in words."""
+    own = source.axis_info[-1].unit_conversion_factor
+    if height_unit:
+        if height_unit not in UNITS:
+            raise InputError(f"{height_unit}: not a unit; choose {' or '.join(UNITS)}.")
+        return UNITS[height_unit] / own, height_unit
+    first = crs.axis_info[0]
+    if len(crs.axis_info) < 3 and not crs.is_geographic:
+        return first.unit_conversion_factor / own, first.unit_name
+    return 1.0, source.axis_info[-1].unit_name
+
+
+def _target(horizontal: CRS, trajectory_datum: str) -> CRS:
+    """Longitude, latitude and ellipsoidal height in the datum of the trajectory."""
+    if trajectory_datum:
+        datum = _known(trajectory_datum)
+        if datum.is_geographic:
+            return datum.to_3d()
+        raise InputError(
+            f"{_short(trajectory_datum)}: not a geographic coordinate system; the datum of a "
+            "trajectory is one such as EPSG:7912 (ITRF2014)."
+        )
+    ellipsoid, own = horizontal.ellipsoid, horizontal.datum
+    if ellipsoid is None or own is None:
+        raise InputError(f"{horizontal.name} names no datum; give the EPSG code of the system.")
+    polar = SEMI_MAJOR_AXIS * (1 - FLATTENING)
+    if (
+        abs(ellipsoid.semi_major_metre - SEMI_MAJOR_AXIS) > 0.001
+        or abs(ellipsoid.semi_minor_metre - polar) > 0.001
+    ):
+        raise InputError(
+            f"{horizontal.name} is not on the ellipsoid of satellite positioning but on "
+            f"{ellipsoid.name}: state the datum of the trajectory, EPSG:4979 (WGS 84) for example."
+        )
+    return GeographicCRS(name=own.name, datum=own).to_3d()
+
+
+def _best(source: CRS, target: CRS, epoch: float | None) -> Transformer:
+    """The most accurate operation; refused where it needs what is not on this machine."""
+    set_network_enabled(active=False)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # said below
+        group = TransformerGroup(source, target, always_xy=True, allow_ballpark=False)
+    if not group.transformers or not group.best_available:
+        grids = [
+            grid.short_name
+            for operation in group.unavailable_operations[:1]
+            for grid in operation.grids
+            if not grid.available
+        ]
+        needed = f"{', '.join(grids)}, which is" if grids else "a grid file that is"
+        geoid = "give the geoid as a file (.gtx, .tif), " if source.is_compound else ""
+        raise InputError(
+            f"From {source.name} to {target.name} PROJ needs {needed} not on this machine "
+            f"and not fetched from the network: {geoid}put it into "
+            f"{get_user_data_dir()}, or export the points with ellipsoidal heights in the datum "
+            "of the trajectory."
+        )
+    transformer = group.transformers[0]
+    if "t_epoch=" in transformer.definition and epoch is None:
+        raise InputError(
+            f"The shift from {source.name} to {target.name} changes with time: "
+            "state the date of the survey as a decimal year."
+        )
+    return transformer
+
+
+def _geoid(grid: Path) -> Transformer:
+    if not grid.is_file():
+        raise InputError(f"{grid}: there is no such geoid grid; check the path.")
+    if "," in str(grid) or '"' in str(grid):
+        raise InputError(f"{grid}: PROJ takes no commas or quotes in a path; rename the grid.")
+    degrees = "+step +proj=unitconvert +xy_in=deg +xy_out=rad"
+    shift = f'+step +proj=vgridshift +grids="{grid.resolve()}" +multiplier=1'
+    radians = "+step +proj=unitconvert +xy_in=rad +xy_out=deg"
+    try:
+        return Transformer.from_pipeline(f"+proj=pipeline {degrees} {shift} {radians}")
+    except ProjError as error:
+        raise InputError(
+            f"{grid}: cannot be read as a geoid grid; give a .gtx or GeoTIFF grid of PROJ."
+        ) from error
+
+
+def _in_blocks(run: Callable[[Array, Array, Array], Geodetic], *axes: Array) -> Geodetic:
+    """Run over blocks on all cores."""
+    count = len(axes[0])
+    if count <= BLOCK:
+        return run(*(np.ascontiguousarray(axis) for axis in axes))
+    result = tuple(np.empty(count) for _ in range(3))
+
+    def one(start: int) -> None:
+        rows = slice(start, start + BLOCK)
+        for whole, some in zip(
+            result, run(*(np.ascontiguousarray(axis[rows]) for axis in axes)), strict=True
+        ):
+            whole[rows] = some
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for _ in pool.map(partial(one), range(0, count, BLOCK)):
+            pass
+    return result[0], result[1], result[2]

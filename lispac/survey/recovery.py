@@ -1,0 +1,157 @@
+"""Scanner-frame points recovered from a georeferenced cloud.
+
+Most software gives out points on the map, not as the scanner saw them. With the trajectory, lever
+arm and boresight that made the cloud, the exact inverse of `lispac.survey.georeferencing` brings
+the scanner's vectors back; a calibration then starts as from raw lines. What the cloud's making
+left out or added (its stored resolution, a strip adjustment, a smoothed or another trajectory)
+stays in the vectors.
+"""
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.survey.crs import CoordinateSystem
+from lispac.survey.georeferencing import Mounting, to_lidar
+from lispac.survey.trajectory import LocalTrajectory
+
+Array = NDArray[np.float64]
+
+BLOCK = 1 << 16  # points per turn of a thread: a rotation matrix each
+FARTHEST = 5000.0
+"""Metres from the scanner beyond which a point is not believed."""
+
+
+class Chunk(Protocol):
+    """Points of a file as a reader gives them: a dataclass with these and other fields."""
+
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+
+    @property
+    def xyz(self) -> Array: ...
+    @property
+    def time(self) -> Array: ...
+    @property
+    def extra(self) -> Any: ...
+
+
+C = TypeVar("C", bound=Chunk)
+
+
+@dataclass(frozen=True, eq=False)
+class Recovery:
+    """What made the cloud.
+
+    Attributes
+    ----------
+    system : CoordinateSystem
+        Of the cloud.
+    trajectory : LocalTrajectory
+        The one the cloud was made with, not a better one computed later.
+    mounting : Mounting
+        Lever arm, boresight and offsets applied when the cloud was made.
+    """
+
+    system: CoordinateSystem
+    trajectory: LocalTrajectory
+    mounting: Mounting
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What has to hold for the vectors to be those of the scanner, in words."""
+        return (
+            *self.system.assumptions,
+            "the points were made with this trajectory, lever arm and boresight, by linear "
+            "interpolation, and were not adjusted afterwards",
+        )
+
+    def usable(self, time: Array) -> NDArray[np.bool_]:
+        """Which points have a pose: inside the trajectory and not in a gap of it."""
+        return self.trajectory.covers(time + self.mounting.latency)
+
+    def points_lidar(self, points_crs: Array, time: Array) -> Array:
+        """Recover points in the LiDAR frame, shape (n, 3), metres.
+
+        Parameters
+        ----------
+        points_crs : ndarray of shape (n, 3)
+            In the unit and axes of ``system``.
+        time : ndarray of shape (n,), seconds, in the trajectory's time base
+
+        Raises
+        ------
+        InputError
+            Where a time lies outside the trajectory or a point outside the coordinate system.
+        """
+        points_local = self.system.to_local(points_crs, self.trajectory.frame)
+        points_lidar = np.empty_like(points_local)
+
+        def run(start: int) -> None:
+            rows = slice(start, start + BLOCK)
+            poses = self.trajectory.at(time[rows] + self.mounting.latency)
+            points_lidar[rows] = to_lidar(points_local[rows], poses, self.mounting)
+
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            for _ in pool.map(run, range(0, len(time), BLOCK)):
+                pass
+        return points_lidar
+
+
+def recovered(chunks: Iterable[C], recovery: Recovery) -> Iterator[tuple[C, int]]:
+    """Recover chunk by chunk; memory holds one chunk.
+
+    Yields
+    ------
+    chunk
+        The same with ``xyz`` in the LiDAR frame in metres, and only the points that have a pose.
+    lost : int
+        Points of the chunk left out because they have none.
+
+    Raises
+    ------
+    InputError
+        Where points come out farther from the scanner than any reaches: the coordinate system,
+        the height reference or the time base is another one.
+    """
+    for chunk in chunks:
+        usable = recovery.usable(chunk.time)
+        lost = int(np.count_nonzero(~usable))
+        if lost:
+            chunk = _rows(chunk, usable)
+        points_lidar = recovery.points_lidar(chunk.xyz, chunk.time)
+        require_within_reach(points_lidar, recovery)
+        yield replace(chunk, xyz=points_lidar), lost
+
+
+def require_within_reach(points_lidar: Array, recovery: Recovery) -> None:
+    """Refuse points of which half are farther from the scanner than any scanner sees.
+
+    Raises
+    ------
+    InputError
+    """
+    if not len(points_lidar):
+        return
+    distance = float(np.median(np.linalg.norm(points_lidar, axis=1)))
+    if not distance <= FARTHEST:
+        raise InputError(
+            f"Half of the points come out farther than {distance / 1000:,.1f} km from the scanner "
+            f"with {recovery.system.name}: check the coordinate system and its unit, and that "
+            "points and trajectory share one time base."
+        )
+
+
+def _rows(chunk: C, chosen: NDArray[np.bool_]) -> C:
+    kept: Callable[[Any], Any] = lambda values: values[chosen]  # noqa: E731
+    return replace(
+        chunk,
+        xyz=kept(chunk.xyz),
+        time=kept(chunk.time),
+        extra={name: kept(values) for name, values in chunk.extra.items()},
+    )

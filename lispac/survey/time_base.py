@@ -1,0 +1,326 @@
+"""Time bases: which one times are in, and what brings one into another.
+
+Two bases differ by a constant over any survey that no leap second falls into: by the offset of
+their zeros, by the leap seconds, and by whole days or weeks where a base starts again at midnight
+or on Sunday. So a conversion is one shift in seconds, and of the whole days or weeks those are
+taken that bring two files together.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import UTC, date, datetime
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+
+Array = NDArray[np.float64]
+
+DAY, WEEK = 86_400.0, 604_800.0
+GPS_EPOCH = datetime(1980, 1, 6, tzinfo=UTC).timestamp()
+"""Unix time of the zero of GPS time, seconds."""
+
+LEAP_DATES = (
+    date(1981, 7, 1), date(1982, 7, 1), date(1983, 7, 1), date(1985, 7, 1), date(1988, 1, 1),
+    date(1990, 1, 1), date(1991, 1, 1), date(1992, 7, 1), date(1993, 7, 1), date(1994, 7, 1),
+    date(1996, 1, 1), date(1997, 7, 1), date(1999, 1, 1), date(2006, 1, 1), date(2009, 1, 1),
+    date(2012, 7, 1), date(2015, 7, 1), date(2017, 1, 1),
+)  # fmt: skip
+"""Days at whose start GPS gained a second on UTC (IERS Bulletin C); none announced after 2017."""
+
+_LEAP_UTC = np.array(
+    [datetime(d.year, d.month, d.day, tzinfo=UTC).timestamp() - GPS_EPOCH for d in LEAP_DATES]
+)
+LEAP_SECONDS_NOW = len(LEAP_DATES)
+
+
+@dataclass(frozen=True)
+class TimeBase:
+    """What a time counts.
+
+    Attributes
+    ----------
+    key : str
+        As in the project file and at the command line.
+    name : str
+        As in sentences.
+    offset : float, seconds
+        Continuous time since 1980-01-06 at zero, leap seconds apart.
+    period : float or None, seconds
+        After which it starts again; None where it never does.
+    utc : bool
+        Whether it lacks the leap seconds that GPS time counts.
+    lowest, highest : float, seconds
+        Values a survey can have. Absolute bases: years 2000 to 2045. Periodic ones: one period
+        more, for writers that count on through midnight.
+    """
+
+    key: str
+    name: str
+    offset: float
+    period: float | None
+    utc: bool
+    lowest: float
+    highest: float
+
+
+def _absolute(key: str, name: str, offset: float, utc: bool) -> TimeBase:
+    first = datetime(2000, 1, 1, tzinfo=UTC).timestamp() - GPS_EPOCH
+    last = datetime(2045, 1, 1, tzinfo=UTC).timestamp() - GPS_EPOCH
+    return TimeBase(key, name, offset, None, utc, first - offset, last - offset)
+
+
+BASES = (
+    TimeBase("gps-week", "GPS seconds of the week", 0.0, WEEK, False, 0.0, 2 * WEEK),
+    TimeBase("gps-day", "GPS seconds of the day", 0.0, DAY, False, 0.0, 2 * DAY),
+    TimeBase("utc-day", "UTC seconds of the day", 0.0, DAY, True, 0.0, 2 * DAY),
+    TimeBase("utc-week", "UTC seconds of the week", 0.0, WEEK, True, 0.0, 2 * WEEK),
+    _absolute("gps-adjusted", "adjusted standard GPS time (minus 1e9)", 1e9, False),
+    _absolute("gps-full", "GPS seconds since 1980-01-06", 0.0, False),
+    _absolute("unix", "UTC seconds since 1970-01-01", -GPS_EPOCH, True),
+)
+"""All bases, the more usual first."""
+
+KEYS = tuple(base.key for base in BASES)
+
+
+def base_of(key: str) -> TimeBase:
+    """The base of that key.
+
+    Raises
+    ------
+    InputError
+    """
+    for base in BASES:
+        if base.key == key:
+            return base
+    raise InputError(f"There is no time base {key}; choose one of {', '.join(KEYS)}.")
+
+
+def plausible(times: Array) -> tuple[TimeBase, ...]:
+    """Bases that ``times`` can be in by their values alone, the more usual first.
+
+    Below one week, times are not taken for adjusted GPS time, which had such values in September
+    2011 alone.
+    """
+    times = np.asarray(times, dtype=np.float64)
+    if not times.size or not np.isfinite(times).all():
+        return ()
+    low, high = float(times.min()), float(times.max())
+
+    def possible(base: TimeBase) -> bool:
+        if base.key == "gps-adjusted" and low >= 0 and high < WEEK:
+            return False
+        return base.lowest <= low and high < base.highest
+
+    return tuple(base for base in BASES if possible(base))
+
+
+def leap_seconds(utc: Array | float) -> Array:
+    """GPS minus UTC at ``utc``, seconds of UTC days since 1980-01-06."""
+    return np.searchsorted(_LEAP_UTC, utc, side="right").astype(np.float64)
+
+
+def leap_seconds_at_gps(gps: Array | float) -> Array:
+    """GPS minus UTC at ``gps``, GPS seconds since 1980-01-06."""
+    starts = _LEAP_UTC + np.arange(1, len(_LEAP_UTC) + 1)
+    return np.searchsorted(starts, gps, side="right").astype(np.float64)
+
+
+def to_gps(times: Array, base: TimeBase, near: float | None = None) -> Array:
+    """GPS seconds since 1980-01-06 of ``times``.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds in ``base``; wraps already unrolled (`unrolled`)
+    near : float, GPS seconds since 1980-01-06
+        For a base that starts again every day or week: a time within half a period of the first.
+
+    Raises
+    ------
+    InputError
+        Where ``near`` is needed and missing.
+    """
+    times = np.asarray(times, dtype=np.float64)
+    if not times.size:
+        return times.copy()
+    continuous = times + base.offset
+    if base.period is not None:
+        if near is None:
+            raise InputError(
+                f"{base.name[0].upper()}{base.name[1:]} do not tell the date; state the date."
+            )
+        goal = near - (float(leap_seconds_at_gps(near)) if base.utc else 0.0)
+        continuous = continuous + base.period * np.round((goal - continuous[0]) / base.period)
+    return continuous + leap_seconds(continuous) if base.utc else continuous
+
+
+def from_gps(gps: Array, base: TimeBase) -> Array:
+    """The inverse of `to_gps`; a day or week that ends on the way is counted on, not restarted."""
+    gps = np.asarray(gps, dtype=np.float64)
+    if not gps.size:
+        return gps.copy()
+    continuous = gps - leap_seconds_at_gps(gps) if base.utc else gps
+    values = continuous - base.offset
+    if base.period is not None:
+        values = values - base.period * np.floor(values.min() / base.period)
+    return values
+
+
+def unrolled(times: Array) -> tuple[Array, int]:
+    """Times that count on where they started again at midnight or at the end of the week.
+
+    A step back counts as a new start where it is a whole day or week but for a step ahead of at
+    most a minute, from the last minute before to the first one after it.
+
+    Returns
+    -------
+    times : ndarray of shape (n,), seconds
+    count : int
+        Starts found.
+    """
+    times = np.asarray(times, dtype=np.float64)
+    added, count = np.zeros(len(times)), 0
+    for k in np.flatnonzero(np.diff(times) < -DAY + 60):
+        for period in (DAY, WEEK):
+            if period - 60 <= times[k] < period and 0 <= times[k + 1] < 60:
+                added[k + 1 :] += period
+                count += 1
+    return (times + added, count) if count else (times, 0)
+
+
+@dataclass(frozen=True)
+class Match:
+    """One way to bring point times onto the trajectory.
+
+    Attributes
+    ----------
+    pairs : tuple of (TimeBase, TimeBase)
+        Bases of points and trajectory that lead to this shift, the more usual first.
+    shift : float, seconds
+        To be added to the point times.
+    share : float
+        Part of the point times that then lies inside the trajectory's span.
+    leap_assumed : bool
+        Whether the leap seconds of today were taken because neither file tells the date.
+    """
+
+    pairs: tuple[tuple[TimeBase, TimeBase], ...]
+    shift: float
+    share: float
+    leap_assumed: bool = False
+
+    @property
+    def points(self) -> TimeBase:
+        """The likeliest base of the points."""
+        return self.pairs[0][0]
+
+    @property
+    def trajectory(self) -> TimeBase:
+        """The likeliest base of the trajectory."""
+        return self.pairs[0][1]
+
+    def applied(self, times: Array) -> Array:
+        """Point times in the trajectory's base."""
+        return np.asarray(times, dtype=np.float64) + self.shift
+
+
+def matches(
+    point_times: Array,
+    trajectory_times: Array,
+    *,
+    point_bases: Iterable[TimeBase] | None = None,
+    trajectory_bases: Iterable[TimeBase] | None = None,
+) -> tuple[Match, ...]:
+    """All ways that bring points onto the trajectory, best first.
+
+    Parameters
+    ----------
+    point_times : ndarray of shape (n,), seconds
+        Of one line, all or a sample.
+    trajectory_times : ndarray of shape (m,), seconds, increasing
+    point_bases, trajectory_bases : iterable of TimeBase, optional
+        Where the base is stated; otherwise all that the values allow.
+
+    Returns
+    -------
+    tuple of Match
+        By the share inside; among equal ones no shift comes first, then the more usual bases.
+        Empty where nothing brings one point inside.
+    """
+    points = np.asarray(point_times, dtype=np.float64)
+    points = points[np.isfinite(points)]
+    track = np.asarray(trajectory_times, dtype=np.float64)
+    if not points.size or not track.size:
+        return ()
+    start, end = float(track.min()), float(track.max())
+    centre, goal = float(np.median(points)), (start + end) / 2
+    found: dict[int, Match] = {}
+    for own in plausible(points) if point_bases is None else point_bases:
+        for other in plausible(track) if trajectory_bases is None else trajectory_bases:
+            for shift, assumed in _shifts(own, other, centre, goal):
+                inside = (points + shift >= start) & (points + shift <= end)
+                share = float(inside.mean())
+                key, pair = round(shift * 1000), ((own, other),)
+                if key in found:
+                    before = found[key]
+                    assumed = assumed and before.leap_assumed
+                    found[key] = Match(before.pairs + pair, shift, share, assumed)
+                elif share:
+                    found[key] = Match(pair, shift, share, assumed)
+    return tuple(sorted(found.values(), key=_rank))
+
+
+def _shifts(own: TimeBase, other: TimeBase, centre: float, goal: float) -> list[tuple[float, bool]]:
+    """Shifts from one base to another that bring ``centre`` next to ``goal``."""
+    leap, assumed = 0.0, False
+    if own.utc != other.utc:
+        if own.period is None:
+            leap = float(leap_seconds(centre + own.offset))
+        elif other.period is None:
+            leap = float(leap_seconds(goal + other.offset))
+        else:
+            leap, assumed = float(LEAP_SECONDS_NOW), True
+    shift = own.offset - other.offset + leap * (float(own.utc) - float(other.utc))
+    periods = [base.period for base in (own, other) if base.period is not None]
+    if not periods:
+        return [(shift, assumed)]
+    # A trajectory may be longer than a day: the neighbouring days are tried too.
+    near = round((goal - centre - shift) / min(periods))
+    return [(shift + min(periods) * (near + k), assumed) for k in (0, -1, 1)]
+
+
+def _rank(match: Match) -> tuple[float, bool, int]:
+    usual = min(KEYS.index(own.key) + KEYS.index(other.key) for own, other in match.pairs)
+    return -round(match.share, 3), abs(match.shift) > 1e-9, usual
+
+
+def sentence(found: tuple[Match, ...]) -> str:
+    """What `matches` found, in one sentence, with what the times cannot tell."""
+    if not found:
+        return (
+            "No known time base brings the points onto the trajectory; check that both are of "
+            "the same survey, or state the time bases."
+        )
+    best = found[0]
+    share = f"{100 * best.share:.{1 if best.share < 1 else 0}f} % of the points inside it"
+    if abs(best.shift) < 1e-9:
+        told = f"Point times fit the trajectory as they are, with {share}"
+    else:
+        told = (
+            f"Points in {best.points.name} fit the trajectory in {best.trajectory.name} after "
+            f"adding {best.shift:,.3f} s, with {share}"
+        )
+    if best.leap_assumed:
+        told += f" (leap seconds of today, {LEAP_SECONDS_NOW} s, as neither file tells the date)"
+    rivals = rival_matches(found)
+    if rivals:
+        others = " or ".join(f"{match.shift - best.shift:+,.3f} s" for match in rivals[:3])
+        told += f"; by the times alone a further shift of {others} fits as well"
+    return told + "."
+
+
+def rival_matches(found: tuple[Match, ...]) -> tuple[Match, ...]:
+    """Those that fit as well as the first, to half a per cent of the points."""
+    return tuple(match for match in found[1:] if match.share >= found[0].share - 0.005)

@@ -1,0 +1,191 @@
+"""How sound times are in themselves, and how a trajectory covers a line."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+COARSEST_HARMLESS = 1e-4
+"""Seconds: a vessel at 10 m/s moves by 1 mm in it."""
+
+
+@dataclass(frozen=True)
+class TimeQuality:
+    """What times look like, in the order of the file.
+
+    Attributes
+    ----------
+    count : int
+    duplicates : int
+        Times equal to the one before.
+    backward : int
+        Times earlier than the one before.
+    first_disorder : int or None
+        Index of the first such time.
+    resolution : float or None, seconds
+        Step that 32-bit numbers leave at these values, where the times show that they have gone
+        through them.
+    """
+
+    count: int
+    duplicates: int
+    backward: int
+    first_disorder: int | None
+    resolution: float | None
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """A sentence for each thing that is wrong."""
+        told = []
+        if self.resolution is not None:
+            told.append(
+                f"Times have lost precision to 32-bit numbers and stand on steps of "
+                f"{self.resolution:g} s; export them again with 64-bit times."
+            )
+        if self.backward:
+            told.append(
+                f"{self.backward:,} of {self.count:,} times run backward; sort the file or "
+                "export it again."
+            )
+        if self.duplicates:
+            told.append(f"{self.duplicates:,} of {self.count:,} times repeat the one before.")
+        return tuple(told)
+
+
+def time_quality(times: Array) -> TimeQuality:
+    """Look through ``times``, shape (n,), seconds, in the order of the file."""
+    times = np.asarray(times, dtype=np.float64)
+    with np.errstate(over="ignore", invalid="ignore"):
+        steps = np.diff(times)
+    disorder = np.flatnonzero(~(steps > 0))
+    return TimeQuality(
+        len(times),
+        int((steps == 0).sum()),
+        int((steps < 0).sum()),
+        int(disorder[0]) + 1 if disorder.size else None,
+        _lost_resolution(times),
+    )
+
+
+def _lost_resolution(times: Array) -> float | None:
+    """Step of 32-bit numbers where times use every one of its values, not a coarser grid.
+
+    Times at whole seconds pass through 32 bits unharmed: all their steps are multiples of a
+    second, while 32-bit numbers could have told finer ones apart.
+    """
+    if len(times) < 3 or not np.isfinite(times).all() or np.abs(times).max() > 1e30:
+        return None
+    if not np.array_equal(times.astype(np.float32).astype(np.float64), times):
+        return None
+    finest = float(np.spacing(np.float32(np.abs(times).min())))
+    coarsest = float(np.spacing(np.float32(np.abs(times).max())))
+    steps = np.abs(np.diff(times)) / finest
+    if coarsest < COARSEST_HARMLESS or not steps.any() or steps.max() > 2.0**62:
+        return None
+    common = int(np.gcd.reduce(np.unique(steps.astype(np.int64))))
+    return coarsest if common * finest <= coarsest else None
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """How a trajectory covers a line.
+
+    Attributes
+    ----------
+    start, end : float, seconds
+        Of the line; not a number where it has no points.
+    count : int
+        Points of the line.
+    outside : int
+        Points before or after the trajectory.
+    in_gaps : int
+        Points in gaps of the trajectory longer than ``longest_gap``.
+    gaps : tuple of (float, float), seconds
+        Start and end of those gaps that reach into the line's span.
+    longest_gap : float, seconds
+    """
+
+    start: float
+    end: float
+    count: int
+    outside: int
+    in_gaps: int
+    gaps: tuple[tuple[float, float], ...]
+    longest_gap: float
+
+    @property
+    def share_outside(self) -> float:
+        """Part of the points before or after the trajectory."""
+        return self.outside / self.count if self.count else 0.0
+
+    @property
+    def share_in_gaps(self) -> float:
+        """Part of the points in gaps."""
+        return self.in_gaps / self.count if self.count else 0.0
+
+    @property
+    def usable(self) -> int:
+        """Points that can be georeferenced."""
+        return self.count - self.outside - self.in_gaps
+
+    def __str__(self) -> str:
+        if not self.count:
+            return "The line has no points."
+        if self.usable == self.count:
+            return "The trajectory covers all points."
+        return (
+            f"{self.count - self.usable:,} of {self.count:,} points cannot be used: "
+            f"{self.outside:,} ({100 * self.share_outside:.1f} %) lie outside the trajectory, "
+            f"{self.in_gaps:,} ({100 * self.share_in_gaps:.1f} %) in gaps of it longer than "
+            f"{self.longest_gap:g} s."
+        )
+
+
+def coverage(line_times: Array, trajectory_times: Array, longest_gap: float) -> Coverage:
+    """How a trajectory covers one line, or a part of it (join parts with `joined`).
+
+    Parameters
+    ----------
+    line_times : ndarray of shape (n,), seconds, in any order; in the trajectory's time base
+    trajectory_times : ndarray of shape (m,), seconds, increasing
+    longest_gap : float, seconds
+        Between two states that may be bridged.
+    """
+    times = np.asarray(line_times, dtype=np.float64)
+    track = np.asarray(trajectory_times, dtype=np.float64)
+    if not times.size:
+        return Coverage(np.nan, np.nan, 0, 0, 0, (), longest_gap)
+    start, end = float(times.min()), float(times.max())
+    if not track.size:
+        return Coverage(start, end, len(times), len(times), 0, (), longest_gap)
+    wide = np.flatnonzero(np.diff(track) > longest_gap)
+    inside = (times >= track[0]) & (times <= track[-1])
+    in_gaps = 0
+    if wide.size:
+        opens, closes = track[wide], track[wide + 1]
+        nearest = np.searchsorted(opens, times, side="left") - 1
+        in_gaps = int((inside & (nearest >= 0) & (times < closes[nearest])).sum())
+    gaps = tuple(
+        (float(track[k]), float(track[k + 1]))
+        for k in wide
+        if track[k] < end and track[k + 1] > start
+    )
+    return Coverage(start, end, len(times), int((~inside).sum()), in_gaps, gaps, longest_gap)
+
+
+def joined(parts: list[Coverage]) -> Coverage:
+    """Coverage of a line read in parts."""
+    parts = [part for part in parts if part.count] or parts[:1]
+    if not parts:
+        return Coverage(np.nan, np.nan, 0, 0, 0, (), np.nan)
+    return Coverage(
+        min(part.start for part in parts),
+        max(part.end for part in parts),
+        sum(part.count for part in parts),
+        sum(part.outside for part in parts),
+        sum(part.in_gaps for part in parts),
+        tuple(sorted({gap for part in parts for gap in part.gaps})),
+        parts[0].longest_gap,
+    )

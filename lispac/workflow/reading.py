@@ -1,0 +1,230 @@
+"""Reading the survey's files as their formats say, and looking into a file before it is used."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.files import require_file
+from lispac.io.formats import format_of, recognised
+from lispac.io.las import read_scan
+from lispac.io.points import system_of
+from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind, PointChunk
+from lispac.io.sbet import read_sbet, read_smrmsg
+from lispac.io.text import read_text_scan
+from lispac.project import LineSource, Reading
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.recovery import Recovery, recovered
+from lispac.survey.scan import Scan
+from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
+
+LAS_ENDINGS = (".las", ".laz")
+WORDS: Mapping[Kind, str] = {
+    "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a file seems to be.
+
+    Attributes
+    ----------
+    format : Format
+    sureness : float, 0 to 1
+    finding : Finding or None
+    error : str
+        Why it cannot be looked into, where there is no finding.
+    """
+
+    format: Format
+    sureness: float
+    finding: Finding | None
+    error: str = ""
+
+
+def looks(path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "points")) -> list[Look]:
+    """Look into a file as each format that it may be, the surest first.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing or no format knows it.
+    """
+    path = require_file(Path(path), "survey")
+    found = [(format, sure) for kind in kinds for format, sure in recognised(path, kind)]
+    if not found:
+        raise InputError(
+            f"{path}: no format knows this file; export it in one that the manual names, or say "
+            "which it is."
+        )
+    found.sort(key=lambda pair: -pair[1])
+    surest = found[0][1]
+    return [_look(path, format, sure) for format, sure in found if sure >= min(surest, LIKELY)]
+
+
+def _look(path: Path, format: Format, sure: float) -> Look:
+    try:
+        return Look(format, sure, format.look(path, {}))
+    except InputError as error:
+        return Look(format, sure, None, str(error))
+
+
+def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[str, ...]]:
+    """Settle how a file is read: what was given, the rest as found in it.
+
+    Returns
+    -------
+    reading : Reading
+    notes : tuple of str
+        What was found and not stated, and what there is to doubt.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, its format not known, or an option is none of it.
+    """
+    path = require_file(Path(path), WORDS[kind])
+    if given.format:
+        format = format_of(given.format)
+        if format.kind != kind:
+            raise InputError(f"{path}: {format.name} is no format of a {WORDS[kind]} file.")
+    else:
+        found = recognised(path, kind)
+        if not found:
+            raise InputError(
+                f"{path}: no format of a {WORDS[kind]} file knows it; `lispac look` shows what it "
+                "may be, otherwise say which format it is."
+            )
+        format = found[0][0]
+    stated = dict(given.options)
+    finding = format.look(path, stated)
+    choice = format.settled({**finding.choice, **stated})
+    said = [f"{path.name}: {doubt}" for doubt in finding.doubts]
+    detected = [f"{name} {value}" for name, value in choice.items() if value and name not in stated]
+    if detected:
+        said.append(f"{path.name}: read as {format.name}, with {', '.join(detected)}")
+    options = tuple((name, str(value)) for name, value in choice.items() if value != "")
+    return replace(given, format=format.key, options=options), tuple(said)
+
+
+def usual_or_settled(
+    path: Path, kind: Kind, given: Reading, *, columns: bool = False
+) -> tuple[Reading, tuple[str, ...]]:
+    """As `settled`, but the program's own way where the file agrees with it.
+
+    Parameters
+    ----------
+    columns : bool
+        Whether the columns of a text file are named.
+
+    Raises
+    ------
+    InputError
+    """
+    if columns and not given.format and not given.options:
+        return given, ()
+    reading, notes = settled(path, kind, given)
+    usual = USUAL[kind]
+    own = reading.format == usual and not given.format and not given.options
+    if own and _agrees(reading, usual):
+        told = tuple(note for note in notes if ": read as " not in note)
+        return replace(reading, format="", options=()), told
+    return reading, notes
+
+
+USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points": "las"}
+"""Formats that the program reads in a way of its own where nothing else is settled."""
+
+BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
+"""Options that tell what to check, or nothing of points in the LiDAR frame."""
+
+
+def _agrees(reading: Reading, key: str) -> bool:
+    usual = {name: value for name, value in format_of(key).settled({}).items() if value != ""}
+    found = dict(reading.options)
+    return {k: v for k, v in found.items() if k not in BESIDE} == {
+        k: v for k, v in usual.items() if k not in BESIDE
+    }
+
+
+def read_trajectory(path: Path, reading: Reading) -> Trajectory:
+    """Read a trajectory; SBET in Applanix's convention where nothing else was settled.
+
+    Raises
+    ------
+    InputError
+    """
+    if not reading.format:
+        return read_sbet(path)
+    found = format_of(reading.format).read(Path(path), dict(reading.options))
+    assert isinstance(found, Trajectory)
+    return found
+
+
+def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
+    """Read a trajectory's accuracies; smrmsg where nothing else was settled.
+
+    Raises
+    ------
+    InputError
+    """
+    if not reading.format:
+        return read_smrmsg(path)
+    found = format_of(reading.format).read(Path(path), dict(reading.options))
+    assert isinstance(found, TrajectoryAccuracy)
+    return found
+
+
+def read_line(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting) -> Scan:
+    """Read one line into the LiDAR frame.
+
+    Parameters
+    ----------
+    trajectory : LocalTrajectory
+    mounting : Mounting
+        The prior: a georeferenced cloud is taken to have been made with both.
+
+    Raises
+    ------
+    InputError
+    """
+    if not line.reading.format:
+        if line.path.suffix.lower() in LAS_ENDINGS:
+            scan = read_scan(line.path)
+        else:
+            scan = read_text_scan(line.path, line.columns)
+        return replace(scan, time=scan.time + line.reading.time_shift)
+    format = format_of(line.reading.format)
+    choice: Choice = format.settled(dict(line.reading.options))
+    chunks = format.read(line.path, choice)
+    assert isinstance(chunks, Iterator)
+    shifted = (replace(chunk, time=chunk.time + line.reading.time_shift) for chunk in chunks)
+    system = system_of(choice)
+    assumptions: tuple[str, ...] = (f"{line.path.name} is {format.name}",)
+    if system is None:
+        return _joined(list(shifted), line.path, (*assumptions, "points are in the LiDAR frame"))
+    recovery = Recovery(system, trajectory, mounting)
+    parts, lost = [], 0
+    for chunk, out in recovered(shifted, recovery):
+        parts.append(chunk)
+        lost += out
+    if lost:
+        assumptions += (f"{line.path.name}: {lost:,} points outside the trajectory are left out",)
+    return _joined(parts, line.path, (*assumptions, *recovery.assumptions))
+
+
+def _joined(parts: list[PointChunk], path: Path, assumptions: tuple[str, ...]) -> Scan:
+    points = np.concatenate([part.xyz for part in parts]) if parts else np.zeros((0, 3))
+    if not len(points):
+        raise InputError(
+            f"{path}: none of its points lies within the trajectory's time; check the date and "
+            "the time base, or leave the line out."
+        )
+    intensity = None
+    if all("intensity" in part.extra for part in parts):
+        intensity = np.concatenate([part.extra["intensity"] for part in parts]).astype(float)
+    time = np.concatenate([part.time for part in parts])
+    return Scan(points, time, intensity, assumptions)

@@ -1,0 +1,197 @@
+"""Coordinate systems: known places, units, heights, headers, and what is refused."""
+
+import struct
+import time
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+from pyproj import CRS, Geod, Transformer
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame, geodetic_to_ecef
+from lispac.io.las_chunks import LAS
+from lispac.io.las_crs import stated_system
+from lispac.io.points import system_of
+from lispac.survey.crs import coordinate_system
+
+
+def test_utm_points_and_their_ecef_twins_agree(
+    shared_data: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A real airborne file, by the CRS its header names; both are stored to 10 mm."""
+    points, clouds = [], []
+    for name in ("points.las", "points_ecef.las"):
+        path = shared_data / "leeward" / name
+        choice = LAS.look(path, {}).choice
+        system = system_of(LAS.settled(choice))
+        assert system is not None
+        cloud = laspy.read(path).xyz
+        clouds.append(cloud)
+        points.append(system.to_ecef(cloud))
+    apart = np.abs(points[0] - points[1])
+    with capsys.disabled():
+        print(f"\nUTM against ECEF, {len(apart):,} points: at most {1000 * apart.max():.3f} mm")
+    assert apart.max() < 0.005
+    np.testing.assert_allclose(points[1], clouds[1], atol=1e-6)  # ECEF is ECEF
+
+
+@pytest.mark.parametrize("code", [32619, 32755, 2949, 2193, 3857, 4326, 4979, 4978, 2229])
+def test_there_and_back(code: int) -> None:
+    system = coordinate_system(f"EPSG:{code}")
+    place = system.crs.area_of_use or CRS(4326).area_of_use
+    latitude = np.radians((place.south + place.north) / 2 + np.linspace(-0.01, 0.01, 50))
+    longitude = np.radians((place.west + place.east) / 2 + np.linspace(-0.01, 0.01, 50))
+    height = np.linspace(-20, 40, 50)
+    back = system.to_geodetic(system.from_geodetic(latitude, longitude, height))
+    expected = geodetic_to_ecef(latitude, longitude, height)
+    np.testing.assert_allclose(geodetic_to_ecef(*back), expected, atol=1e-6)
+
+
+def test_grid_north_and_scale_are_not_ignored() -> None:
+    """100 m along the grid's east axis, 2.9 deg off the central meridian: turned and scaled."""
+    system = coordinate_system("EPSG:32619")
+    start = system.from_geodetic(
+        np.radians(np.array([47.0])), np.radians(np.array([-66.1])), np.zeros(1)
+    )[0]
+    latitude, longitude, _ = system.to_geodetic(np.array([start, start + [100.0, 0, 0]]))
+    azimuth, _, distance = Geod(ellps="WGS84").inv(
+        *np.degrees([longitude[0], latitude[0], longitude[1], latitude[1]])
+    )
+    convergence = np.degrees(np.arctan(np.tan(np.radians(2.9)) * np.sin(np.radians(47.0))))
+    assert azimuth - 90 == pytest.approx(convergence, abs=0.01)
+    assert distance == pytest.approx(100 / 1.0002, abs=0.005)
+    frame = LocalFrame(latitude[0], longitude[0], 0.0)
+    local = system.to_local(np.array([start + [100.0, 0, 0]]), frame)[0]
+    assert np.hypot(*local[:2]) == pytest.approx(distance, abs=1e-4)
+    assert abs(local[0]) > 3  # the shift that adding grid offsets would make
+
+
+def test_local_frame_agrees_with_proj() -> None:
+    system = coordinate_system("EPSG:2949")
+    frame = LocalFrame(np.radians(46.8), np.radians(-71.2), 5.0)
+    topocentric = Transformer.from_pipeline(
+        "+proj=pipeline +step +proj=unitconvert +xy_in=deg +xy_out=rad "
+        "+step +proj=cart +ellps=WGS84 "
+        "+step +proj=topocentric +ellps=WGS84 +lon_0=-71.2 +lat_0=46.8 +h_0=5"
+    )
+    longitude, latitude = np.array([-71.19, -71.21]), np.array([46.81, 46.79])
+    height = np.array([20.0, -3.0])
+    east, north, up = topocentric.transform(longitude, latitude, height)
+    points = system.from_geodetic(np.radians(latitude), np.radians(longitude), height)
+    np.testing.assert_allclose(
+        system.to_local(points, frame), np.stack([north, -east, up], axis=1), atol=1e-4
+    )
+    np.testing.assert_allclose(system.from_local(system.to_local(points, frame), frame), points)
+
+
+def test_feet_are_metres_after_all() -> None:
+    metres = coordinate_system("EPSG:26945")  # California zone 5
+    feet = coordinate_system("EPSG:2229")
+    points = np.array([[1_900_000.0, 560_000.0, 30.0]])
+    np.testing.assert_allclose(
+        feet.to_ecef(points / (1200 / 3937)), metres.to_ecef(points), atol=1e-5
+    )
+    mixed = coordinate_system("EPSG:2229", height_unit="metre")
+    only_horizontal = points / [1200 / 3937, 1200 / 3937, 1]
+    np.testing.assert_allclose(mixed.to_ecef(only_horizontal), metres.to_ecef(points), atol=1e-5)
+    assert any("US survey foot" in words for words in feet.assumptions)
+
+
+def geoid(path: Path, undulation: float) -> Path:
+    """A constant geoid, 10 x 10 deg about Quebec, in NOAA's format (GTX)."""
+    head = struct.pack(">4d2i", 40.0, -80.0, 1.0, 1.0, 11, 11)
+    path.write_bytes(head + np.full(121, undulation, ">f4").tobytes())
+    return path
+
+
+def test_heights_above_a_geoid_file(tmp_path: Path) -> None:
+    grid = geoid(tmp_path / "my geoid.gtx", -27.5)
+    system = coordinate_system("EPSG:2949", height=str(grid))
+    plain = coordinate_system("EPSG:2949")
+    point = plain.from_geodetic(
+        np.radians(np.array([46.8])), np.radians(np.array([-71.2])), np.array([10.0])
+    )
+    _, _, height = system.to_geodetic(point)
+    np.testing.assert_allclose(height, -17.5, atol=1e-6)
+    np.testing.assert_allclose(system.from_geodetic(*system.to_geodetic(point)), point)
+    assert "geoid" in system.height
+    far = plain.from_geodetic(
+        np.radians(np.array([55.0])), np.radians(np.array([-71.2])), np.zeros(1)
+    )
+    with pytest.raises(InputError, match="outside"):
+        system.to_geodetic(far)
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "said"),
+    [
+        ("", {}, "name no coordinate system"),
+        ("EPSG:999999", {}, "not a coordinate system known"),
+        ("nowhere", {}, "not a coordinate system known"),
+        ('LOCAL_CS["site",UNIT["metre",1]]', {}, "not tied to the earth"),
+        ("EPSG:6347+5703", {}, r"us_noaa_g2018u0\.tif.* not fetched from the network"),
+        ("EPSG:2949", {"height": "6647"}, "not on this machine"),
+        ("EPSG:32619", {"height": "EPSG:32619"}, "not a system of heights"),
+        ("EPSG:32619", {"height": "absent.gtx"}, "no such geoid grid"),
+        ("EPSG:32619", {"height_unit": "fathom"}, "not a unit"),
+        ("EPSG:27700", {}, "state the datum of the trajectory"),
+        ("EPSG:27700", {"trajectory_datum": "EPSG:4979"}, "OSTN15"),
+        ("EPSG:6347", {"trajectory_datum": "EPSG:7912"}, "changes with time"),
+        ("EPSG:6347", {"trajectory_datum": "EPSG:32618"}, "not a geographic"),
+    ],
+)
+def test_what_is_refused(text: str, options: dict[str, str], said: str) -> None:
+    with pytest.raises(InputError, match=said) as refused:
+        coordinate_system(text, **options)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_system_out_of_joint_is_refused() -> None:
+    wkt = CRS("EPSG:32619").to_wkt()
+    damaged = wkt.replace('Mercator",ID["EPSG",9807]', 'Mercator"-ID["EPSG",9807]')
+    assert damaged != wkt
+    with pytest.raises(InputError, match="PROJ cannot use this coordinate system"):
+        coordinate_system(damaged)
+
+
+def test_datums_are_shifted_only_when_asked() -> None:
+    same = coordinate_system("EPSG:6347")
+    shifted = coordinate_system("EPSG:6347", trajectory_datum="EPSG:7912", epoch=2024.5)
+    point = np.array([[500_000.0, 4_500_000.0, 0.0]])
+    apart = np.linalg.norm(same.to_ecef(point) - shifted.to_ecef(point))
+    assert 1.0 < apart < 2.5  # NAD83 is about 2 m off the ITRF
+    assert any("not shifted" in words for words in same.assumptions)
+
+
+def test_points_off_the_map_are_refused() -> None:
+    with pytest.raises(InputError, match="lies outside WGS 84 / UTM zone 19N"):
+        coordinate_system("EPSG:32619").to_geodetic(np.array([[1e9, 1e9, 0.0]]))
+
+
+@pytest.mark.parametrize(
+    ("version", "point_format", "keep"), [("1.2", 1, False), ("1.4", 6, True), ("1.4", 6, False)]
+)
+def test_crs_of_a_header(tmp_path: Path, version: str, point_format: int, keep: bool) -> None:
+    """GeoTIFF keys and WKT as laspy writes them."""
+    header = laspy.LasHeader(point_format=point_format, version=version)
+    header.add_crs(CRS("EPSG:2949"), keep_compatibility=keep)
+    las = laspy.LasData(header)
+    las.x = np.array([1.0])
+    las.write(tmp_path / "a.las")
+    with laspy.open(tmp_path / "a.las") as reader:
+        stated = stated_system(reader.header)
+    assert (stated.text, stated.doubts) == ("EPSG:2949", ())
+
+
+def test_a_million_points_take_how_long(capsys: pytest.CaptureFixture[str]) -> None:
+    """Printed; asserted is that blocks on several threads give what one call gives."""
+    system = coordinate_system("EPSG:32619")
+    points = np.random.default_rng(0).uniform([3e5, 5e6, 0], [3.1e5, 5.01e6, 50], (1_000_000, 3))
+    started = time.perf_counter()
+    ecef = system.to_ecef(points)
+    taken = time.perf_counter() - started
+    with capsys.disabled():
+        print(f"\nUTM to ECEF, one million points: {taken:.2f} s")
+    np.testing.assert_array_equal(ecef[-1000:], system.to_ecef(points[-1000:]))

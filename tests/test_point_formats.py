@@ -1,0 +1,254 @@
+"""Every format of points reads what independent writers made, and says what it assumed."""
+
+import gzip
+from pathlib import Path
+from typing import Any
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io import las_chunks, pcd, records, text_chunks
+from lispac.io.las import read_scan
+from lispac.io.point_formats import POINTS
+from lispac.io.points import system_of
+from lispac.io.registry import Finding, Format, PointChunk
+from tests import point_files as files
+
+FORMATS = {format_.key: format_ for format_ in POINTS}
+
+
+def whole(format_: Format, path: Path, choice: dict[str, Any] | None = None) -> PointChunk:
+    """All chunks of a file, with the options that a look proposes."""
+    found = format_.look(path, choice or {})
+    chunks = list(format_.read(path, {**found.choice, **(choice or {})}))
+    assert all(isinstance(chunk, PointChunk) for chunk in chunks)
+    return PointChunk(
+        np.concatenate([chunk.xyz for chunk in chunks]),
+        np.concatenate([chunk.time for chunk in chunks]),
+        {name: np.concatenate([c.extra[name] for c in chunks]) for name in chunks[0].extra},
+        chunks[0].total,
+    )
+
+
+@pytest.fixture(params=files.VALID)
+def valid(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[Format, Path]:
+    key, write = files.VALID[request.param]
+    return FORMATS[key], write(tmp_path / request.param)
+
+
+def expected(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Coordinates, times and rings that the writer was given."""
+    kept = np.arange(files.COUNT)
+    if path.name == "a.e57":
+        kept = kept[kept % 2 == 0]
+    if path.name == "d.pcd":
+        kept = kept[kept % 10 != 9]
+    time = files.TIME
+    if path.suffix == ".e57":
+        time = time - 400_000 + 1.4e9
+    elif path.name in ("b.ply", "b.pcd"):
+        time = time - 400_000
+    return files.XYZ[kept], time[kept], files.RING[kept]
+
+
+def test_points_come_as_written(valid: tuple[Format, Path]) -> None:
+    format_, path = valid
+    read = whole(format_, path)
+    xyz, time, ring = expected(path)
+    # Six digits of open3d's text; the others store what they were given.
+    coarse = 6e-5 if path.name in ("b.ply",) else 1e-7
+    np.testing.assert_allclose(read.xyz, xyz, rtol=0, atol=coarse)
+    np.testing.assert_allclose(read.time, time, rtol=0, atol=2e-6)
+    assert read.xyz.dtype == read.time.dtype == np.float64
+    if name := next((name for name in ("ring", "rowIndex") if name in read.extra), ""):
+        np.testing.assert_array_equal(read.extra[name], ring)
+    else:
+        assert path.name in ("d.pcd", "cidco", "plane.txt")
+    assert read.total in (None, files.COUNT)
+
+
+def test_every_format_knows_its_own(valid: tuple[Format, Path]) -> None:
+    format_, path = valid
+    scores = {other.key: other.sniff(path) for other in POINTS}
+    assert max(scores, key=lambda key: scores[key]) == format_.key
+    assert sorted(scores.values())[-2] <= 0.3 < scores[format_.key]
+
+
+def test_a_look_states_frame_unit_time_base_and_assumptions(valid: tuple[Format, Path]) -> None:
+    format_, path = valid
+    found = format_.look(path, {})
+    assert isinstance(found, Finding)
+    assert {"frame", "unit", "time base", "assumed", "format"} <= set(found.facts)
+    assert len(found.rows) == 11
+    assert len({len(row) for row in found.rows}) == 1
+    format_.settled(found.choice)
+    assert all(isinstance(value, str) for value in found.facts.values())
+
+
+def test_no_format_takes_the_others_files(shared_data: Path) -> None:
+    for name in ("harbour/trajectory.sbet", "harbour/smrmsg.out", "harbour/site.json"):
+        assert {format_.sniff(shared_data / name) for format_ in POINTS} == {0.0}
+
+
+@pytest.mark.parametrize("point_format", [1, 3, 4, 5, 6, 7, 8, 9, 10])
+def test_every_las_point_format_with_time(tmp_path: Path, point_format: int) -> None:
+    version = "1.2" if point_format < 4 else "1.3" if point_format < 6 else "1.4"
+    path = files.las(tmp_path / "a.las", point_format, version)
+    read = whole(FORMATS["las"], path)
+    np.testing.assert_array_equal(read.time, files.TIME)
+    names = set(laspy.PointFormat(point_format).dimension_names) - {"X", "Y", "Z", "gps_time"}
+    assert set(read.extra) == names | {"ring"}
+    with laspy.open(path) as reader:
+        points = reader.read()
+    for name in read.extra:
+        np.testing.assert_array_equal(read.extra[name], np.asarray(points[name]))
+
+
+@pytest.mark.parametrize("point_format", [0, 2])
+def test_las_without_time_is_refused(tmp_path: Path, point_format: int) -> None:
+    path = files.las(tmp_path / "a.las", point_format, "1.2")
+    for attempt in (lambda: FORMATS["las"].look(path, {}), lambda: whole(FORMATS["las"], path)):
+        with pytest.raises(InputError, match="has no gps_time"):
+            attempt()
+
+
+def test_las_states_its_time_base_and_system(tmp_path: Path) -> None:
+    path = files.las(tmp_path / "a.las", crs="EPSG:2949+6647", adjusted=True)
+    found = FORMATS["las"].look(path, {})
+    assert found.choice["time_base"] == "gps-adjusted"
+    assert "CGVD2013" in found.facts["coordinate system"]
+    assert any("choose the time base" in doubt for doubt in found.doubts)  # they are of the week
+    assert any("small enough for the scanner frame" in doubt for doubt in found.doubts)
+    with pytest.raises(InputError, match="not on this machine"):  # its geoid
+        system_of(FORMATS["las"].settled(found.choice))
+    settled = FORMATS["las"].settled({**found.choice, "height": "ellipsoid"})
+    system = system_of(settled)
+    assert system is not None
+    assert "MTM" in system.name
+
+
+def test_las_is_read_as_the_scan_reader_does(shared_data: Path) -> None:
+    path = shared_data / "lanl_tent" / "line2.laz"
+    read, scan = whole(FORMATS["las"], path), read_scan(path)
+    np.testing.assert_array_equal(read.xyz, scan.points_lidar)
+    np.testing.assert_array_equal(read.time, scan.time)
+
+
+def test_chunks_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The last chunk is the rest, and nothing is lost between two of them."""
+    for module in (las_chunks, pcd, text_chunks):
+        monkeypatch.setattr(module, "CHUNK", 16)
+    monkeypatch.setattr(text_chunks, "BLOCK", 300)
+    for name in ("a.las", "b.laz", "a.pcd", "b.pcd", "c.pcd", "a.csv", "b.csv.gz"):
+        key, write = files.VALID[name]
+        chunks = list(FORMATS[key].read(write(tmp_path / name), {}))
+        assert [len(chunk.time) for chunk in chunks] == [16, 16, 16, 12], name
+        np.testing.assert_allclose(np.concatenate([c.xyz for c in chunks]), files.XYZ, atol=1e-7)
+
+
+def test_feet_of_a_scanner_become_metres(valid: tuple[Format, Path]) -> None:
+    format_, path = valid
+    scanner = {"frame": "scanner"}
+    metres, feet = whole(format_, path, scanner), whole(format_, path, scanner | {"unit": "foot"})
+    np.testing.assert_allclose(feet.xyz, metres.xyz * 0.3048)
+
+
+@pytest.mark.parametrize(
+    ("row", "head", "choice"),
+    [
+        ("{x:.4f} {y:.4f} {z:.4f} {ring} {t:.6f}", "", {"columns": "x y z ring time"}),
+        ("{t:.6f};{x:.4f};{y:.4f};{z:.4f}", "GPSTime;X [m];Y [m];Z [m]", {}),
+        ("{x:.4f} {y:.4f} {z:.4f} {t:.6f}", "//X Y Z GpsTime\n60", {}),
+        ('"{t:.6f}","{x:.4f}","{y:.4f}","{z:.4f}"', '"time","easting","northing","height"', {}),
+        ("{t:.6f}\t{x:.4f}\t{y:.4f}\t{z:.4f}\tgood", "time\tx\ty\tz\t-", {}),
+        ("{t:.6f}, {x:.4f}, {y:.4f}, {z:.4f}", "# time, x, y, z", {}),
+    ],
+)
+def test_text_of_many_kinds(tmp_path: Path, row: str, head: str, choice: dict[str, str]) -> None:
+    read = whole(FORMATS["text"], files.text(tmp_path / "a.txt", row, head), choice)
+    np.testing.assert_array_equal(read.xyz, files.XYZ)
+    np.testing.assert_array_equal(read.time, files.TIME)
+
+
+def test_decimal_commas(tmp_path: Path) -> None:
+    path = files.text(tmp_path / "a.csv", "{t:.6f};{x:.4f};{y:.4f};{z:.4f}", "time;x;y;z")
+    path.write_text(path.read_text().replace(".", ","))
+    found = FORMATS["text"].look(path, {})
+    assert (found.choice["separator"], found.choice["decimal"]) == ("semicolon", "comma")
+    np.testing.assert_array_equal(whole(FORMATS["text"], path).xyz, files.XYZ)
+
+
+def test_time_in_other_units(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("t x y z\n" + "".join(f"{k}000000 1 2 {k}\n" for k in range(5)))
+    read = whole(FORMATS["text"], path, {"time_unit": "nanosecond"})
+    np.testing.assert_allclose(read.time, np.arange(5) / 1000)
+
+
+def test_e57_poses_and_starts(tmp_path: Path) -> None:
+    half = np.sqrt(0.5)
+    path = files.e57(
+        tmp_path / "a.e57", quaternion=(half, 0, 0, half), translation=(1, 2, 3), spherical=True
+    )
+    read = whole(FORMATS["e57"], path)
+    np.testing.assert_allclose(read.xyz, files.XYZ, atol=1e-9)
+    posed = whole(FORMATS["e57"], path, {"frame": "georeferenced"})
+    turned = np.stack([-files.XYZ[:, 1], files.XYZ[:, 0], files.XYZ[:, 2]], axis=1) + [1, 2, 3]
+    np.testing.assert_allclose(posed.xyz, turned, atol=1e-9)
+    assert any("poses" in doubt for doubt in FORMATS["e57"].look(path, {}).doubts)
+
+
+def test_e57_with_stamps_that_are_no_time_since_the_start(tmp_path: Path) -> None:
+    path = files.e57(tmp_path / "a.e57", stamps=files.TIME)
+    found = FORMATS["e57"].look(path, {})
+    assert found.choice["time_from"] == "zero"
+    assert any("too large" in doubt for doubt in found.doubts)
+    np.testing.assert_allclose(whole(FORMATS["e57"], path).time, files.TIME)
+    silent = files.e57(tmp_path / "b.e57", start=0.0)
+    assert FORMATS["e57"].look(silent, {}).choice["time_from"] == "zero"
+    with pytest.raises(InputError, match="do not say when they started"):
+        list(FORMATS["e57"].read(silent, {}))
+
+
+def test_cidco_and_plane_files_keep_their_poses(tmp_path: Path) -> None:
+    read = whole(FORMATS["cidco"], files.cidco(tmp_path / "c"))
+    np.testing.assert_array_equal(read.extra["attitude"][0], [0.01, 0.02, 1.2])
+    np.testing.assert_allclose(
+        read.extra["points_local"] - read.extra["position"], files.XYZ, atol=1e-12
+    )
+    read = whole(FORMATS["planes"], files.planes(tmp_path / "p.txt"))
+    np.testing.assert_array_equal(read.extra["plane"][3], [0.6, 0.8, 0.0, -3.0])
+
+
+def test_real_cidco_files(shared_data: Path) -> None:
+    paths = [path for path in (shared_data / "cidco").rglob("*1") if path.is_file()]
+    assert len(paths) == 4
+    for path in paths:
+        read = whole(FORMATS["cidco"], path)
+        assert len(read.time) == path.stat().st_size / 176
+        assert 5 < np.median(np.linalg.norm(read.xyz, axis=1)) < 50
+
+
+def test_options_that_are_not_there_are_refused(tmp_path: Path) -> None:
+    path = files.las(tmp_path / "a.las")
+    with pytest.raises(InputError, match="has no option"):
+        list(FORMATS["las"].read(path, {"colour": "red"}))
+    with pytest.raises(InputError, match="choose metre or foot"):
+        list(FORMATS["las"].read(path, {"unit": "fathom"}))
+
+
+def test_gzip_is_seen_by_its_bytes(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_bytes(gzip.compress(b"time x y z\n1 2 3 4\n2 3 4 5\n"))
+    assert len(whole(FORMATS["text"], path).time) == 2
+
+
+def test_records_are_read_in_bounded_pieces(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(records, "LARGEST", 100)
+    sizes = [len(c.time) for c in FORMATS["ply"].read(files.cloud(tmp_path / "a.ply"), {})]
+    assert sum(sizes) == files.COUNT
+    assert max(sizes) < 10

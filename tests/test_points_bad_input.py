@@ -1,0 +1,340 @@
+"""Bad files of points: one clear sentence each, nothing but the program's own errors."""
+
+import os
+import re
+import warnings
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import laspy
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from pyproj import CRS
+
+from lispac.errors import InputError
+from lispac.io.point_formats import POINTS
+from lispac.io.points import system_of
+from tests import point_files as files
+
+FORMATS = {format_.key: format_ for format_ in POINTS}
+NAMES = list(files.VALID)
+MAGIC = (".las", ".laz", ".e57", ".ply", ".pcd")
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Each valid file, not to be changed."""
+    folder = tmp_path_factory.mktemp("valid")
+    return {name: write(folder / name) for name, (_, write) in files.VALID.items()}
+
+
+def said(path: Path, name: str, choice: dict[str, Any] | None = None) -> str:
+    """What a reader says to a bad file: one sentence, naming the file."""
+    format_ = FORMATS[files.VALID[name][0]]
+    with pytest.raises(InputError) as refused:
+        for _ in format_.read(path, choice or {}):
+            pass
+    sentence = str(refused.value)
+    assert sentence.startswith(str(path))
+    assert "\n" not in sentence
+    assert sentence.endswith(".")
+    return sentence
+
+
+def damaged(tmp_path: Path, name: str, data: bytes) -> Path:
+    path = tmp_path / name
+    path.write_bytes(data)
+    return path
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_missing_folder_and_empty(tmp_path: Path, name: str) -> None:
+    assert "there is no such" in said(tmp_path / "absent" / name, name)
+    assert "is a folder" in said(tmp_path, name)
+    assert re.search("is empty", said(damaged(tmp_path, name, b""), name))
+    format_ = FORMATS[files.VALID[name][0]]
+    for path in (tmp_path / "absent", tmp_path, tmp_path / name):
+        assert format_.sniff(path) == 0
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("share", [0.05, 0.5, 0.97])
+def test_truncated(tmp_path: Path, made: dict[str, Path], name: str, share: float) -> None:
+    data = made[name].read_bytes()
+    kept = data[: int(len(data) * share) - 3]  # not at the end of a record
+    if made[name].suffix in (".csv", ".txt"):
+        # Text cut within its last number is good text; cut within a row it is not.
+        row = kept.rfind(b"\n") + 1
+        kept = kept[: row or None].rstrip() + b"\n1.5 2.5"
+    said(damaged(tmp_path, name, kept), name)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name[1:] in MAGIC])
+def test_wrong_magic(tmp_path: Path, made: dict[str, Path], name: str) -> None:
+    path = damaged(tmp_path, name, b"XXXX" * 40 + made[name].read_bytes()[160:])
+    assert FORMATS[files.VALID[name][0]].sniff(path) == 0
+    assert re.search("is missing|is damaged|cannot be read as LAS", said(path, name))
+
+
+def test_wrong_byte_order(tmp_path: Path, made: dict[str, Path]) -> None:
+    swapped = np.fromfile(made["cidco"], "<f8").astype(">f8").tobytes()
+    path = damaged(tmp_path, "cidco", swapped)
+    assert FORMATS["cidco"].sniff(path) == 0
+    assert re.search("byte order|not a usable number", said(path, "cidco"))
+    head, rows = made["a.ply"].read_bytes().split(b"end_header\n")
+    wrong = head.replace(b"little", b"big") + b"end_header\n" + rows
+    assert "not a usable number" in said(damaged(tmp_path, "a.ply", wrong), "a.ply")
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, 1e200])
+@pytest.mark.parametrize("column", ["x", "time"])
+def test_values_that_are_no_numbers(tmp_path: Path, value: float, column: str) -> None:
+    xyz, time = files.XYZ.copy(), files.TIME.copy()
+    if column == "x":
+        xyz[6, 0] = value
+    else:
+        time[6] = value
+    head = (
+        "ply\nformat binary_little_endian 1.0\n"
+        f"element vertex {len(time)}\nproperty double x\nproperty double y\nproperty double z\n"
+        "property double time\nend_header\n"
+    )
+    data = head.encode() + np.column_stack([xyz, time]).astype("<f8").tobytes()
+    assert "point 7 has a coordinate or time" in said(damaged(tmp_path, "a.ply", data), "a.ply")
+    rows = "\n".join(f"{t} {x} {y} {z}" for t, (x, y, z) in zip(time, xyz, strict=True))
+    text = damaged(tmp_path, "a.csv", b"time x y z\n" + rows.encode() + b"\n")
+    assert "point 7 has a coordinate or time" in said(text, "a.csv")
+    records = np.fromfile(files.cidco(tmp_path / "cidco"), "<f8").reshape(-1, 22)
+    records[6, 4 if column == "x" else 3] = value
+    assert "point 7 has" in said(damaged(tmp_path, "cidco", records.tobytes()), "cidco")
+    if column == "time":
+        las = laspy.read(files.las(tmp_path / "a.las"))
+        las.gps_time[6] = value
+        las.write(tmp_path / "b.las")
+        assert "point 7 has a coordinate or time" in said(tmp_path / "b.las", "a.las")
+
+
+def test_no_time(tmp_path: Path) -> None:
+    for name in ("a.ply", "a.pcd"):
+        path = files.cloud(tmp_path / name, time=False)
+        assert "no field holds a time (it has x, y, z, ring)" in said(path, name)
+        files.cloud(path)
+        assert "no field when" in said(path, name, {"time_field": "when"})
+    path = files.text(tmp_path / "a.csv", "{x} {y} {z} {ring}")
+    assert "lack time" in said(path, "a.csv", {"columns": "x y z ring"})
+    assert "does not name its columns" in said(path, "a.csv")
+
+
+def test_times_never_written(tmp_path: Path) -> None:
+    header = laspy.LasHeader(point_format=1, version="1.2")
+    las = laspy.LasData(header)
+    las.x = np.arange(2000.0)
+    las.write(tmp_path / "a.las")
+    assert "2,000 points share the time 0.000000" in said(tmp_path / "a.las", "a.las")
+
+
+def test_time_of_32_bits(tmp_path: Path) -> None:
+    head = (
+        "ply\nformat binary_little_endian 1.0\nelement vertex 60\nproperty float x\n"
+        "property float y\nproperty float z\nproperty float time\nend_header\n"
+    )
+    rows = np.column_stack([files.XYZ, files.TIME]).astype("<f4")
+    path = damaged(tmp_path, "a.ply", head.encode() + rows.tobytes())
+    assert "stored with 32 bits, in steps of 0.0312 s" in said(path, "a.ply")
+    path = files.e57(tmp_path / "a.e57", start=1.0, stamps=files.TIME, single=True)
+    assert "stored with 32 bits" in said(path, "a.e57")
+    las = laspy.read(files.las(tmp_path / "a.las"))
+    doubled = laspy.LasData(las.header, las.points[np.repeat(np.arange(60), 5)])
+    doubled.gps_time = np.linspace(400_000, 400_001, 300).astype(np.float32)
+    doubled.write(tmp_path / "b.las")
+    doubts = FORMATS["las"].look(tmp_path / "b.las", {}).doubts
+    assert any("passed through 32 bits" in doubt for doubt in doubts)
+
+
+def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-4) -> str:
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = np.full(3, scale), np.floor(xyz.min(axis=0))
+    if crs:
+        header.add_crs(CRS(crs))
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = xyz.T
+    las.gps_time = np.linspace(400_000, 400_001, len(xyz))
+    las.write(tmp_path / "a.las")
+    return " ".join(FORMATS["las"].look(tmp_path / "a.las", {}).doubts)
+
+
+def test_doubts_about_place_and_unit(tmp_path: Path) -> None:
+    near = np.random.default_rng(0).normal(0, 10, (500, 3))
+    assert doubts_of(tmp_path, near) == ""
+    assert doubts_of(tmp_path, near + [350_000, 5e6, 0], "EPSG:32619") == ""
+    assert "names no coordinate system" in doubts_of(tmp_path, near + [350_000, 5e6, 0])
+    assert "check the unit" in doubts_of(tmp_path, near * 60)  # millimetres or feet
+    assert "hardly the scanner" in doubts_of(tmp_path, near + [600, 100, 0])
+    assert "comes from feet" in doubts_of(tmp_path, near, scale=0.0003048)
+    assert "steps of 10 mm" in doubts_of(tmp_path, near, scale=0.01)
+    assert "degrees of longitude" in doubts_of(tmp_path, near * [1e-5, 1e-5, 1] + [7, 50, 0])
+
+
+def test_unknown_coordinate_system(tmp_path: Path) -> None:
+    near = np.random.default_rng(0).normal(0, 10, (500, 3)) + [350_000, 5e6, 0]
+    doubts_of(tmp_path, near)
+    las = FORMATS["las"]
+    found = las.look(tmp_path / "a.las", {})
+    assert found.choice["frame"] == "georeferenced"
+    with pytest.raises(InputError, match="name no coordinate system; give its EPSG code"):
+        system_of(las.settled(found.choice))
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.vlrs.append(laspy.vlrs.known.WktCoordinateSystemVlr("PROJCS[damaged"))
+    data = laspy.LasData(header)
+    data.x, data.y, data.z = near.T
+    data.gps_time = np.linspace(0, 1, len(near))
+    data.write(tmp_path / "b.las")
+    doubts = las.look(tmp_path / "b.las", {}).doubts
+    assert any("WKT of the header is not a coordinate system" in doubt for doubt in doubts)
+
+
+def test_laz_that_claims_billions_of_chunks(tmp_path: Path, made: dict[str, Path]) -> None:
+    """The library ends the program where it cannot allocate them."""
+    data = bytearray(made["b.laz"].read_bytes())
+    start = int.from_bytes(data[96:100], "little")
+    table = int.from_bytes(data[start : start + 8], "little")
+    data[table + 4 : table + 8] = b"\xff" * 4
+    path = damaged(tmp_path, "b.laz", bytes(data))
+    assert "its header does not fit" in said(path, "b.laz")
+    chunk_size = data.find(b"laszip encoded") - 2 + 54 + 12
+    data = bytearray(made["b.laz"].read_bytes())
+    data[chunk_size : chunk_size + 4] = b"\xff\xff\xff\x7f"
+    path = damaged(tmp_path, "b.laz", bytes(data))
+    assert "its header does not fit" in said(path, "b.laz")
+
+
+def test_ply_of_a_mesh_and_text_of_utf16(tmp_path: Path, made: dict[str, Path]) -> None:
+    data = made["a.ply"].read_bytes().replace(b"property double z", b"property list uchar int z")
+    assert "export points alone" in said(damaged(tmp_path, "a.ply", data), "a.ply")
+    text = damaged(tmp_path, "a.csv", made["a.csv"].read_text().encode("utf-16"))
+    assert "save it as UTF-8" in said(text, "a.csv")
+    gap = made["a.csv"].read_text().splitlines()
+    gap[5] = re.sub(r",[^,]*,", ",,", gap[5], count=1)
+    text = damaged(tmp_path, "a.csv", "\n".join(gap).encode())
+    assert "row 6: x is ''" in said(text, "a.csv")
+
+
+@pytest.mark.parametrize("name", ["a.las", "a.laz", "a.ply"])
+def test_file_cut_while_it_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    """After the first chunk, as by a copy made anew or a drive that is lost."""
+    xyz = np.random.default_rng(0).normal(0, 10, (200_000, 3))
+    time = np.linspace(400_000, 400_100, len(xyz))
+    path = tmp_path / name
+    if name == "a.ply":
+        head = "ply\nformat binary_little_endian 1.0\nelement vertex 200000\n" + "".join(
+            f"property double {field}\n" for field in ("x", "y", "z", "time")
+        )
+        rows = np.column_stack([xyz, time]).astype("<f8")
+        path.write_bytes(head.encode() + b"end_header\n" + rows.tobytes())
+    else:
+        header = laspy.LasHeader(point_format=6, version="1.4")
+        header.scales = np.full(3, 1e-4)
+        las = laspy.LasData(header)
+        las.x, las.y, las.z = xyz.T
+        las.gps_time = time
+        las.write(path)
+    for module in ("ply", "las_chunks"):
+        monkeypatch.setattr(f"lispac.io.{module}.CHUNK", 10_000)
+    chunks = FORMATS[files.VALID[name][0]].read(path, {})
+    next(chunks)
+    os.truncate(path, path.stat().st_size // 3)
+    with pytest.raises(InputError, match="copy or export it again"):
+        list(chunks)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows keeps files from being removed while open")
+def test_file_removed_while_it_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: dict[str, Path]
+) -> None:
+    """Its content stays until it is closed; the next reading says that it is gone."""
+    monkeypatch.setattr("lispac.io.ply.CHUNK", 10)
+    path = damaged(tmp_path, "a.ply", made["a.ply"].read_bytes())
+    chunks = FORMATS["ply"].read(path, {})
+    held = len(next(chunks).time)
+    path.unlink()
+    assert held + sum(len(chunk.time) for chunk in chunks) == files.COUNT
+    assert "there is no such" in said(path, "a.ply")
+
+
+def mutations(data: bytes) -> st.SearchStrategy[bytes]:
+    """Valid bytes with some changed, inserted, taken out or cut off."""
+    place = st.integers(0, len(data) - 1)
+    edit = st.tuples(place, st.sampled_from([0, 1, 2, 4, 8]), st.binary(max_size=8))
+
+    def apply(edits: list[tuple[int, int, bytes]], cut: int | None) -> bytes:
+        changed = bytearray(data)
+        for at, length, new in edits:
+            changed[at : at + (len(new) if length == 8 else length)] = new
+        return bytes(changed[:cut])
+
+    cut = st.one_of(st.none(), st.none(), st.none(), place)
+    return st.builds(apply, st.lists(edit, min_size=1, max_size=6), cut)
+
+
+def only_own_errors(path: Path, name: str) -> None:
+    format_ = FORMATS[files.VALID[name][0]]
+    assert 0 <= format_.sniff(path) <= 1
+
+    sentences: list[str] = []
+
+    def all_of(read: Callable[[], Any]) -> None:
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                result = read()
+                for chunk in result if isinstance(result, Iterator) else ():
+                    assert np.isfinite(chunk.xyz).all()
+                    assert np.isfinite(chunk.time).all()
+        except InputError as refused:
+            sentences.append(str(refused))
+
+    all_of(lambda: format_.look(path, {}))
+    all_of(lambda: format_.read(path, {}))
+    assert not any("\n" in sentence for sentence in sentences)
+
+
+def fuzz(folder: Path, made: dict[str, Path], name: str, examples: int) -> None:
+    @settings(
+        max_examples=examples, deadline=None, database=None,
+        suppress_health_check=list(HealthCheck),
+    )  # fmt: skip
+    @given(data=mutations(made[name].read_bytes()))
+    def run(data: bytes) -> None:
+        only_own_errors(damaged(folder, name, data), name)
+
+    run()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_changed_bytes_bring_only_own_errors(
+    tmp_path: Path, made: dict[str, Path], name: str
+) -> None:
+    fuzz(tmp_path, made, name, 25)
+
+
+@pytest.mark.long
+@pytest.mark.timeout(3600)
+@pytest.mark.parametrize("name", NAMES)
+def test_many_changed_bytes_bring_only_own_errors(
+    tmp_path: Path, made: dict[str, Path], name: str
+) -> None:
+    fuzz(tmp_path, made, name, 10_000)
+
+
+@settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))
+@given(data=st.binary(max_size=3000))
+def test_no_sniff_fails_on_any_bytes(tmp_path_factory: pytest.TempPathFactory, data: bytes) -> None:
+    path = tmp_path_factory.getbasetemp() / "any.bin"
+    path.write_bytes(data)
+    for format_ in POINTS:
+        assert 0 <= format_.sniff(path) <= 1

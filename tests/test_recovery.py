@@ -1,0 +1,206 @@
+"""Scanner-frame points recovered from georeferenced clouds: the exact inverse, through files."""
+
+import json
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+from pyproj import CRS
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
+from lispac.io.las import read_scan
+from lispac.io.las_chunks import LAS
+from lispac.io.points import system_of
+from lispac.io.registry import PointChunk
+from lispac.io.sbet import read_sbet
+from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.georeferencing import Mounting, georeference
+from lispac.survey.recovery import Recovery, recovered
+from lispac.survey.trajectory import LocalTrajectory, Trajectory
+
+WRONG_BORESIGHT = np.radians([0.8, -1.7, 1.1])
+
+
+@dataclass
+class Cloud:
+    """A line, what georeferenced it, and the scanner's points."""
+
+    path: Path
+    points_lidar: np.ndarray
+    recovery: Recovery
+
+
+@pytest.fixture(scope="module")
+def port() -> SimulatedSurvey:
+    return port_survey(points_per_second=20_000.0)
+
+
+def port_trajectory(survey: SimulatedSurvey) -> LocalTrajectory:
+    states = survey.trajectory
+    trajectory = Trajectory(
+        states.time, states.latitude, states.longitude, states.height,
+        np.stack([states.roll, states.pitch, states.heading], axis=1),
+    )  # fmt: skip
+    return LocalTrajectory.of(trajectory, trajectory.mean_frame())
+
+
+def written(
+    path: Path, points: np.ndarray, time: np.ndarray, code: int, scales: tuple[float, ...]
+) -> Path:
+    """A cloud as other programs write it."""
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = np.array(scales), np.floor(points.mean(axis=0))
+    header.add_crs(CRS.from_epsg(code))
+    header.global_encoding.gps_time_type = laspy.header.GpsTimeType.WEEK_TIME
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = points.T
+    las.gps_time = time
+    las.intensity = np.arange(len(time)) % 60_000
+    las.write(path)
+    return path
+
+
+def system_in(path: Path) -> CoordinateSystem:
+    """By what the header states alone."""
+    system = system_of(LAS.settled(LAS.look(path, {}).choice))
+    assert system is not None
+    return system
+
+
+METRES = (1e-4, 1e-4, 1e-4)
+
+
+@pytest.mark.parametrize(
+    ("code", "scales"),
+    [(32619, METRES), (2949, METRES), (4978, METRES), (4979, (1e-9, 1e-9, 1e-4))],
+    ids=["UTM", "MTM", "ECEF", "geographic"],
+)
+def test_simulated_lines_come_back(
+    port: SimulatedSurvey,
+    tmp_path: Path,
+    code: int,
+    scales: tuple[float, ...],
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Through LAZ in steps of 0.1 mm, with all corrections a mounting knows."""
+    trajectory = port_trajectory(port)
+    mounting = Mounting(port.lever_arm, WRONG_BORESIGHT, 0.03, 0.002, 0.004)
+    system = coordinate_system(f"EPSG:{code}")
+    worst = 0.0
+    for line in port.lines[:3]:
+        local = georeference(line.points_lidar, line.time, trajectory, mounting)
+        cloud = system.from_local(local, trajectory.frame)
+        path = written(tmp_path / f"{line.name}.laz", cloud, line.time, code, scales)
+        recovery = Recovery(system_in(path), trajectory, mounting)
+        chunks = list(recovered(LAS.read(path, LAS.look(path, {}).choice), recovery))
+        back = np.concatenate([chunk.xyz for chunk, _ in chunks])
+        worst = max(worst, float(np.linalg.norm(back - line.points_lidar, axis=1).max()))
+        assert sum(lost for _, lost in chunks) == 0
+        intensity = np.concatenate([chunk.extra["intensity"] for chunk, _ in chunks])
+        np.testing.assert_array_equal(intensity, np.arange(len(back)) % 60_000)
+    with capsys.disabled():
+        print(f"\nEPSG:{code}: scanner-frame points come back within {1000 * worst:.4f} mm")
+    assert worst < 0.0002
+
+
+def test_without_files_the_inverse_is_exact(port: SimulatedSurvey) -> None:
+    trajectory = port_trajectory(port)
+    mounting = Mounting(port.lever_arm, WRONG_BORESIGHT, -0.02, -0.001, -0.01)
+    system = coordinate_system("EPSG:32619")
+    line = port.lines[3]
+    local = georeference(line.points_lidar, line.time, trajectory, mounting)
+    cloud = system.from_local(local, trajectory.frame)
+    back = Recovery(system, trajectory, mounting).points_lidar(cloud, line.time)
+    np.testing.assert_allclose(back, line.points_lidar, atol=1e-7)
+
+
+def test_real_drone_survey_comes_back(
+    shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The survey of the tent, georeferenced with a wrong boresight and written as UTM LAS."""
+    folder = shared_data / "lanl_tent"
+    site = json.loads((folder / "site.json").read_text())
+    latitude, longitude, height = site["origin_deg_m"]
+    frame = LocalFrame(np.radians(latitude), np.radians(longitude), height)
+    trajectory = LocalTrajectory.of(read_sbet(folder / "trajectory.sbet"), frame)
+    mounting = Mounting(np.array(site["lever_arm_m"]), WRONG_BORESIGHT)
+    system = coordinate_system("EPSG:32614")
+    for name in ("line1", "line2"):
+        scan = read_scan(folder / f"{name}.laz")
+        local = georeference(scan.points_lidar, scan.time, trajectory, mounting)
+        cloud = system.from_local(local, frame)
+        path = written(tmp_path / f"{name}.las", cloud, scan.time, 32614, METRES)
+        recovery = Recovery(system_in(path), trajectory, mounting)
+        back = np.concatenate(
+            [
+                chunk.xyz
+                for chunk, _ in recovered(LAS.read(path, {"frame": "georeferenced"}), recovery)
+            ]
+        )
+        apart = np.linalg.norm(back - scan.points_lidar, axis=1)
+        with capsys.disabled():
+            print(f"\n{name}: {len(back):,} points back within {1000 * apart.max():.4f} mm")
+        # Half a step of 0.1 mm along each axis, and the grid's scale.
+        assert apart.max() < np.sqrt(3) * 0.5e-4 * 1.001
+
+
+def small(port: SimulatedSurvey) -> tuple[Recovery, np.ndarray, np.ndarray]:
+    trajectory = port_trajectory(port)
+    mounting = Mounting(port.lever_arm, port.boresight)
+    system = coordinate_system("EPSG:32619")
+    line = port.lines[0]
+    some = slice(0, 2000)
+    local = georeference(line.points_lidar[some], line.time[some], trajectory, mounting)
+    cloud = system.from_local(local, trajectory.frame)
+    return Recovery(system, trajectory, mounting), cloud, line.time[some]
+
+
+def test_points_without_a_pose_are_left_out_and_counted(port: SimulatedSurvey) -> None:
+    recovery, cloud, time = small(port)
+    outside = time.copy()
+    outside[:30] = recovery.trajectory.time[0] - 1.0
+    chunk = PointChunk(cloud, outside, {"mark": np.arange(len(time))}, None)
+    ((kept, lost),) = recovered([chunk], recovery)
+    assert lost == 30
+    assert len(kept.xyz) == len(kept.time) == len(time) - 30
+    np.testing.assert_array_equal(kept.extra["mark"], np.arange(30, len(time)))
+
+
+def test_points_in_a_gap_are_left_out(port: SimulatedSurvey) -> None:
+    recovery, cloud, time = small(port)
+    whole = recovery.trajectory
+    middle = float(np.median(time))
+    kept = (whole.time < middle - 1) | (whole.time > middle + 1)
+    torn = replace(
+        whole, time=whole.time[kept], position=whole.position[kept], attitude=whole.attitude[kept]
+    )
+    chunk = PointChunk(cloud, time, {}, None)
+    ((_, lost),) = recovered([chunk], replace(recovery, trajectory=torn))
+    last, first = torn.time[torn.time < middle].max(), torn.time[torn.time > middle].min()
+    assert lost == np.count_nonzero((time > last) & (time < first)) > 0
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    ["EPSG:32620", "EPSG:2949", "feet"],
+)
+def test_a_wrong_coordinate_system_is_refused(port: SimulatedSurvey, wrong: str) -> None:
+    recovery, cloud, time = small(port)
+    if wrong == "feet":
+        cloud = cloud / 0.3048
+    else:
+        recovery = replace(recovery, system=coordinate_system(wrong))
+    with pytest.raises(InputError, match=r"farther than .* km|lies outside"):
+        list(recovered([PointChunk(cloud, time, {}, None)], recovery))
+
+
+def test_what_has_to_hold_is_said(port: SimulatedSurvey) -> None:
+    recovery, _, _ = small(port)
+    said = " ".join(recovery.assumptions)
+    assert "not adjusted afterwards" in said
+    assert "above the ellipsoid" in said
+    assert "not shifted to another datum" in said

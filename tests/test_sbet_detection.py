@@ -1,0 +1,232 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.io.formats import format_of, recognised
+from lispac.io.registry import LIKELY, SURE, Finding
+from lispac.io.sbet_detection import detect_sbet
+from lispac.io.sbet_motion import in_frame
+from tests.trajectory_files import truth, vessel, write_records
+
+SBET = format_of("sbet")
+
+
+def looked(path: Path) -> Finding:
+    return SBET.look(path, {})
+
+
+def said(finding: Finding, words: str) -> bool:
+    return any(words in doubt for doubt in finding.doubts)
+
+
+def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
+    path = shared_data / "leeward" / "sbet.out"
+    assert recognised(path, "trajectory")[0][0].key == "sbet"
+    assert recognised(path, "trajectory")[0][1] == SURE
+    finding = looked(path)
+    assert finding.choice["axes"] == "wander-nwu"
+    assert finding.choice["heading"] == "minus-wander"
+    assert finding.choice["time"] == "gps-week"
+    assert finding.facts["Records"] == "200"
+    assert "1.02" in finding.facts["Wander angle"]
+    assert finding.rows[0][0] == "time"
+    assert len(finding.rows) == 6
+
+
+def test_leeward_course_agrees_to_a_hundredth_of_a_degree(shared_data: Path) -> None:
+    """Computed here, not by the detection: azimuth of the velocities less wander is the course."""
+    records = np.fromfile(shared_data / "leeward" / "sbet.out").reshape(-1, 17)
+    north, east, _ = in_frame("wander-nwu", records[:, 4:7], records[:, 10]).T
+    step = records[-1] - records[0]
+    course = np.arctan2(step[2] * np.cos(records[0, 1]) * 6388837, step[1] * 6358089)
+    assert np.degrees(abs(np.median(np.arctan2(east, north)) - course)) < 0.02
+    other = in_frame("ned", records[:, 4:7], records[:, 10])
+    assert np.degrees(abs(np.median(np.arctan2(other[:, 1], other[:, 0])) - course)) > 0.5
+
+
+def test_real_surveys_are_read_as_before(shared_data: Path) -> None:
+    for name, axes in (("harbour", "ned"), ("lanl_tent", "unknown"), ("lanl_truck", "unknown")):
+        path = shared_data / name / "trajectory.sbet"
+        finding = looked(path)
+        assert finding.choice["axes"] == axes
+        assert not said(finding, "exchanged")
+        trajectory = SBET.read(path, finding.choice)
+        records = np.fromfile(path).reshape(-1, 17)
+        np.testing.assert_array_equal(trajectory.latitude, records[:, 1])
+        np.testing.assert_allclose(trajectory.attitude, truth(records)["attitude"])
+
+
+AXES = ["wander-nwu", "wander-ned", "ned", "enu", "nwu", "neu"]
+
+
+def in_axes(records: np.ndarray, axes: str) -> np.ndarray:
+    """The vessel's velocities turned to other axes, from course and speed alone."""
+    records = records.copy()
+    forward, left, up = records[:, 4:7].T.copy()
+    azimuth, speed = np.arctan2(-left, forward), np.hypot(forward, left)
+    if not axes.startswith("wander"):
+        azimuth = azimuth - records[:, 10]
+    north, east = speed * np.cos(azimuth), speed * np.sin(azimuth)
+    columns = {
+        "wander-nwu": (north, -east, up), "wander-ned": (north, east, -up),
+        "ned": (north, east, -up), "enu": (east, north, up),
+        "nwu": (north, -east, up), "neu": (north, east, up),
+    }[axes]  # fmt: skip
+    records[:, 4:7] = np.stack(columns, axis=1)
+    return records
+
+
+@pytest.mark.parametrize("axes", AXES)
+def test_velocity_frame_is_found(tmp_path: Path, axes: str) -> None:
+    records = in_axes(vessel(wander=np.radians(3)), axes)
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert finding.choice["axes"] == axes
+    assert finding.choice["heading"] == "minus-wander"
+    assert said(finding, "count from true north") == (not axes.startswith("wander"))
+
+
+def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -> None:
+    records = in_axes(vessel(wander=np.radians(50)), "ned")
+    records[:, 9] -= records[:, 10]
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert finding.choice["heading"] == "as-is"
+    trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
+    np.testing.assert_allclose(trajectory.attitude[:, 2], records[:, 9])
+    assert "true heading is the platform heading as it is" in "; ".join(trajectory.assumptions)
+
+
+def test_frame_without_wander_angle_needs_no_choice(tmp_path: Path) -> None:
+    finding = looked(write_records(tmp_path / "a.sbet", in_axes(vessel(), "nwu")))
+    assert finding.choice["axes"] == "nwu"
+    assert not said(finding, "wander")
+
+
+def test_straight_level_course_leaves_up_open(tmp_path: Path) -> None:
+    records = vessel()
+    records[:, 6] = 0
+    records[:, 3] = 10
+    finding = looked(write_records(tmp_path / "a.sbet", in_axes(records, "ned")))
+    assert finding.choice["axes"] in ("ned", "neu")
+    assert said(finding, "does not tell them apart")
+
+
+def test_unknown_frame_is_said(tmp_path: Path) -> None:
+    records = vessel()
+    records[:, 4:6] = records[:, 4:6] @ np.array([[0.6, 0.8], [-0.8, 0.6]])
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert finding.choice["axes"] == "unknown"
+    assert said(finding, "no known frame")
+
+
+def test_zero_velocities_are_said(tmp_path: Path) -> None:
+    records = vessel(wander=0.1)
+    records[:, 4:7] = 0
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert finding.choice["axes"] == "unknown"
+    assert said(finding, "All velocities are zero")
+    assert said(finding, "less the wander angle, after Applanix")
+
+
+@pytest.mark.parametrize("roll", ["starboard-down", "port-down"])
+@pytest.mark.parametrize("pitch", ["bow-up", "bow-down"])
+@pytest.mark.parametrize("rates", [(1, 1, 1), (1, -1, -1)])
+def test_signs_are_found_by_the_rates(
+    tmp_path: Path, roll: str, pitch: str, rates: tuple[int, int, int]
+) -> None:
+    records = vessel()
+    records[:, 14:17] *= rates  # forward-starboard-down, and forward-port-up
+    records[:, 7] *= 1 if roll == "starboard-down" else -1
+    records[:, 8] *= 1 if pitch == "bow-up" else -1
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert (finding.choice["roll"], finding.choice["pitch"]) == (roll, pitch)
+    assert said(finding, "differ from Applanix") == ((roll, pitch) != ("starboard-down", "bow-up"))
+    trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
+    np.testing.assert_allclose(trajectory.attitude, truth(vessel())["attitude"])
+
+
+def test_signs_are_not_judged_by_noise(tmp_path: Path) -> None:
+    records = vessel()
+    records[:, 14:17] = np.random.default_rng(1).normal(0, 0.01, (len(records), 3))
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert (finding.choice["roll"], finding.choice["pitch"]) == ("starboard-down", "bow-up")
+    assert finding.facts["Roll and pitch"] == "signs not checked"
+
+
+@pytest.mark.parametrize("wander", [0.0, 0.05])
+def test_exchanged_positions_are_found(tmp_path: Path, wander: float) -> None:
+    records = vessel(wander=wander)
+    records[:, [1, 2]] = records[:, [2, 1]]
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert finding.choice["order"] == "longitude-latitude"
+    trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
+    np.testing.assert_array_equal(trajectory.latitude, records[:, 2])
+    assert any("longitude before latitude" in words for words in trajectory.assumptions)
+
+
+def test_exchanged_positions_show_in_the_heading_without_velocities(tmp_path: Path) -> None:
+    records = vessel()
+    records[:, [1, 2]] = records[:, [2, 1]]
+    records[:, 4:7] = 0
+    assert said(looked(write_records(tmp_path / "a.sbet", records)), "look exchanged")
+
+
+def test_degrees_are_found_and_read(tmp_path: Path) -> None:
+    records = vessel()
+    angles = [1, 2, 7, 8, 9, 10]
+    records[:, angles] = np.degrees(records[:, angles])
+    path = write_records(tmp_path / "a.sbet", records)
+    finding = looked(path)
+    assert finding.choice["unit"] == "degrees"
+    assert said(finding, "look like degrees")
+    trajectory = SBET.read(path, finding.choice)
+    np.testing.assert_allclose(trajectory.latitude, vessel()[:, 1], rtol=1e-15)
+    assert recognised(path, "trajectory")[0][0].key == "sbet"
+
+
+def test_big_endian_is_found_and_read(tmp_path: Path) -> None:
+    path = write_records(tmp_path / "a.sbet", vessel(), order=">")
+    assert recognised(path, "trajectory")[0] == (SBET, LIKELY)
+    finding = looked(path)
+    assert finding.choice["byte_order"] == "big-endian"
+    assert said(finding, "big-endian")
+    np.testing.assert_array_equal(SBET.read(path, finding.choice).latitude, vessel()[:, 1])
+
+
+@pytest.mark.parametrize("shift", [0.0, -400_000.0, 1e9, 315_964_800 + 1e9])
+def test_time_base_is_stated(tmp_path: Path, shift: float) -> None:
+    records = vessel(300)
+    records[:, 0] += shift
+    path = write_records(tmp_path / "a.sbet", records)
+    finding = looked(path)
+    trajectory = SBET.read(path, finding.choice)
+    assert any(words.startswith("times are ") for words in trajectory.assumptions)
+    assert said(finding, "could also be") == (shift != 0.0)
+
+
+def test_part_of_a_long_file_is_enough(tmp_path: Path) -> None:
+    records = np.tile(vessel(2000), (40, 1))
+    records[:, 0] = 486_000 + np.arange(len(records)) / 50.0
+    records.tofile(tmp_path / "a.sbet")
+    detection = detect_sbet(tmp_path / "a.sbet")
+    assert detection.facts["Records"] == "80,000"
+    assert detection.facts["End"] == f"{records[-1, 0]:.3f} s"
+    assert detection.options.axes == "nwu"
+
+
+def test_gap_and_backward_times_are_counted(tmp_path: Path) -> None:
+    records = vessel()
+    records[1000:, 0] += 30
+    assert said(looked(write_records(tmp_path / "a.sbet", records)), "1 gap longer than 1.5 s")
+    records[500, 0] = records[400, 0]
+    assert said(looked(write_records(tmp_path / "b.sbet", records)), "1 of 2,000 times run backw")
+
+
+def test_week_end_is_counted_on_and_said(tmp_path: Path) -> None:
+    records = vessel(200)
+    records[:, 0] = (604_798 + np.arange(200) / 50.0) % 604_800
+    path = write_records(tmp_path / "a.sbet", records)
+    trajectory = SBET.read(path, {})
+    np.testing.assert_allclose(np.diff(trajectory.time), 0.02, atol=1e-9)
+    assert any("start again" in words for words in trajectory.assumptions)
+    assert not said(looked(path), "backward")

@@ -1,0 +1,252 @@
+from datetime import UTC, datetime
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from lispac.errors import InputError
+from lispac.survey.time_base import (
+    BASES,
+    DAY,
+    LEAP_DATES,
+    WEEK,
+    base_of,
+    from_gps,
+    leap_seconds_at_gps,
+    matches,
+    plausible,
+    sentence,
+    to_gps,
+    unrolled,
+)
+from lispac.survey.time_quality import coverage, joined, time_quality
+
+EPOCH = datetime(1980, 1, 6, tzinfo=UTC)
+
+
+def gps(year: int, month: int, day: int, second: float = 0.0) -> float:
+    """GPS seconds of a UTC instant, with the leap seconds counted by hand."""
+    date = datetime(year, month, day, tzinfo=UTC)
+    leap = sum(changed <= date.date() for changed in LEAP_DATES)
+    return (date - EPOCH).total_seconds() + second + leap
+
+
+SURVEY = gps(2023, 6, 27, 50_400)  # a Tuesday at 14:00
+
+
+def times(start: float, seconds: float, rate: float = 10.0) -> np.ndarray:
+    return start + np.arange(int(seconds * rate)) / rate
+
+
+def test_known_instants() -> None:
+    """1 January 2017, 00:00 UTC: GPS 1167264018, week 1930, 18 s of leap (IGS, IERS)."""
+    instant = np.array([1_167_264_018.0])
+    assert from_gps(instant, base_of("unix"))[0] == 1_483_228_800
+    assert from_gps(instant, base_of("gps-week"))[0] == 1_167_264_018 - 1930 * 604_800
+    assert from_gps(instant, base_of("utc-day"))[0] == 0
+    assert from_gps(instant, base_of("gps-day"))[0] == 18
+    assert from_gps(instant, base_of("gps-adjusted"))[0] == 167_264_018
+    assert leap_seconds_at_gps(1_167_264_018.0) == 18
+    assert leap_seconds_at_gps(1_167_264_016.9) == 17
+    assert leap_seconds_at_gps(0.0) == 0
+
+
+surveys = st.tuples(
+    st.floats(gps(2000, 1, 2), gps(2044, 12, 1)), st.floats(1, 40_000), st.sampled_from(BASES)
+)
+
+
+def leaps_inside(sample: np.ndarray) -> bool:
+    return bool(leap_seconds_at_gps(sample[0] - 2) != leap_seconds_at_gps(sample[-1] + 2))
+
+
+@given(surveys)
+def test_there_and_back_is_where_we_were(survey: tuple) -> None:
+    start, span, base = survey
+    sample = np.linspace(start, start + span, 50)
+    if base.utc and leaps_inside(sample):
+        return  # UTC has the same name for two instants there
+    back = to_gps(from_gps(sample, base), base, near=start)
+    np.testing.assert_allclose(back, sample, atol=1e-6, rtol=0)
+
+
+@given(surveys)
+def test_own_base_is_always_plausible(survey: tuple) -> None:
+    start, span, base = survey
+    values = from_gps(np.linspace(start, start + span, 50), base)
+    early = base.key == "gps-adjusted" and values.min() >= 0 and values.max() < WEEK
+    assert early or base in plausible(values)
+
+
+@given(surveys, st.sampled_from(BASES), st.floats(0.1, 0.9))
+def test_points_of_any_base_come_onto_the_trajectory(survey, other, where) -> None:
+    start, span, base = survey
+    track = np.linspace(start, start + span + 600, 500)
+    line = np.linspace(start + where * span, start + where * span + 60, 20)
+    if leaps_inside(track):
+        return
+    found = matches(
+        from_gps(line, base), from_gps(track, other), point_bases=[base], trajectory_bases=[other]
+    )
+    right = from_gps(track, other) - track
+    known = base.period is None or other.period is None or base.utc == other.utc
+    if known or leap_seconds_at_gps(start) == 18:
+        shifts = [match.applied(from_gps(line, base)) - line for match in found]
+        assert any(np.allclose(shift, right[0], atol=1e-5, rtol=0) for shift in shifts)
+        assert found[0].share == 1
+
+
+@given(st.floats(0, WEEK - 1), st.sampled_from([DAY, WEEK]), st.floats(0.01, 20))
+def test_wrapped_times_are_unrolled(start: float, period: float, step: float) -> None:
+    true = start + step * np.arange(300)
+    back, count = unrolled(true % period)
+    np.testing.assert_allclose(back - back[0], true - true[0], atol=1e-6)
+    assert count == int(true[-1] // period - true[0] // period)
+
+
+def test_other_steps_back_are_left_alone() -> None:
+    disordered = np.array([1000.0, 1001.0, 900.0, 1002.0, 90_000.0, 500.0])
+    np.testing.assert_array_equal(unrolled(disordered)[0], disordered)
+
+
+@pytest.mark.parametrize(
+    ("points", "track", "shift"),
+    [
+        ("gps-week", "gps-week", 0.0),
+        ("gps-adjusted", "gps-week", 1e9 - 2268 * WEEK),
+        ("gps-week", "gps-adjusted", 2268 * WEEK - 1e9),
+        ("utc-day", "gps-week", 2 * DAY + 18),
+        ("gps-day", "unix", None),
+        ("unix", "gps-week", None),
+    ],
+)
+def test_usual_mixtures(points: str, track: str, shift: float | None) -> None:
+    trajectory = from_gps(times(SURVEY, 3600), base_of(track))
+    line = from_gps(times(SURVEY + 900, 120), base_of(points))
+    found = matches(line, trajectory)
+    right = trajectory[0] - SURVEY - (line[0] - SURVEY - 900)
+    assert any(abs(match.shift - right) < 1e-5 for match in found if match.share == 1)
+    if shift is not None:
+        assert right == pytest.approx(shift)
+    if points == track:
+        assert found[0].shift == 0
+        assert "as they are" in sentence(found)
+
+
+def test_ambiguity_is_stated() -> None:
+    found = matches(times(50_400, 60), times(50_000, 3600))
+    assert found[0].shift == 0
+    assert "18.000 s fits as well" in sentence(found)
+    tight = matches(times(50_400, 60), times(50_400, 60))
+    assert "fits as well" not in sentence(tight)
+
+
+def test_leap_seconds_taken_from_today_are_said() -> None:
+    day, week = base_of("utc-day"), base_of("gps-week")
+    found = matches(
+        times(50_400, 60), times(2 * DAY + 50_000, 3600), point_bases=[day], trajectory_bases=[week]
+    )
+    assert found[0].leap_assumed
+    assert "leap seconds of today" in sentence(found)
+    np.testing.assert_allclose(found[0].applied(np.array([50_400.0])), 2 * DAY + 50_418)
+
+
+def test_line_after_midnight_comes_onto_the_same_trajectory() -> None:
+    track = times(2 * DAY - 600, 1200)  # seconds of the week, over the midnight of Monday
+    after = matches(times(60, 30), track)
+    np.testing.assert_allclose(after[0].applied(np.array([60.0])), 2 * DAY + 60)
+    before = matches(times(DAY - 60, 30), track)
+    np.testing.assert_allclose(before[0].applied(np.array([DAY - 60])), 2 * DAY - 60)
+
+
+def test_line_after_the_week_rolled_over() -> None:
+    track = times(WEEK - 600, 1200)
+    found = matches(times(60, 30), track)
+    assert found[0].shift in (WEEK, WEEK - 18, WEEK + 18)
+    assert any(match.shift == WEEK for match in found)
+
+
+def test_no_match_is_said() -> None:
+    assert matches(np.array([5e13]), times(0, 60)) == ()
+    assert matches(np.zeros(0), times(0, 60)) == ()
+    assert "No known time base" in sentence(())
+
+
+def test_date_has_to_be_known() -> None:
+    with pytest.raises(InputError, match="state the date"):
+        to_gps(np.array([5.0]), base_of("gps-week"))
+    with pytest.raises(InputError, match="no time base"):
+        base_of("sundial")
+
+
+def through_32_bits(values: np.ndarray) -> np.ndarray:
+    return values.astype(np.float32).astype(np.float64)
+
+
+def test_lost_precision_is_found() -> None:
+    quality = time_quality(through_32_bits(times(400_825, 20, 200)))
+    assert quality.resolution == 1 / 32
+    assert quality.duplicates > 3000
+    assert any("32-bit" in doubt for doubt in quality.doubts)
+    assert time_quality(through_32_bits(times(50_400.0, 20, 30))).resolution == 1 / 256
+
+
+@pytest.mark.parametrize(
+    "sound",
+    [
+        times(400_825, 60, 1),
+        times(400_825, 60, 2),
+        times(400_825, 20, 200),
+        np.array([400_825.0, 400_826.0, 400_831.0]),
+        np.array([5.0]),
+        times(0, 3, 10),
+    ],
+)
+def test_sound_times_have_no_doubts(sound: np.ndarray) -> None:
+    assert time_quality(sound).doubts == ()
+
+
+def test_disorder_is_counted() -> None:
+    quality = time_quality(np.array([0.1, 0.2, 0.2, 0.3, 0.15, 0.4, 0.4, np.nan]))
+    assert (quality.duplicates, quality.backward, quality.first_disorder) == (2, 1, 2)
+
+
+def test_coverage_by_hand() -> None:
+    track = np.array([0.0, 1.0, 2.0, 10.0, 11.0, 20.0, 21.0])
+    line = np.array([-1.0, 0.5, 2.0, 5.0, 9.0, 10.0, 10.5, 15.0, 20.5, 25.0])
+    found = coverage(line, track, 1.5)
+    assert (found.start, found.end, found.count) == (-1, 25, 10)
+    assert (found.outside, found.in_gaps, found.usable) == (2, 3, 5)
+    assert found.gaps == ((2.0, 10.0), (11.0, 20.0))
+    assert found.share_in_gaps == 0.3
+    assert "5 of 10 points cannot be used" in str(found)
+    assert coverage(np.array([0.5]), track, 1.5).gaps == ()
+
+
+@given(
+    st.lists(st.floats(-10, 110), min_size=1, max_size=60),
+    st.lists(st.floats(0.01, 8), min_size=1, max_size=40),
+    st.integers(0, 60),
+)
+def test_coverage_counts_every_point_once(line, steps, cut) -> None:
+    track, sample = np.cumsum([0.0, *steps]), np.array(line)
+    found = coverage(sample, track, 2.0)
+    for k, time in enumerate(sample):  # the slow way, one by one
+        outside = time < track[0] or time > track[-1]
+        gap = any(
+            track[j] < time < track[j + 1] and track[j + 1] - track[j] > 2
+            for j in range(len(track) - 1)
+        )
+        alone = coverage(sample[k : k + 1], track, 2.0)
+        assert (alone.outside, alone.in_gaps) == (int(outside), int(gap))
+    parts = joined([coverage(sample[:cut], track, 2.0), coverage(sample[cut:], track, 2.0)])
+    assert (parts.count, parts.outside, parts.in_gaps) == (
+        found.count, found.outside, found.in_gaps,
+    )  # fmt: skip
+
+
+def test_coverage_of_nothing() -> None:
+    assert str(coverage(np.zeros(0), times(0, 5), 1)) == "The line has no points."
+    assert coverage(times(0, 5), np.zeros(0), 1).outside == 50
+    assert joined([]).count == 0

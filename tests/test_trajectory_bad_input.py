@@ -1,0 +1,400 @@
+"""Files that are not what they should be: one sentence with file, place and remedy."""
+
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from lispac.errors import InputError
+from lispac.io.formats import ACCURACIES, TRAJECTORIES, format_of, recognised
+from lispac.io.registry import Finding, Format
+from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
+
+BINARY = ("sbet", "smrmsg")
+TEXT = ("exail-text", "pospac-text", "ascii-trajectory", "exail-sigmas", "pospac-sigmas")
+
+
+def outcome(
+    task: Callable[[Path, Mapping[str, str]], object], path: Path, choice: Mapping[str, str]
+) -> tuple[object, str]:
+    """What a reader gives, or the sentence it refuses with; other errors come through."""
+    try:
+        return task(path, choice), ""
+    except InputError as error:
+        return None, str(error)
+
+
+def good(key: str, path: Path) -> Path:
+    """A sound file of that format."""
+    records = vessel(200)
+    if key == "sbet":
+        return write_records(path, records)
+    if key == "smrmsg":
+        sigmas = np.full((200, 10), 0.02)
+        sigmas[:, 0] = records[:, 0]
+        return write_records(path, sigmas)
+    if key.startswith("exail"):
+        return write_delph(path, records, sigmas=key == "exail-sigmas")
+    if key.startswith("pospac"):
+        return write_pospac(path, records)
+    angles = np.degrees(records[:, [1, 2, 7, 8, 9]])
+    table = [records[:, 0], angles[:, 0], angles[:, 1], records[:, 3], *angles[:, 2:].T]
+    np.savetxt(path, np.stack(table, axis=1), "%.12f")
+    return path
+
+
+def refused(key: str, path: Path, choice: dict[str, str] | None = None) -> str:
+    """The sentence a file is refused with: it names the file and says what to do."""
+    with pytest.raises(InputError) as error:
+        format_of(key).read(path, choice or {})
+    told = str(error.value)
+    assert str(path) in told
+    assert "\n" not in told
+    assert told.endswith((".", ".)"))
+    assert re.search(
+        r"export|choose|check|state|sort|copy|name each|read the file as|there is no such", told
+    ), told
+    return told
+
+
+def look(key: str, path: Path) -> None:
+    """A look says its doubts or refuses in a sentence; nothing else comes out."""
+    finding, told = outcome(format_of(key).look, path, {})
+    doubts = finding.doubts if isinstance(finding, Finding) else ()
+    assert finding is not None or str(path) in told
+    assert all(doubt.rstrip(")").endswith(".") for doubt in doubts), doubts
+
+
+EVERY = BINARY + TEXT
+
+
+@pytest.mark.parametrize("key", EVERY)
+def test_sound_file_is_read(tmp_path: Path, key: str) -> None:
+    path = good(key, tmp_path / "a.dat")
+    format = format_of(key)
+    assert format.sniff(path) > 0
+    assert len(format.read(path, format.look(path, {}).choice).time) == 200
+
+
+@pytest.mark.parametrize("key", EVERY)
+def test_missing_empty_and_folder(tmp_path: Path, key: str) -> None:
+    (tmp_path / "empty").touch()
+    for name, words in (("none", "no such"), ("empty", "empty|nothing"), (".", "folder")):
+        path = tmp_path / name
+        assert re.search(words, refused(key, path))
+        assert format_of(key).sniff(path) == 0
+        look(key, path)
+
+
+@pytest.mark.parametrize("key", BINARY)
+def test_cut_short_binary(tmp_path: Path, key: str) -> None:
+    path = good(key, tmp_path / "a.out")
+    path.write_bytes(path.read_bytes()[:-20])
+    assert "cut short" in refused(key, path)
+    assert any("cut short" in doubt for doubt in format_of(key).look(path, {}).doubts)
+    assert recognised(path, format_of(key).kind)[0][0].key == key
+
+
+@pytest.mark.parametrize("key", TEXT)
+def test_cut_short_text_names_the_row(tmp_path: Path, key: str) -> None:
+    path = good(key, tmp_path / "a.txt")
+    path.write_text(path.read_text()[:-75])
+    rows = len(path.read_text().splitlines())
+    assert f"row {rows}: " in refused(key, path)
+    assert any(f"row {rows}: " in doubt for doubt in format_of(key).look(path, {}).doubts)
+
+
+@pytest.mark.parametrize("key", EVERY)
+def test_other_content(tmp_path: Path, key: str) -> None:
+    rng = np.random.default_rng(3)
+    contents = {
+        "noise": rng.integers(0, 256, 136 * 80, dtype=np.uint8).tobytes(),
+        "zeros": bytes(136 * 80),
+        "ones": b"\xff" * (136 * 80),
+        "prose": b"Dear all,\nthe survey went well.\n" * 50,
+        "table": b"1 2 3\n4 5 6\n" * 340,
+        "one line": b"7 " * 9000,
+    }
+    for name, content in contents.items():
+        path = tmp_path / name
+        path.write_bytes(content)
+        assert format_of(key).sniff(path) < 0.7, name
+        refused(key, path)
+        look(key, path)
+
+
+def records_with(change: Callable[[np.ndarray], None]) -> Callable[[Path], Path]:
+    def write(path: Path) -> Path:
+        records = vessel(200)
+        change(records)
+        return write_records(path, records)
+
+    return write
+
+
+def put(rows: object, columns: object, value: object) -> Callable[[np.ndarray], None]:
+    def change(records: np.ndarray) -> None:
+        records[rows, columns] = value
+
+    return change
+
+
+def exchange(records: np.ndarray) -> None:
+    records[:, [1, 2]] = records[:, [2, 1]]
+    records[:, 1] -= np.radians(50)  # past 90 deg of latitude
+
+
+def in_degrees(records: np.ndarray) -> None:
+    angles = [1, 2, 7, 8, 9, 10]
+    records[:, angles] = np.degrees(records[:, angles])
+
+
+def through_32_bits(records: np.ndarray) -> None:
+    records[:, 0] = records[:, 0].astype(np.float32)
+
+
+SBET_MATRIX = {
+    "not a number": (put(4, 8, np.nan), "record 5 holds a value that is not a number"),
+    "infinite": (put(6, 1, np.inf), "record 7 holds a value that is not a number"),
+    "duplicate time": (put(5, 0, 486_000.08), r"record 6 \(1 repeat of 200\)"),
+    "backward time": (put(5, 0, 486_000.0), r"record 6 \(1 run backward of 200\)"),
+    "32-bit time": (through_32_bits, "steps of 0.03125 s"),
+    "degrees": (in_degrees, "choose the unit degrees"),
+    "exchanged": (exchange, "choose the order longitude-latitude"),
+    "roll in degrees": (put(3, 7, 4.0), "record 4: roll, pitch, heading 229"),
+    "height": (put(9, 3, 1e7), "record 10: a height of 1e"),
+    "other time base": (put(slice(None), 0, 4e8 + np.arange(200)), "choose gps-adjusted"),
+    "no time base": (put(slice(None), 0, 1e15 + np.arange(200)), "no known time base"),
+}
+
+
+@pytest.mark.parametrize("case", SBET_MATRIX)
+def test_sbet_matrix(tmp_path: Path, case: str) -> None:
+    change, words = SBET_MATRIX[case]
+    path = records_with(change)(tmp_path / "a.sbet")
+    assert re.search(words, refused("sbet", path))
+    look("sbet", path)
+
+
+def test_sbet_of_another_byte_order(tmp_path: Path) -> None:
+    path = write_records(tmp_path / "a.sbet", vessel(200), order=">")
+    refused("sbet", path)
+    assert "big-endian" in " ".join(format_of("sbet").look(path, {}).doubts)
+
+
+def test_one_record_is_no_trajectory(tmp_path: Path) -> None:
+    path = write_records(tmp_path / "a.sbet", vessel(200)[:1])
+    assert "at least two" in refused("sbet", path)
+
+
+def test_negative_smrmsg(tmp_path: Path) -> None:
+    path = good("smrmsg", tmp_path / "a.out")
+    records = np.fromfile(path).reshape(-1, 10)
+    records[3, 2] = -1
+    records.tofile(path)
+    assert "negative" in refused("smrmsg", path)
+    assert format_of("smrmsg").sniff(path) == 0
+
+
+def edited(key: str, path: Path, edit: Callable[[list[str]], list[str]]) -> Path:
+    """A sound text file with its rows changed."""
+    good(key, path)
+    path.write_text("\n".join(edit(path.read_text().splitlines())) + "\n")
+    return path
+
+
+def field(row: int, column: int, value: str) -> Callable[[list[str]], list[str]]:
+    """Puts a value into a field of a row counted from the end."""
+
+    def edit(lines: list[str]) -> list[str]:
+        fields = lines[-row].split("\t" if "\t" in lines[-row] else None)
+        fields[column] = value
+        lines[-row] = ("\t" if "\t" in lines[-row] else " ").join(fields)
+        return lines
+
+    return edit
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "-inf", "1e999", "", "x", "12:30"])
+@pytest.mark.parametrize(
+    ("key", "column"), [("exail-text", 2), ("pospac-text", 5), ("ascii-trajectory", 1)]
+)
+def test_value_that_is_no_number(tmp_path: Path, key: str, column: int, value: str) -> None:
+    path = edited(key, tmp_path / "a.txt", field(3, column, value or "-"))
+    row = len(path.read_text().splitlines()) - 2
+    assert f"row {row}: " in refused(key, path)
+
+
+@pytest.mark.parametrize(
+    ("key", "column", "value"),
+    [
+        ("exail-text", 1, "14:00:01.0000"),
+        ("pospac-text", 0, "486001.0"),
+        ("ascii-trajectory", 0, "486001"),
+    ],
+)
+def test_backward_time_in_text(tmp_path: Path, key: str, column: int, value: str) -> None:
+    path = edited(key, tmp_path / "a.txt", field(3, column, value))
+    row = len(path.read_text().splitlines()) - 2
+    told = refused(key, path)
+    assert f"row {row} " in told
+    assert "1 run backward of 200" in told
+
+
+@pytest.mark.parametrize(("key", "name"), [("exail-text", "pitch"), ("pospac-text", "PITCH")])
+def test_missing_column(tmp_path: Path, key: str, name: str) -> None:
+    def edit(lines: list[str]) -> list[str]:
+        return [line.replace(name, "other") for line in lines]
+
+    path = edited(key, tmp_path / "a.txt", edit)
+    assert "lack pitch" in refused(key, path)
+    assert any("lack pitch" in doubt for doubt in format_of(key).look(path, {}).doubts)
+
+
+@pytest.mark.parametrize("key", ["exail-text", "pospac-text"])
+def test_text_without_its_header(tmp_path: Path, key: str) -> None:
+    path = edited(key, tmp_path / "a.txt", lambda lines: lines[-200:])
+    assert "read the file as generic text" in refused(key, path)
+
+
+def test_standard_deviations_missing(tmp_path: Path) -> None:
+    path = good("exail-text", tmp_path / "a.txt")
+    assert "no column of north standard deviation" in refused("exail-sigmas", path)
+
+
+@pytest.mark.parametrize(
+    ("choice", "words"),
+    [
+        ({"position": "radians", "attitude": "radians"}, "not on Earth; they are degrees read"),
+        ({"attitude": "radians"}, "state degrees where radians were taken"),
+        ({"columns": "time longitude latitude height roll pitch heading"}, None),
+        ({"columns": "time latitude longitude height roll pitch"}, "lack heading"),
+        ({"columns": ""}, "lack time"),
+        ({"columns": "time latitude sundial"}, "no column called 'sundial'"),
+        ({"columns": "time time latitude"}, "two columns are named time"),
+        ({"columns": "- - time latitude longitude height roll pitch heading"}, "7 columns where"),
+        ({"columns": "time easting northing height roll pitch heading"}, "coordinate system"),
+        ({"header": "few"}, "not a number of header rows"),
+        ({"header": "500"}, "no rows of data"),
+        ({"separator": "comma"}, "no rows of data; check what is stated"),
+        ({"time": "gps-full"}, "choose gps-week"),
+        ({"time": "utc-day"}, "choose gps-week"),
+        ({"heading": "grid"}, "needs eastings, northings"),
+    ],
+)
+def test_choices_that_do_not_fit(tmp_path: Path, choice: dict[str, str], words: str | None) -> None:
+    path = good("ascii-trajectory", tmp_path / "a.txt")
+    if words is None:  # both are on Earth: only the course can tell
+        assert format_of("ascii-trajectory").read(path, choice)
+    else:
+        assert words in refused("ascii-trajectory", path, choice)
+
+
+def test_exchanged_positions_past_the_pole(tmp_path: Path) -> None:
+    rows = "\n".join(f"{k} -123.5 45.5 10 0 0 90" for k in range(1000, 1010))
+    (tmp_path / "a.txt").write_text(rows)
+    told = refused("ascii-trajectory", tmp_path / "a.txt")
+    assert "row 1: " in told
+    assert "may be swapped" in told
+
+
+@pytest.mark.parametrize(
+    ("crs", "words"),
+    [
+        ("EPSG:4326", "not a projected coordinate system"),
+        ("EPSG:999999", "state an EPSG code"),
+        ("sundial", "state an EPSG code"),
+        ("EPSG:32618", None),
+    ],
+)
+def test_coordinate_systems(tmp_path: Path, crs: str, words: str | None) -> None:
+    rows = "\n".join(f"{k} 600000 5040000 10 0 0 90" for k in range(1000, 1010))
+    (tmp_path / "a.txt").write_text(rows)
+    columns = "time easting northing height roll pitch heading"
+    choice = {"columns": columns, "crs": crs}
+    if words is None:
+        assert format_of("ascii-trajectory").read(tmp_path / "a.txt", choice)
+        (tmp_path / "a.txt").write_text(rows.replace("600000", "1e30"))
+        words = "lie outside"
+    assert words in refused("ascii-trajectory", tmp_path / "a.txt", choice)
+
+
+def test_file_without_permission(tmp_path: Path) -> None:
+    path = good("sbet", tmp_path / "a.sbet")
+    path.chmod(0)
+    try:
+        path.read_bytes()
+    except PermissionError:
+        for format in (*TRAJECTORIES, *ACCURACIES):
+            assert "permission" in refused(format.key, path)
+            assert format.sniff(path) == 0
+    else:
+        pytest.skip("this user may read everything")
+
+
+def attempt(format: Format, path: Path) -> None:
+    """Recognise, look and read; nothing but the program's own errors may come out."""
+    assert 0 <= format.sniff(path) <= 1
+    finding, told = outcome(format.look, path, {})
+    assert "\n" not in told
+    for options in ({}, finding.choice if isinstance(finding, Finding) else {}):
+        _, told = outcome(format.read, path, options)
+        assert "\n" not in told
+
+
+numbers = st.floats() | st.sampled_from([0.0, 486_000.0, 0.79, -1.28, 45.5, 1e300, 5e-324])
+binary = st.lists(numbers, max_size=60).map(lambda values: np.array(values, "<f8").tobytes())
+pieces = st.sampled_from(
+    ["1", "45.5", "-73.5", "nan", "1e999", "14:00:01", "2024-02-30", "12 30 61 N", "#", "(", ",",
+     "\t", ";", "\n", "\r", " ", "time in Sec", "TIME, LATITUDE, LONGITUDE, ELLIPSOID HEIGHT, ROLL,"
+     " PITCH, HEADING\n", "(time in Sec, lat, long in Degrees)\n", "486000 45 -73 9 0 0 90\n",
+     "486001 45 -73 9 0 0 90\n", "486001,45,-73,9,0,0,90\n", "# DELPH INS\n", "# roll: degree\n",
+     "#time\tlatitude\tlongitude\theight\troll\tpitch\theading\n", "1\t45\t-73\t9\t0\t0\t90\n",
+     "2\t45\t-73\t9\t0\t0\t90\n", "time lat lon h roll pitch heading date\n", "\x00", "\x1c", "٣"]
+)  # fmt: skip
+text = st.lists(pieces, max_size=40).map(lambda parts: "".join(parts).encode())
+anything = st.binary(max_size=600) | binary | text
+quick = settings(
+    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+
+
+@pytest.mark.parametrize("key", EVERY)
+@quick
+@given(content=anything)
+def test_any_bytes(tmp_path: Path, key: str, content: bytes) -> None:
+    path = tmp_path / "any"
+    path.write_bytes(content)
+    attempt(format_of(key), path)
+
+
+@pytest.mark.parametrize("key", EVERY)
+@quick
+@given(data=st.data())
+def test_damaged_files(tmp_path: Path, key: str, data: st.DataObject) -> None:
+    path = tmp_path / "sound"
+    if not path.exists():
+        good(key, path)
+    content = bytearray(path.read_bytes())
+    for _ in range(data.draw(st.integers(1, 4))):
+        start = data.draw(st.integers(0, len(content)))
+        new = data.draw(st.binary(max_size=9))
+        content[start : start + data.draw(st.integers(0, 40))] = new
+    (tmp_path / "damaged").write_bytes(bytes(content))
+    attempt(format_of(key), tmp_path / "damaged")
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("key", EVERY)
+@settings(
+    max_examples=15_000, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(content=anything)
+def test_any_bytes_at_length(tmp_path: Path, key: str, content: bytes) -> None:
+    path = tmp_path / "any"
+    path.write_bytes(content)
+    attempt(format_of(key), path)

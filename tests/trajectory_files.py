@@ -1,0 +1,137 @@
+"""Trajectory files as other programs write them, made by struct and plain text."""
+
+import struct
+from pathlib import Path
+
+import numpy as np
+
+RADIUS = 6378137.0
+
+
+def vessel(count: int = 2000, *, rate: float = 50.0, wander: float = 0.0) -> np.ndarray:
+    """SBET records, shape (n, 17), of a vessel on a wide circle: all frames and signs show in it.
+
+    Velocities are along the wander azimuth, left, up; rates are those of forward, starboard, down.
+    """
+    t = np.arange(count) / rate
+    speed, turn = 4.0, np.radians(4.0)
+    course = 0.3 + turn * t
+    north = speed / turn * (np.sin(course) - np.sin(0.3))
+    east = speed / turn * (np.cos(0.3) - np.cos(course))
+    up = 0.4 * np.sin(0.8 * t)
+    roll, pitch = np.radians(3) * np.sin(0.9 * t), np.radians(2) * np.sin(0.7 * t + 0.4)
+    heading = course + np.radians(2)
+    latitude = np.radians(45.5) + north / (RADIUS * 0.9983)
+    longitude = np.radians(-73.5) + east / (RADIUS * 1.0017 * np.cos(np.radians(45.5)))
+    azimuth = course + wander
+    rates = [
+        np.gradient(roll, t) - np.gradient(heading, t) * np.sin(pitch),
+        np.gradient(pitch, t) * np.cos(roll) + np.gradient(heading, t) * np.sin(roll),
+        np.gradient(heading, t) * np.cos(roll) - np.gradient(pitch, t) * np.sin(roll),
+    ]
+    velocity = [speed * np.cos(azimuth), -speed * np.sin(azimuth), np.gradient(up, t)]
+    zero = np.zeros(count)
+    columns = [486_000 + t, latitude, longitude, 10 + up, *velocity, roll, pitch, heading + wander]
+    return np.stack([*columns, zero + wander, zero, zero, zero, *rates], axis=1)
+
+
+def write_records(path: Path, records: np.ndarray, *, order: str = "<") -> Path:
+    """Records as float64, one after the other, by struct."""
+    width = records.shape[1]
+    path.write_bytes(b"".join(struct.pack(f"{order}{width}d", *row) for row in records))
+    return path
+
+
+DELPH_HEADER = """# DELPH INS Navigation export
+#
+# date: Date of validity (yyyy/mm/dd)
+# time: Time of validity (hh:mm:ss.ssss)
+# latitude: Latitude, decimal degree
+# longitude: Longitude, decimal degree
+# ellipsoidHeight: Height, meter positive upward
+# heading: Heading, degree
+# roll: Roll, degree
+# pitch: Pitch, degree
+# heave: Heave, meter positive upward
+{extra}#
+#date\ttime\tlatitude\tlongitude\tellipsoidHeight\theading\troll\tpitch\theave{names}
+"""
+DELPH_SIGMAS = """# latitudeSd: Standard deviation on latitude, meter
+# longitudeSd: Standard deviation on longitude, meter
+# altitudeSd: Standard deviation on altitude, meter
+# headingSd: Standard deviation on heading, degree
+# rollSd: Standard deviation on roll, degree
+# pitchSd: Standard deviation on pitch, degree
+"""
+SIGMAS = (0.012, 0.013, 0.021, 0.015, 0.008, 0.009)
+
+
+def write_delph(path: Path, records: np.ndarray, *, sigmas: bool = False) -> Path:
+    """A navigation export of Delph INS with pitch positive bow down, on 2023-06-27 from 14:00."""
+    names = ["latitudeSd", "longitudeSd", "altitudeSd", "headingSd", "rollSd", "pitchSd"]
+    text = DELPH_HEADER.format(
+        extra=DELPH_SIGMAS if sigmas else "",
+        names="".join(f"\t{name}" for name in names) if sigmas else "",
+    )
+    for row in records:
+        seconds = row[0] - records[0, 0]
+        clock = f"14:{int(seconds // 60):02d}:{seconds % 60:07.4f}"
+        lat, lon, roll, pitch, heading = np.degrees([row[1], row[2], row[7], -row[8], row[9]])
+        fields = [
+            "2023/06/27", clock, f"{lat:.9f}", f"{lon:.9f}", f"{row[3]:.4f}",
+            f"{heading % 360:.5f}", f"{roll:.5f}", f"{pitch:.5f}", "0.0",
+        ]  # fmt: skip
+        fields += [f"{value:.4f}" for value in SIGMAS] if sigmas else []
+        text += "\t".join(fields) + "\n"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+POSPAC_HEADER = """****************************************************************
+ POS Export Utility
+ Copyright (C) 1997-2018 by Applanix Corporation      [May 17 2018]
+ All rights reserved.
+****************************************************************
+
+ Parameter setup:
+ POSPROC SBET file: D:\\harbour\\sbet_Mission 1.out
+ Mission Start Time:
+   Date of Mission: 2018-08-07
+   Start Time: 06:38:26
+ Mapping frame epoch: 2018.597260
+ Mapping frame datum: WGS84  ; Mapping frame projection : TM;
+ central meridian = 9.000000 deg;
+ Boresight values: tx =        0.0000 arc min, ty =        0.0000 arc min, tz = 0.0000 arc min.
+ TIME, DISTANCE, EASTING, NORTHING, ELLIPSOID HEIGHT, LATITUDE, LONGITUDE, ELLIPSOID HEIGHT, ROLL, \
+PITCH, HEADING, EAST VELOCITY, NORTH VELOCITY, UP VELOCITY, EAST SD, NORTH SD, HEIGHT SD, ROLL SD, \
+PITCH SD, HEADING SD
+
+  (time in Sec, distance in Meters, position in Meters, lat, long in Degrees, orientation angles \
+and SD in Degrees, velocity in Meter/Sec, position SD in Meters)
+
+"""
+
+
+def write_pospac(path: Path, records: np.ndarray) -> Path:
+    """An export of the POS Export Utility, as POSPac writes it: blanks between the columns."""
+    text = POSPAC_HEADER
+    for row in records:
+        lat, lon, roll, pitch, heading = np.degrees([row[1], row[2], row[7], row[8], row[9]])
+        place = f"{0:12.3f} {4e5:14.3f} {5e6:14.3f} {row[3]:10.4f} {lat:15.9f} {lon:15.9f}"
+        angles = f"{roll:11.6f} {pitch:11.6f} {heading % 360:11.6f}"
+        north, east, height, of_heading, of_roll, of_pitch = SIGMAS
+        sigmas = f"{east} {north} {height} {of_roll} {of_pitch} {of_heading}"
+        text += f"{row[0]:14.5f} {place} {row[3]:10.4f} {angles} 0 0 0 {sigmas}\n"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def truth(records: np.ndarray) -> dict[str, np.ndarray]:
+    """Position and attitude in the program's convention."""
+    attitude = np.stack([records[:, 7], -records[:, 8], records[:, 9] - records[:, 10]], axis=1)
+    return {
+        "latitude": records[:, 1],
+        "longitude": records[:, 2],
+        "height": records[:, 3],
+        "attitude": attitude,
+    }
