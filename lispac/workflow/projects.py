@@ -10,7 +10,7 @@ from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
-from lispac.workflow.reading import LAS_ENDINGS, usual_or_settled
+from lispac.workflow.reading import usual_or_settled
 from lispac.workflow.survey import Survey, load_survey
 
 
@@ -99,7 +99,7 @@ def new_project(
         notes += more
     known = []
     for line in lines:
-        named = bool(line.columns) and line.path.suffix.lower() not in LAS_ENDINGS
+        named = bool(line.columns)
         reading, more = usual_or_settled(line.path, "points", line.reading, columns=named)
         known.append(replace(line, reading=reading))
         notes += more

@@ -125,7 +125,9 @@ def usual_or_settled(
     InputError
     """
     if columns and not given.format and not given.options:
-        return given, ()
+        found = recognised(path, kind)
+        if not found or found[0][0].key == "text":
+            return given, ()
     reading, notes = settled(path, kind, given)
     usual = USUAL[kind]
     own = reading.format == usual and not given.format and not given.options

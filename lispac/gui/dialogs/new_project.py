@@ -24,7 +24,8 @@ from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.project import LineSource, Settings
 
-LAS_ENDINGS = (".las", ".laz")
+SELF_DESCRIBING = (".las", ".laz", ".e57", ".ply", ".pcd")
+"""Endings of files that name their columns themselves."""
 NEEDED_COLUMNS = ("time", "x", "y", "z")
 
 
@@ -93,7 +94,7 @@ class NewProjectDialog(QDialog):
             return "There is a project in this folder already."
         trajectory = self.trajectory.text().strip()
         if not trajectory:
-            return "Choose the trajectory (SBET)."
+            return "Choose the trajectory: SBET, or a text export."
         for field, what in ((self.trajectory, "trajectory"), (self.accuracy, "accuracy file")):
             name = field.text().strip()
             if name and not Path(name).is_file():
@@ -119,7 +120,7 @@ class NewProjectDialog(QDialog):
         accuracy = self.accuracy.text().strip()
         columns = self._column_names()
         lines = tuple(
-            LineSource(path.stem, path, () if path.suffix.lower() in LAS_ENDINGS else columns)
+            LineSource(path.stem, path, () if path.suffix.lower() in SELF_DESCRIBING else columns)
             for path in self._paths()
         )
         origin = self.origin.value() if self.origin_given.isChecked() else None
@@ -143,10 +144,13 @@ class NewProjectDialog(QDialog):
         form = _form()
         self.folder = self._path_row(form, "Project folder", "new_folder", _ask_folder)
         self.trajectory = self._path_row(
-            form, "Trajectory (SBET)", "new_trajectory", _ask_file("Trajectory", "*.sbet *.out")
+            form,
+            "Trajectory",
+            "new_trajectory",
+            _ask_file("Trajectory", "*.sbet *.out *.txt *.csv *.asc *.pos"),
         )
         self.accuracy = self._path_row(
-            form, "Accuracy (smrmsg)", "new_accuracy", _ask_file("Accuracy", "*.out *.smrmsg")
+            form, "Accuracy", "new_accuracy", _ask_file("Accuracy", "*.out *.smrmsg *.txt")
         )
         self.accuracy.setPlaceholderText("optional; else the sigmas below hold at all times")
         self.lines = QListWidget()
@@ -154,7 +158,12 @@ class NewProjectDialog(QDialog):
         self.lines.setAccessibleName("Scan files of the lines")
         self.lines.setFixedHeight(112)
         self.lines.setTextElideMode(Qt.TextElideMode.ElideLeft)
-        add = widgets.button("Add…", "new_add_lines", tip="LAS, LAZ or text, scanner frame")
+        add = widgets.button(
+            "Add…",
+            "new_add_lines",
+            tip="LAS, LAZ, E57, PLY, PCD or text; in the scanner frame, or on the map with a "
+            "coordinate system",
+        )
         remove = widgets.button("Remove", "new_remove_lines")
         add.clicked.connect(self._add_lines)
         remove.clicked.connect(self._remove_lines)
@@ -260,7 +269,7 @@ class NewProjectDialog(QDialog):
         start = str(Path(self.trajectory.text()).parent) if self.trajectory.text() else ""
         names, _ = QFileDialog.getOpenFileNames(
             self, "Scan files of the lines", start,
-            "Scans (*.las *.laz *.txt *.xyz *.csv *.asc);;All files (*)",
+            "Scans (*.las *.laz *.e57 *.ply *.pcd *.txt *.xyz *.csv *.asc *.gz);;All files (*)",
         )  # fmt: skip
         self.add_lines([Path(name) for name in names])
 
@@ -274,7 +283,7 @@ class NewProjectDialog(QDialog):
         return [Path(self.lines.item(k).text()) for k in range(self.lines.count())]
 
     def _has_text(self) -> bool:
-        return any(path.suffix.lower() not in LAS_ENDINGS for path in self._paths())
+        return any(path.suffix.lower() not in SELF_DESCRIBING for path in self._paths())
 
     def _column_names(self) -> tuple[str, ...]:
         return tuple(self.columns.text().lower().replace(",", " ").split())
