@@ -218,7 +218,7 @@ def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
         counts = np.array([count, 3 * len(knots.time), 3 * len(knots.time), size - fixed])
         expected.append(2 * counts @ log + determinant + least)
     np.testing.assert_allclose(np.diff(found), np.diff(expected), rtol=1e-4, atol=1e-3)
-    assert len(variance_components(linearised)[0]) == 3
+    assert len(variance_components(linearised).components) == 3
 
 
 def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:

@@ -5,6 +5,9 @@ whatever the unknowns are. The sums the adjustment has made anyway give it for a
 another look at the points.
 """
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 import numpy as np
 import scipy.linalg
 import scipy.optimize
@@ -57,42 +60,87 @@ FACTORS = (0.1, 10.0)
 """Smallest and largest factor on a stated sigma that is believed."""
 
 
-def variance_components(linearised: Linearised) -> tuple[tuple[Component, ...], float]:
+NOISY = 1.1
+"""Noise of a target over the stated one beyond which the residuals replace the LiDAR sigma."""
+
+TELLING = 0.6
+"""Standard deviation of a factor's logarithm, all else held, below which the data tell it."""
+
+
+@dataclass(frozen=True)
+class Likeliest:
+    """The factors at the largest likelihood.
+
+    Attributes
+    ----------
+    components : tuple of Component
+        On the sigmas of LiDAR, POS position, POS attitude.
+    told : tuple of bool
+        Whether the data tell anything of each.
+    rough : float
+        The factor on the surfaces' sigma.
+    """
+
+    components: tuple[Component, ...]
+    told: tuple[bool, ...]
+    rough: float
+
+
+def variance_components(linearised: Linearised) -> Likeliest:
     """Most likely factors on the sigmas of LiDAR, POS position, POS attitude, and on the surfaces.
 
     Where the surfaces' sigma is not stated it is found along with the others: an error of the
     position shifts a sighting just as its surface does, and only what neighbours share tells which.
-    With few sightings the data say little of the POS; the intervals tell.
+    With few sightings the data say little of the POS; the intervals tell. Where the residuals have
+    raised the noise of a target already, the factor on the LiDAR's stays 1.
     """
-    likelihood = _Likelihood(linearised)
-    bounds = [(np.log(FACTORS[0]), np.log(FACTORS[1]))] * len(NAMES)
-    starts = [np.zeros(len(NAMES))]
-    rough = linearised.problem.model.surface is None
-    if rough:
-        usual = linearised.problem.usual_surface
-        bounds.append((np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)))
-        # What the surfaces have taken for their own may be the POS's.
-        starts = [np.zeros(4), np.array([0.0, np.log(2), 0.0, max(bounds[3][0], -2.0)])]
-    found = min(
+    problem, likelihood = linearised.problem, _Likelihood(linearised)
+    free = np.ones(4, dtype=bool)
+    free[0] = bool(problem.noise.max() < NOISY)
+    free[3] = problem.model.surface is None
+    usual = problem.usual_surface if free[3] else 1.0
+    bounds = [
+        *[(np.log(FACTORS[0]), np.log(FACTORS[1]))] * len(NAMES),
+        (np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)),
+    ]
+
+    def unlikeliness(some: Array) -> float:
+        factors = np.zeros(4)
+        factors[free] = some
+        return likelihood(factors)
+
+    # What the surfaces have taken for their own may be the POS's.
+    starts = [np.zeros(4), np.array([0.0, np.log(2), 0.0, max(bounds[3][0], -2.0)])]
+    best = min(
         (
             scipy.optimize.minimize(
-                likelihood, start, method="Nelder-Mead", bounds=bounds,
+                unlikeliness, start[free], method="Nelder-Mead",
+                bounds=[bound for bound, wanted in zip(bounds, free, strict=True) if wanted],
                 options={"xatol": 0.01, "fatol": 0.01, "maxfev": 600},
             )
-            for start in starts
+            for start in (starts if free[3] else starts[:1])
         ),
         key=lambda result: float(result.fun),
     )  # fmt: skip
-    spread = np.sqrt(np.diag(np.linalg.pinv(_curvature(likelihood, found.x) / 2, hermitian=True)))
+    curvature = _curvature(unlikeliness, best.x) / 2
+    found, spread, alone = np.zeros(4), np.full(4, np.inf), np.full(4, np.inf)
+    found[free] = best.x
+    spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
+    alone[free] = 1 / np.sqrt(np.diag(curvature))
     reach = np.log(100.0)  # beyond, the data tell nothing
-    components = tuple(
-        Component(name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist())
-        for name, x, s in zip(NAMES, found.x, spread, strict=False)
+    return Likeliest(
+        tuple(
+            Component(
+                name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist()
+            )
+            for name, x, s in zip(NAMES, found[:3], spread[:3], strict=True)
+        ),
+        tuple((alone[:3] < TELLING).tolist()),
+        float(np.exp(found[3])),
     )
-    return components, float(np.exp(found.x[3])) if rough else 1.0
 
 
-def _curvature(likelihood: "_Likelihood", at: Array, step: float = 0.1) -> Array:
+def _curvature(likelihood: Callable[[Array], float], at: Array, step: float = 0.1) -> Array:
     """Second derivatives, no less than those of data that say nothing."""
     middle, steps = likelihood(at), step * np.eye(len(at))
     there = np.array([likelihood(at + h) for h in steps])

@@ -14,6 +14,7 @@ from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.robust import Loss
 from lispac.adjustment.shapes import (
     centres_and_extents,
+    moments_by_sighting,
     moved,
     plane_tangents,
     sphere_tangent,
@@ -29,9 +30,6 @@ NO_LOSS = Loss("none")
 
 FIRST_SURFACE = 0.003
 """Metres: sigma of the surfaces until the data have told it."""
-
-LOST = 1e-6
-"""Share of the heaviest sighting's weight below which a sighting has no say at all."""
 
 RELEASED = 10.0
 """Metres: sigma of how a sighting departs that is no longer held to its target's shape."""
@@ -58,6 +56,9 @@ class Problem:
         Noise of the points over the stated one.
     blocks : ndarray of shape (n,), int
         Block of each point on its sighting's surface; empty where nobody has asked.
+    moments : ndarray of shape (sightings, 4, 4)
+        Sums of the products of (x, y, z, 1), metres, placed with the prior: where each sighting is
+        and how far it reaches. Of all points alike: what a tilt is must not depend on weights.
     """
 
     observations: Observations
@@ -70,6 +71,7 @@ class Problem:
     scale: Array
     noise: Array
     blocks: NDArray[np.int64]
+    moments: Array
 
     @classmethod
     def of(
@@ -78,15 +80,20 @@ class Problem:
         prior: Mounting,
         model: StochasticModel,
         parameters: tuple[Parameter, ...] = (),
+        moments: Array | None = None,
     ) -> "Problem":
-        """Sort the points and lay the knots of the POS error."""
+        """Sort the points and lay the knots of the POS error; ``moments`` where they are known."""
+        if moments is None:
+            moments = moments_by_sighting(observations, prior)
         knots = PosErrorKnots.of(observations, model) if model.correlated else None
         ordered, groups, order = grouped(observations, knots)
         surface = FIRST_SURFACE if model.surface is None else model.surface
         sigma = np.full((len(observations.sightings), 3), surface)
         ones = np.ones(len(observations.targets))
         blocks = np.zeros(0, dtype=np.int64)
-        return cls(ordered, groups, order, model, prior, parameters, sigma, ones, ones, blocks)
+        return cls(
+            ordered, groups, order, model, prior, parameters, sigma, ones, ones, blocks, moments
+        )
 
     @cached_property
     def active(self) -> NDArray[np.int64]:
@@ -152,7 +159,7 @@ class Problem:
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Problem":
         """The same with factors on the stated sigmas."""
         observations = self.observations.with_sigmas(lidar, position, attitude)
-        problem = Problem.of(observations, self.prior, self.model, self.parameters)
+        problem = Problem.of(observations, self.prior, self.model, self.parameters, self.moments)
         return replace(
             problem, surface_sigma=self.surface_sigma, scale=self.scale, noise=self.noise
         )
@@ -205,12 +212,8 @@ class Problem:
     def _bases(self, state: State, summed: Array) -> Bases:
         observations, own = self.observations, slice(len(self.active), len(self.active) + 4)
         owners = observations.target_of_sighting
-        moments = summed[:, own, own].copy()
         whole = np.zeros((len(state.shapes), 4, 4))
-        np.add.at(whole, owners, moments)
-        # A sighting without any weight left has no middle of its own.
-        lost = moments[:, 3, 3] <= LOST * moments[:, 3, 3].max()
-        moments[lost] = whole[owners[lost]]
+        np.add.at(whole, owners, summed[:, own, own])
         planes = plane_tangents(state.shapes[:, :3], centres_and_extents(whole)[0])
         shapes = [
             sphere_tangent(known_radius=observations.radii[target] is not None)
@@ -219,7 +222,7 @@ class Problem:
             for target, plane in zip(observations.targets, planes, strict=True)
         ]
         normals, spheres = state.shapes[owners, :3], observations.is_sphere[owners]
-        return Bases(shapes, surface_tangents(normals, moments, spheres))
+        return Bases(shapes, surface_tangents(normals, self.moments, spheres))
 
     def residuals(self, state: State) -> Array:
         """Distances (metres) and residuals over the sigma of their noise, shape (2, n), sorted."""

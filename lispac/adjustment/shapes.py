@@ -35,6 +35,21 @@ def middles(observations: Observations, mounting: Mounting) -> Array:
     return np.stack([np.bincount(owners, counts * m) / total for m in means.T], axis=1)
 
 
+def moments_by_sighting(observations: Observations, mounting: Mounting) -> Array:
+    """Sums of the products of (x, y, z, 1) of each sighting, shape (sightings, 4, 4), metres."""
+    points = points_local(observations, mounting)
+    means = observations.mean_by_sighting(points)
+    centred = points - means[observations.sighting]
+    moments = np.zeros((len(means), 4, 4))
+    for i in range(3):
+        for j in range(i + 1):
+            squares = observations.mean_by_sighting(centred[:, i] * centred[:, j])
+            moments[:, i, j] = moments[:, j, i] = squares + means[:, i] * means[:, j]
+    moments[:, :3, 3] = moments[:, 3, :3] = means
+    moments[:, 3, 3] = 1
+    return moments * observations.counts[:, None, None]
+
+
 def about(observations: Observations, origins: Array) -> Observations:
     """The same points, each target counted from its own origin.
 

@@ -47,6 +47,9 @@ PATIENCE, SLACK = 60, 1e3
 FORESEEN = 10
 """Steps that foresee how the weights will change; where they do not settle, plain ones will."""
 
+FREELY = 10
+"""Iterations far from the answer in which the noise may fall again."""
+
 ADAPTATIONS = 12
 """Times that noise and surfaces are taken from the data; a limit between two of their values would
 be crossed for ever."""
@@ -195,7 +198,9 @@ def _sampled(observations: Observations) -> Observations:
 def _completed(near: Solution, observations: Observations, progress: Progress) -> Solution:
     """Go on with all points from where a sample of them has led, and with what it has told."""
     sample = near.linearised.problem
-    problem = Problem.of(observations, sample.prior, sample.model, sample.parameters)
+    problem = Problem.of(
+        observations, sample.prior, sample.model, sample.parameters, sample.moments
+    )
     problem = replace(
         problem, noise=sample.noise, scale=sample.scale, surface_sigma=sample.surface_sigma
     )
@@ -273,8 +278,8 @@ def _iterate(
         path.append(state.mounting.boresight)
         change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
         if change[0] > NEAR:
-            if not settled:
-                problem = _with_noise(problem, state)  # far from the answer all points are noisy
+            if not settled:  # far from the answer all points are noisy
+                problem = _with_noise(problem, state, falling=iteration <= FREELY)
         elif not settled:
             adapted = _with_surface(_with_noise(problem, state), linearised)
             adaptations += 1
@@ -304,31 +309,54 @@ def _with_components(
     ``total`` holds the factors on the stated sigmas that are in ``solution`` already.
     """
     for _ in range(COMPONENT_ROUNDS):
-        found, rough = variance_components(solution.linearised)
+        found = variance_components(solution.linearised)
         # A sigma is raised on suspicion, lowered on evidence: too large a one costs little.
-        news = np.array([c.factor if c.factor > RAISED or c.upper < 1 else 1.0 for c in found])
+        news = np.array(
+            [
+                c.factor if (told and c.factor > RAISED) or c.upper < 1 else 1.0
+                for c, told in zip(found.components, found.told, strict=True)
+            ]
+        )
         factors = np.clip(total * news, *FACTORS) / total
         total = total * factors
         if np.abs(np.log(factors)).max() < SCALE_SETTLED:
             break
         problem = solution.linearised.problem.with_sigmas(*factors)
-        problem = problem.with_surface(rough * problem.usual_surface)
+        problem = problem.with_surface(found.rough * problem.usual_surface)
         solution = _iterate(problem, solution.state, progress, earlier=solution.path)
-    final, _ = variance_components(solution.linearised)
+    final = variance_components(solution.linearised)
     return (
         solution,
         tuple(
             Component(
-                c.name, float(t * c.factor), float(t * c.lower), float(t * c.upper), bool(t != 1)
+                c.name,
+                float(t if t in FACTORS else t * c.factor),
+                float(t * c.lower),
+                float(t * c.upper),
+                bool(t != 1),
             )
-            for c, t in zip(final, total, strict=True)
+            for c, t in zip(final.components, total, strict=True)
         ),
         total,
     )
 
 
-def _with_noise(problem: Problem, state: State) -> Problem:
-    """The same problem with the noise that its residuals show."""
+def _with_noise(problem: Problem, state: State, *, falling: bool = True) -> Problem:
+    """The same problem with the noise that its residuals show, or what it has if that is larger.
+
+    Without ``falling`` it only grows: noise and answer may chase each other for ever.
+    """
+    told = _noise_of(problem, state)
+    if falling:
+        return told
+    return replace(
+        told,
+        noise=np.maximum(told.noise, problem.noise),
+        scale=np.maximum(told.scale, problem.scale),
+    )
+
+
+def _noise_of(problem: Problem, state: State) -> Problem:
     observations, residuals = problem.observations, problem.residuals(state)[1]
     if problem.model.loss != "none":
         target = observations.target_of_sighting[observations.sighting]
