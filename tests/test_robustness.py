@@ -114,6 +114,28 @@ def test_whichever_sighting_is_shifted_it_is_named_and_no_other_line() -> None:
     assert named >= 22
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_another_surface_metres_away_does_no_harm(seed) -> None:
+    """It is named, or its target is seen to scatter and counts for little: both are said."""
+    clean = survey(7000 + seed, 0.1)
+    after = adjust(shifted(clean, 10, 3.5), PRIOR, StochasticModel(loss="tukey"))
+    assert after.suspects == (clean.sightings[10],) or after.targets[1].noise > 100
+    assert (np.abs(after.boresight - TRUTH.boresight) < 4 * after.sigma).all()
+
+
+@pytest.mark.parametrize("loss", ["huber", "tukey"])
+def test_steps_that_foresee_the_weights_lead_where_plain_ones_do(loss) -> None:
+    dirty, _ = with_strays(survey(0), 0)
+    model = StochasticModel(loss=loss)
+    quick = adjust(dirty, PRIOR, model, diagnostics=False)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(solver, "FORESEEN", -1)
+        patch.setattr(solver, "ANGLES_SETTLED", 1e-13)
+        plain = adjust(dirty, PRIOR, model, diagnostics=False)
+    assert plain.iterations > quick.iterations
+    assert np.degrees(np.abs(quick.boresight - plain.boresight)).max() < 1e-9
+
+
 def jumped(clean: Observations, line: str, metres: list[float]) -> Observations:
     """The position off on one whole line, north, west, up."""
     own = np.array([s.line == line for s in clean.sightings])[clean.sighting]

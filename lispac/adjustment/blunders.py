@@ -97,7 +97,10 @@ def _surprise(item: tuple[float, Blunder]) -> float:
 def belonging(linearised: Linearised, gone: Collection[Blunder]) -> Blunder | None:
     """What was let go of and agrees best, if it does after all."""
     chances = [
-        (_chance(linearised.of(found.back_in(linearised.problem)), found), found) for found in gone
+        (_chance(linearised.of(found.back_in(linearised.problem)), found), found)
+        for found in gone
+        # Points without any weight left agree with nothing.
+        if _new_unknowns(linearised, found)[0].any()
     ]
     chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
     return best if chance > BELONGS else None

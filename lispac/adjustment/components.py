@@ -63,6 +63,9 @@ FACTORS = (0.1, 10.0)
 NOISY = 1.1
 """Noise of a target over the stated one beyond which the residuals replace the LiDAR sigma."""
 
+FEWEST_LINES = 3
+"""On two lines an error of the position and a surface that differs look the same."""
+
 TELLING = 0.6
 """Standard deviation of a factor's logarithm, all else held, below which the data tell it."""
 
@@ -98,6 +101,7 @@ def variance_components(linearised: Linearised) -> Likeliest:
     free = np.ones(4, dtype=bool)
     free[0] = bool(problem.noise.max() < NOISY)
     free[3] = problem.model.surface is None
+    enough = len(problem.observations.lines) >= FEWEST_LINES
     usual = problem.usual_surface if free[3] else 1.0
     bounds = [
         *[(np.log(FACTORS[0]), np.log(FACTORS[1]))] * len(NAMES),
@@ -135,7 +139,7 @@ def variance_components(linearised: Linearised) -> Likeliest:
             )
             for name, x, s in zip(NAMES, found[:3], spread[:3], strict=True)
         ),
-        tuple((alone[:3] < TELLING).tolist()),
+        tuple((alone[:3] < TELLING).tolist()) if enough else (False,) * 3,
         float(np.exp(found[3])),
     )
 

@@ -41,8 +41,9 @@ COMPONENT_ROUNDS = 5
 RAISED = 1.05
 """Factor on a stated sigma below which raising it would change nothing worth telling."""
 
-PATIENCE, SLACK = 60, 1e3
-"""After so many iterations a thousand times larger changes will do: 1e-6 deg and 0.01 mm."""
+PATIENCE, SLACK = 60, np.array([1e3, 1e5])
+"""After so many iterations larger changes will do: 1e-6 deg, and 1 mm of a sighting whose points
+hesitate between some weight and none."""
 
 FORESEEN = 10
 """Steps that foresee how the weights will change; where they do not settle, plain ones will."""
@@ -288,7 +289,7 @@ def _iterate(
             problem, loss = adapted, final
         else:
             steps += 1
-            ease = 1.0 if iteration <= PATIENCE else SLACK
+            ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
             if (_to_come(change, last) < ease * limits).all():
                 if foreseen:  # the sigmas come from the weights as they are
                     linearised = problem.linearised(state, loss)
