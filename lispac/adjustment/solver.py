@@ -290,7 +290,9 @@ def _iterate(
         else:
             steps += 1
             ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
-            if (_to_come(change, last) < ease * limits).all():
+            # A pass over many points is dear, so the last one is foretold; few tell it themselves.
+            left = _to_come(change, last) if told else change
+            if (left < ease * limits).all():
                 if foreseen:  # the sigmas come from the weights as they are
                     linearised = problem.linearised(state, loss)
                 return Solution(linearised, state, np.array(path))

@@ -128,6 +128,8 @@ def usual_or_settled(
         found = recognised(path, kind)
         if not found or found[0][0].key == "text":
             return given, ()
+    if not given.format and not given.options and not recognised(path, kind):
+        return given, ()  # the usual reader says best what is wrong with a damaged file
     reading, notes = settled(path, kind, given)
     usual = USUAL[kind]
     own = reading.format == usual and not given.format and not given.options
