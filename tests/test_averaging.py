@@ -67,3 +67,48 @@ def test_a_heading_through_north_is_averaged_to_north(survey) -> None:
     fewer = averaged(replace(survey, attitude=attitude), PRIOR, 0.2)
     heading = fewer.attitude[fewer.sighting == 0, 2]
     assert np.abs(np.angle(np.exp(1j * heading))).max() < 1.1e-4
+
+
+def with_strays(observations, share: float, generator):
+    """Ranges of a share of the points wrong by 0.1 to 1 m, either way."""
+    hit = generator.random(len(observations)) < share
+    beam = observations.points_lidar[hit]
+    size = generator.uniform(0.1, 1, len(beam)) * generator.choice([-1, 1], len(beam))
+    points = observations.points_lidar.copy()
+    points[hit] += beam / np.linalg.norm(beam, axis=1)[:, None] * size[:, None]
+    return replace(observations, points_lidar=points), hit
+
+
+@pytest.mark.parametrize("spacing", [0.02, 0.04])
+def test_strays_do_not_hide_in_averages(spacing) -> None:
+    """One stray in twenty of dense points: one or more in every average, were they let in."""
+    model = StochasticModel(loss="tukey")
+    for seed in range(2):
+        generator = np.random.default_rng([14, seed])
+        exact = exact_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
+        clean = observed(exact, HYDROGRAPHIC_INS, generator)
+        strayed, hit = with_strays(clean, 0.05, generator)
+        fewer = averaged(strayed, PRIOR, 0.1, strays_apart=True)
+        assert fewer.left_out == hit.sum()
+        found = adjust(fewer, PRIOR, model, diagnostics=False)
+        assert found.left_out == fewer.left_out
+        all_clean = adjust(averaged(clean, PRIOR, 0.1), PRIOR, model, diagnostics=False)
+        assert (np.abs(found.boresight - all_clean.boresight) < all_clean.sigma).all()
+        without = averaged(clean.where(~hit), PRIOR, 0.1)
+        expected = adjust(without, PRIOR, model, diagnostics=False)
+        np.testing.assert_allclose(found.boresight, expected.boresight, rtol=0, atol=1e-7)
+        np.testing.assert_allclose(found.sigma, expected.sigma, rtol=1e-3)
+
+
+def test_nothing_stands_out_of_a_clean_survey(survey) -> None:
+    """Of normal errors three in a million lie beyond the limit."""
+    assert averaged(survey, PRIOR, 0.1, strays_apart=True).left_out <= 1
+
+
+def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
+    """The smaller part of them stands out, a third of the points as well as one."""
+    third = (np.arange(len(survey)) % 3 == 0) & (survey.sighting == 0)
+    points = survey.points_lidar.copy()
+    points[third] *= 1 + 0.2 / np.linalg.norm(points[third], axis=1)[:, None]
+    fewer = averaged(replace(survey, points_lidar=points), PRIOR, 0.1, strays_apart=True)
+    assert fewer.left_out == third.sum()

@@ -4,18 +4,25 @@ Thinning by selection throws away what the points left out know, so that sigmas 
 distance. An average keeps it: its noise is smaller by the root of their number.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.robust import Loss
 from lispac.adjustment.shapes import points_local
 from lispac.adjustment.stochastic import KNOT_INTERVAL
 from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
+
+BEYOND = Loss("tukey").tuning
+"""Standard deviations from a sighting's plane at which a point stands out."""
+
+REFITS = 12
+"""Times that a plane is fitted with weights by what lies off it."""
 
 
 def averaged(
@@ -24,6 +31,7 @@ def averaged(
     distance: float,
     *,
     longest: float = KNOT_INTERVAL,
+    strays_apart: bool = False,
 ) -> Observations:
     """Average the points of each sighting of a plane over squares of side ``distance``.
 
@@ -41,11 +49,26 @@ def averaged(
         0 leaves all points as they are.
     longest : float, seconds
         Over which points are averaged: the knot interval of the POS error.
+    strays_apart : bool
+        Whether points that stand out from their sighting's plane are left out: a loss cannot tell
+        a stray that hides in an average.
+
+    Returns
+    -------
+    Observations
+        ``left_out`` says how many points stood out.
     """
     if distance <= 0:
         return observations
     points = points_local(observations, mounting)
-    order, start = _cells(observations, points, distance, longest)
+    planes = _planes(observations, points)
+    if strays_apart:
+        standing = _standing_out(observations, planes)
+        if standing.any():
+            fewer = observations.reordered(np.flatnonzero(~standing))
+            fewer = replace(fewer, left_out=observations.left_out + int(standing.sum()))
+            return averaged(fewer, mounting, distance, longest=longest)
+    order, start = _cells(observations, planes, points, distance, longest)
     counts = np.diff(np.append(start, len(order)))
 
     def mean(values: Array) -> Array:
@@ -82,15 +105,61 @@ def averaged(
     )
 
 
+@dataclass(frozen=True, eq=False)
+class _Plane:
+    """A sighting's own plane: its points, their places along it and their distances from it."""
+
+    own: NDArray[np.intp]
+    along: Array
+    off: Array
+
+
+def _planes(observations: Observations, points: Array) -> list[_Plane]:
+    found = []
+    for s in range(len(observations.sightings)):
+        own = np.flatnonzero(observations.sighting == s)
+        weights, stated = np.ones(len(own)), _stated(observations, own)
+        for _ in range(REFITS):
+            centre = weights @ points[own] / weights.sum()
+            centred = points[own] - centre
+            directions = np.linalg.eigh((centred * weights[:, None]).T @ centred)[1]
+            off = centred @ directions[:, 0]
+            # Least sum of distances: a third of the points may be of another surface.
+            weights = 1 / np.maximum(np.abs(off), stated)
+        found.append(_Plane(own, points[own] @ directions[:, 1:], off))
+    return found
+
+
+def _stated(observations: Observations, own: NDArray[np.intp]) -> float:
+    return float(observations.sigma_lidar[own].mean(axis=0).max())
+
+
+def _spread(off: Array) -> float:
+    return float(np.median(np.abs(off))) / 0.6745
+
+
+def _standing_out(observations: Observations, planes: list[_Plane]) -> NDArray[np.bool_]:
+    """Which points no redescending loss would leave a weight, by their sighting alone."""
+    standing = np.zeros(len(observations), dtype=bool)
+    for s, plane in enumerate(planes):
+        if observations.is_sphere[observations.target_of_sighting[s]]:
+            continue
+        spread = max(_spread(plane.off), _stated(observations, plane.own))
+        standing[plane.own] = np.abs(plane.off) > BEYOND * spread
+    return standing
+
+
 def _cells(
-    observations: Observations, points: Array, distance: float, longest: float
+    observations: Observations,
+    planes: list[_Plane],
+    points: Array,
+    distance: float,
+    longest: float,
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """The points ordered by cell, and where each cell begins in that order."""
     across = np.empty((len(points), 2))
-    for s in range(len(observations.sightings)):
-        own = observations.sighting == s
-        directions = np.linalg.eigh(np.cov((points[own] - points[own].mean(axis=0)).T))[1]
-        across[own] = points[own] @ directions[:, 1:]
+    for plane in planes:
+        across[plane.own] = plane.along
     grid = np.floor(across / distance).astype(np.int64)
     # A point of a sphere has a cell of its own.
     alone = observations.is_sphere[observations.target_of_sighting[observations.sighting]]

@@ -49,6 +49,8 @@ class Observations:
     radii : mapping of str to float or None
         The targets that are spheres, with their radius in metres, or None where it is unknown;
         all others are planes.
+    left_out : int
+        Points that stood out from their sighting and went into no average.
     """
 
     points_lidar: Array
@@ -64,6 +66,7 @@ class Observations:
     pose_rate: Array | None = None
     latency: float = 0.0
     radii: Mapping[str, float | None] = field(default_factory=dict)
+    left_out: int = 0
 
     def __len__(self) -> int:
         return len(self.time)

@@ -195,6 +195,8 @@ class AdjustmentResult:
     components : tuple of Component
         Empty where they were not asked for.
     elapsed : float, seconds
+    left_out : int
+        Points that stood out from their sighting and went into no average.
     """
 
     mounting: Mounting
@@ -217,6 +219,7 @@ class AdjustmentResult:
     reliability: tuple[SightingReliability, ...]
     components: tuple[Component, ...]
     elapsed: float
+    left_out: int = 0
 
     @property
     def boresight(self) -> Array:

@@ -91,6 +91,7 @@ def summary(
         ),
         components=components,
         elapsed=time.perf_counter() - started,
+        left_out=observations.left_out,
     )
 
 

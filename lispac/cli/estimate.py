@@ -176,6 +176,7 @@ def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, A
         },
         "iterations": result.iterations,
         "points": result.points,
+        "strays_left_out": result.left_out,
         "sightings": len(result.sightings),
         "planes": len(result.targets),
         "elapsed_s": result.elapsed,
@@ -277,7 +278,8 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
     for estimate in result.parameters:
         print(_parameter_line(estimate))
     print(
-        f"POS errors {_model_words(result)}; {result.points:,} points, "
+        f"POS errors {_model_words(result)}; {result.points:,} points"
+        f"{f' ({result.left_out:,} strays left out)' if result.left_out else ''}, "
         f"{len(result.sightings)} sightings, {len(result.targets)} targets, "
         f"{result.iterations} iterations, {result.elapsed:.3f} s"
     )
@@ -287,6 +289,8 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
     )
     if not result.model.correlated:
         print("POS errors are taken as independent (thesis mode): the sigmas are too small")
+    elif result.model.surface == 0:
+        print("The surface sigma is held at 0: sightings are not tested against each other")
     print(
         f"RMS to the joint surfaces {result.rms_before * 1000:.1f} mm before, "
         f"{result.rms_after * 1000:.1f} mm after"

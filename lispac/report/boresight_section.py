@@ -2,7 +2,16 @@
 
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, facts, rows
 from lispac.report.values import Adjustment, ExtraParameter, ReportContent, Seen
-from lispac.report.wording import UNKNOWN, known, mm, parameter, quantity, signed, title
+from lispac.report.wording import (
+    UNKNOWN,
+    count,
+    known,
+    mm,
+    parameter,
+    quantity,
+    signed,
+    title,
+)
 
 
 def boresight(content: ReportContent) -> list[Block]:
@@ -34,7 +43,7 @@ def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
     return facts(
         "Fit",
         [
-            ("Points", f"{adjustment.points:,}"),
+            ("Points", _points(adjustment)),
             ("Iterations", str(adjustment.iterations)),
             ("Degrees of freedom", f"{adjustment.degrees_of_freedom:,}"),
             ("Variance factor", known(adjustment.variance_factor, lambda v: f"{v:.4f}, {stated}")),
@@ -154,6 +163,13 @@ def _effects(adjustment: Adjustment) -> Table:
             for e in adjustment.effects
         ),
     )
+
+
+def _points(adjustment: Adjustment) -> str:
+    if not adjustment.left_out:
+        return f"{adjustment.points:,}"
+    out = count(adjustment.left_out, "stray point")
+    return f"{adjustment.points:,}; {out} stood out from the surface and were kept out of averages"
 
 
 def _effect_name(angle: str) -> str:

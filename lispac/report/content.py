@@ -177,6 +177,7 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
         chi_square=_chi_square(result),
         iterations=result.iterations,
         points=result.points,
+        left_out=result.left_out,
         rms_before_m=result.rms_before,
         rms_after_m=result.rms_after,
         effect_distances_m=EFFECT_DISTANCES_M,

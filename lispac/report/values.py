@@ -258,6 +258,7 @@ class Adjustment:
     chi_square: Chi2
     iterations: int
     points: int
+    left_out: int
     rms_before_m: float
     rms_after_m: float
     effect_distances_m: tuple[float, ...]

@@ -111,6 +111,7 @@ def observations_of(
         mounting or project.mounting("prior"),
         settings.subsample,
         longest=settings.stochastic_model.knot_interval,
+        strays_apart=settings.stochastic_model.loss != "none",
     )
 
 

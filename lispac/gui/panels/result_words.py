@@ -10,6 +10,9 @@ THESIS = (
     "Thesis mode: every point is taken to have a POS error of its own. The sigmas of the angles "
     "are several times too small; use them for comparison only."
 )
+LEAST_SURFACE = 5e-5
+"""Metres: below it a surface sigma shows as 0.0 mm."""
+
 EARNS = 3.0
 """Standard deviations a value has to move to earn its place."""
 
@@ -31,6 +34,11 @@ def check_name(check: CrossCheck) -> str:
 def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
     """What the user has to know before using the angles."""
     found = [] if result.model.correlated else [THESIS]
+    if result.model.correlated and result.model.surface == 0:
+        found.append(
+            "The surface sigma is held at 0, so no sighting is tested against the others; take it "
+            "from the data to have them tested."
+        )
     if result.suspects:
         names = ", ".join(sighting_name(sighting) for sighting in result.suspects)
         found.append(
@@ -49,6 +57,21 @@ def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
             "cross-checks under Diagnostics."
         )
     return found
+
+
+def taking_part(result: AdjustmentResult) -> str:
+    """``2,592 points, 12 sightings``, and the strays that were kept out."""
+    words = f"{result.points:,} points, {len(result.sightings)} sightings"
+    return f"{words}; {result.left_out:,} strays left out" if result.left_out else words
+
+
+def surface_words(result: AdjustmentResult) -> str:
+    """The surface sigma, or why there is none."""
+    if not result.model.correlated:
+        return "–"
+    if result.model.surface == 0:
+        return "held at 0"
+    return "none seen" if result.surface < LEAST_SURFACE else f"{result.surface * 1000:.1f} mm"
 
 
 def verdict(result: AdjustmentResult) -> str:

@@ -168,9 +168,9 @@ class ResultsPanel(QWidget):
             "rms": f"{result.rms_before * 1000:.1f} → <b>{result.rms_after * 1000:.1f} mm</b>",
             "factor": f"{result.variance_factor:.3f}",
             "chi": result_words.test_words(result),
-            "points": f"{result.points:,} points, {len(result.sightings)} sightings",
+            "points": result_words.taking_part(result),
             "model": _model_words(result.model),
-            "surface": f"{result.surface * 1000:.1f} mm" if result.model.correlated else "–",
+            "surface": result_words.surface_words(result),
             "iterations": f"{result.iterations}, {result.elapsed:.2f} s",
         }
         for key, text in texts.items():
