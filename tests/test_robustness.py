@@ -84,6 +84,7 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
         todo = [Blunder("shift", (s,)) for s in gone]
         patch.setattr(solver, "worst_blunder", lambda *_: todo.pop() if todo else None)
         patch.setattr(solver, "belonging", lambda *_: None)
+        patch.setattr(solver, "astray", lambda *_: np.zeros(0, dtype=np.int64))
         same = adjust(clean, PRIOR, model)
     return np.abs(found.boresight - same.boresight) / same.sigma, found
 
@@ -134,6 +135,26 @@ def test_steps_that_foresee_the_weights_lead_where_plain_ones_do(loss) -> None:
         plain = adjust(dirty, PRIOR, model, diagnostics=False)
     assert plain.iterations > quick.iterations
     assert np.degrees(np.abs(quick.boresight - plain.boresight)).max() < 1e-9
+
+
+@pytest.mark.parametrize(("seed", "sighting", "metres"), [(1, 10, 3.5), (2, 4, -5.0), (3, 2, -5.0)])
+def test_a_surface_metres_off_is_named_and_does_no_harm(seed, sighting, metres) -> None:
+    """A board of a metre: the plane through its points on all lines would stand across it."""
+    clean = survey(7000 + seed, 0.1)
+    done, after = harm(clean, shifted(clean, sighting, metres))
+    assert after.suspects == (clean.sightings[sighting],)
+    assert all(target.noise < 1.5 for target in after.targets)
+    assert (done < 1).all()
+
+
+def test_a_start_far_off_lets_go_of_nothing() -> None:
+    """Angles wrong by 8 degrees set every sighting off by metres, by different ones."""
+    clean = survey(5, 0.1)
+    model = StochasticModel(loss="tukey")
+    far = PRIOR.with_boresight(TRUTH.boresight + np.radians([8.0, -8.0, 8.0]))
+    near, found = adjust(clean, PRIOR, model), adjust(clean, far, model)
+    assert not found.suspects
+    assert np.degrees(np.abs(found.boresight - near.boresight)).max() < 1e-3
 
 
 def jumped(clean: Observations, line: str, metres: list[float]) -> Observations:

@@ -13,6 +13,8 @@ from lispac.adjustment.observations import Observations
 from lispac.adjustment.robust import Loss
 from lispac.adjustment.shapes import points_local
 from lispac.adjustment.stochastic import KNOT_INTERVAL
+from lispac.errors import PlaneNotFound
+from lispac.geometry.planes import fit_plane_resisting, in_plane_axes
 from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses
 
@@ -20,9 +22,6 @@ Array = NDArray[np.float64]
 
 BEYOND = Loss("tukey").tuning
 """Standard deviations from a sighting's plane at which a point stands out."""
-
-REFITS = 12
-"""Times that a plane is fitted with weights by what lies off it."""
 
 
 def averaged(
@@ -61,7 +60,7 @@ def averaged(
     if distance <= 0:
         return observations
     points = points_local(observations, mounting)
-    planes = _planes(observations, points)
+    planes = _planes(observations, points, distance)
     if strays_apart:
         standing = _standing_out(observations, planes)
         if standing.any():
@@ -114,19 +113,18 @@ class _Plane:
     off: Array
 
 
-def _planes(observations: Observations, points: Array) -> list[_Plane]:
+def _planes(observations: Observations, points: Array, distance: float) -> list[_Plane]:
     found = []
     for s in range(len(observations.sightings)):
         own = np.flatnonzero(observations.sighting == s)
-        weights, stated = np.ones(len(own)), _stated(observations, own)
-        for _ in range(REFITS):
-            centre = weights @ points[own] / weights.sum()
-            centred = points[own] - centre
-            directions = np.linalg.eigh((centred * weights[:, None]).T @ centred)[1]
-            off = centred @ directions[:, 0]
-            # Least sum of distances: a third of the points may be of another surface.
-            weights = 1 / np.maximum(np.abs(off), stated)
-        found.append(_Plane(own, points[own] @ directions[:, 1:], off))
+        try:
+            plane = fit_plane_resisting(points[own], _stated(observations, own))
+        except PlaneNotFound:  # two points, or all on one straight line: nothing to average
+            alone = np.column_stack([np.arange(len(own)), np.zeros(len(own))])
+            found.append(_Plane(own, 2 * distance * alone, np.zeros(len(own))))
+            continue
+        along: Array = points[own] @ in_plane_axes(plane.normal).T
+        found.append(_Plane(own, along, plane.distances(points[own])))
     return found
 
 

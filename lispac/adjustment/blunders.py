@@ -33,6 +33,9 @@ MOST_LOOKED_AT = 6
 BELONGS = 0.05
 """Level above which what was let go of is taken back."""
 
+PLAINLY = 1e-6
+"""Level below which what was left out of the start stays out: the start tells nothing by itself."""
+
 LEFT = 2
 """Other sightings that a target must be left with."""
 
@@ -94,8 +97,10 @@ def _surprise(item: tuple[float, Blunder]) -> float:
     return chance * (SIMPLER if found.kind == "surface" else 1.0)
 
 
-def belonging(linearised: Linearised, gone: Collection[Blunder]) -> Blunder | None:
-    """What was let go of and agrees best, if it does after all."""
+def belonging(
+    linearised: Linearised, gone: Collection[Blunder], level: float = BELONGS
+) -> Blunder | None:
+    """What was let go of and agrees best, if the chance that it belongs is above ``level``."""
     chances = [
         (_chance(linearised.of(found.back_in(linearised.problem)), found), found)
         for found in gone
@@ -103,7 +108,16 @@ def belonging(linearised: Linearised, gone: Collection[Blunder]) -> Blunder | No
         if _new_unknowns(linearised, found)[0].any()
     ]
     chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
-    return best if chance > BELONGS else None
+    return best if chance > level else None
+
+
+def simpler(linearised: Linearised, found: Blunder) -> Blunder:
+    """The sighting of ``found`` as shifted alone, where its tilts agree with the others."""
+    if found.kind != "surface":
+        return found
+    shift = Blunder("shift", found.sightings)
+    tilts_held = linearised.of(shift.out_of(found.back_in(linearised.problem)))
+    return shift if _chance(tilts_held, found) > FAMILY else found
 
 
 def _candidates(problem: Problem) -> Iterator[Blunder]:

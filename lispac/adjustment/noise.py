@@ -39,6 +39,12 @@ def blocks_of(observations: Observations, mounting: Mounting) -> NDArray[np.int6
     return block
 
 
+def scale_of_targets(observations: Observations, residuals: Array) -> Array:
+    """Spread of each target's standardised residuals, strays aside, at least 1, (targets,)."""
+    each = range(len(observations.targets))
+    return np.array([robust_scale(residuals[_belonging(observations, residuals, k)]) for k in each])
+
+
 def noise_factors(
     observations: Observations,
     residuals: Array,
@@ -61,12 +67,34 @@ def noise_factors(
     target = observations.target_of_sighting[observations.sighting]
     factors = np.empty(len(observations.targets))
     for k in range(len(factors)):
-        own = residuals[target == k]
+        mine = _belonging(observations, residuals, k) if robust else target == k
+        own = residuals[mine]
         size = robust_scale(own) if robust else max(1.0, float(np.sqrt(np.mean(own**2))))
         near = np.clip(own / size, -FAR, FAR) if robust else own / size
-        effect = 1 + denser * (_design_effect(near, blocks[target == k]) - 1)
+        effect = 1 + denser * (_design_effect(near, blocks[mine]) - 1)
         factors[k] = size * np.sqrt(effect)
     return factors
+
+
+def astray(observations: Observations, residuals: Array) -> NDArray[np.int64]:
+    """Sightings that lie off their target as a whole, by far more than most others do."""
+    each = range(len(observations.targets))
+    believed = np.any([_belonging(observations, residuals, k) for k in each], axis=0)
+    counts = np.bincount(observations.sighting[believed], minlength=len(observations.sightings))
+    return np.flatnonzero(counts == 0)
+
+
+def _belonging(observations: Observations, residuals: Array, target: int) -> NDArray[np.bool_]:
+    """Which points are of a target's sightings that do not lie off it as a whole.
+
+    One that does, on another surface or misplaced by metres, says nothing of the others' noise.
+    """
+    keep = observations.target_of_sighting[observations.sighting] == target
+    size = robust_scale(residuals[keep])
+    for s in np.flatnonzero(observations.target_of_sighting == target):
+        own = observations.sighting == s
+        keep[own] = float(np.median(np.abs(residuals[own]))) <= FAR * size
+    return keep
 
 
 def _design_effect(residuals: Array, blocks: NDArray[np.int64]) -> float:

@@ -11,10 +11,18 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.conditions import evaluate
 from lispac.adjustment.observations import Observations
+from lispac.errors import PlaneNotFound
+from lispac.geometry.planes import fit_plane_resisting
 from lispac.geometry.spheres import fit_sphere
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
+
+NEAREST = 0.01
+"""Metres: points no farther from a starting plane weigh all the same."""
+
+FEWEST_FOR_MOST = 3
+"""Sightings of a target among which there is a majority."""
 
 SMALLEST_EXTENT = 1e-3
 """Metres: a sighting whose points coincide has no tilt, but its equations must have a solution."""
@@ -122,6 +130,37 @@ def fit_shapes(observations: Observations, mounting: Mounting) -> Array:
         centre = own.mean(axis=0)
         normal = np.linalg.eigh(np.cov((own - centre).T))[1][:, 0]
         shapes[k] = *normal, -normal @ centre
+    return shapes
+
+
+def shapes_of_most(observations: Observations, mounting: Mounting, fitted: Array) -> Array:
+    """Planes to begin with that most sightings agree on, whatever the others are.
+
+    Of each target the plane of that sighting alone which lies nearest to half of the others. A
+    board of a metre that is metres off on one line would have the plane through all its points
+    stand across the board.
+
+    Parameters
+    ----------
+    fitted : ndarray of shape (targets, 4)
+        As by `fit_shapes`: what spheres, and targets with too few sightings for a majority, keep.
+    """
+    points = points_local(observations, mounting)
+    shapes = fitted.copy()
+    for k in range(len(shapes)):
+        seen = np.flatnonzero(observations.target_of_sighting == k)
+        if observations.is_sphere[k] or len(seen) < FEWEST_FOR_MOST:
+            continue
+        clouds = [points[observations.sighting == s] for s in seen]
+        agreed = np.inf
+        for cloud in clouds:
+            try:
+                plane = fit_plane_resisting(cloud, NEAREST)
+            except PlaneNotFound:  # a single straight line of points
+                continue
+            off = [np.median(np.abs(plane.distances(other))) for other in clouds]
+            if (usual := float(np.median(off))) < agreed:
+                agreed, shapes[k] = usual, (*plane.normal, plane.d)
     return shapes
 
 

@@ -1,22 +1,31 @@
 """The least-squares adjustment of mounting and targets (thesis B.3)."""
 
 import time
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.adaptation import SCALE_SETTLED, differ, with_noise, with_surface
 from lispac.adjustment.blas import one_thread
-from lispac.adjustment.blunders import Blunder, belonging, worst_blunder
-from lispac.adjustment.components import FACTORS, surface_sigma, variance_components
-from lispac.adjustment.noise import noise_factors
+from lispac.adjustment.blunders import PLAINLY, Blunder, belonging, simpler, worst_blunder
+from lispac.adjustment.components import FACTORS, variance_components
+from lispac.adjustment.noise import astray, noise_factors
 from lispac.adjustment.observability import require_determined, unseen
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Estimate, Parameter
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import AdjustmentResult, Component
-from lispac.adjustment.robust import Loss, robust_scale
-from lispac.adjustment.shapes import about, counted_from, fit_shapes, middles, usual_radii
+from lispac.adjustment.robust import Loss
+from lispac.adjustment.shapes import (
+    about,
+    counted_from,
+    fit_shapes,
+    middles,
+    shapes_of_most,
+    usual_radii,
+)
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
@@ -57,9 +66,6 @@ be crossed for ever."""
 
 MOST_RELEASED = 3
 """No more than one sighting in so many is let go of."""
-
-SCALE_SETTLED = 0.01
-"""Relative change of a sigma that is taken from the data."""
 
 
 def adjust(
@@ -133,7 +139,12 @@ def _adjusted(
     # The radii of the balls are let go when the boresight is near.
     first = usual_radii(few, mounting)
     fitted = fit_shapes(first, mounting)
-    start = fitted if shapes is None else counted_from(shapes, origins, first.is_sphere)
+    if shapes is not None:
+        start = counted_from(shapes, origins, first.is_sphere)
+    elif model.loss != "none":
+        start = shapes_of_most(first, mounting, fitted)
+    else:
+        start = fitted
     problem = Problem.of(first, mounting, model, parameters)
     state = problem.start(mounting, start)
     kept, held = _seen(problem, state)
@@ -142,14 +153,14 @@ def _adjusted(
         state = _iterate(problem, state, progress).state
         problem = Problem.of(few, mounting, model, kept)
         state = problem.start(state.mounting, state.shapes)
-    solution = _iterate(problem, state, progress)
+    solution, gone = _led_by_most(problem, state, progress)
     found: tuple[Component, ...] = ()
     factors = np.ones(3)
     if components and model.correlated:
         # Sigmas that are too small would make blunders of sightings that are none.
         solution, _, factors = _with_components(solution, factors, progress)
     if _may_release(model):
-        solution = _without_blunders(solution, progress)
+        solution = _without_blunders(solution, gone, progress)
     if components and model.correlated:
         solution, found, factors = _with_components(solution, factors, progress)
     if len(few) < len(observations):
@@ -222,13 +233,46 @@ def _may_release(model: StochasticModel) -> bool:
     return model.correlated and model.loss != "none" and model.surface != 0
 
 
-def _without_blunders(solution: Solution, progress: Progress) -> Solution:
+def _led_by_most(
+    problem: Problem, start: State, progress: Progress
+) -> tuple[Solution, list[Blunder]]:
+    """Iterate without the sightings that are metres off; they may be taken back later.
+
+    Held to their targets they would pull the whole of all others along: a shared POS error yields.
+    """
+    observations, off = problem.observations, np.zeros(0, dtype=np.int64)
+    if _may_release(problem.model):
+        off = astray(observations, problem.residuals(start)[1])
+    balls = observations.is_sphere[observations.target_of_sighting]
+    gone = [Blunder("shift" if balls[s] else "surface", (int(s),)) for s in off]
+    if 0 < len(gone) <= len(observations.sightings) // MOST_RELEASED:
+        without = problem
+        for found in gone:
+            without = found.out_of(without)
+        with suppress(RankDeficient, NotConverged):  # then they are needed after all
+            solution = _iterate(without, start, progress)
+            while (back := belonging(solution.linearised, gone, PLAINLY)) is not None:
+                gone.remove(back)
+                problem = back.back_in(solution.linearised.problem)
+                solution = _iterate(problem, solution.state, progress, earlier=solution.path)
+            plainer = [simpler(solution.linearised, found) for found in gone]
+            if plainer != gone:
+                problem = solution.linearised.problem
+                for found, plain in zip(gone, plainer, strict=True):
+                    problem = plain.out_of(found.back_in(problem))
+                solution = _iterate(problem, solution.state, progress, earlier=solution.path)
+            return solution, plainer
+    return _iterate(problem, start, progress), []
+
+
+def _without_blunders(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:
     """Let go of the sightings that agree least, iterate, and again until all agree.
 
-    One blunder may make others look like it: what agrees without it is taken back.
+    One blunder may make others look like it: what agrees without it is taken back, and so may be
+    what is ``gone`` already.
     """
     most = len(solution.linearised.problem.observations.sightings) // MOST_RELEASED
-    gone: list[Blunder] = []
+    gone = list(gone)
     spared: set[Blunder] = set()
     while True:
         here = solution.linearised
@@ -280,11 +324,11 @@ def _iterate(
         change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
         if change[0] > NEAR:
             if not settled:  # far from the answer all points are noisy
-                problem = _with_noise(problem, state, falling=iteration <= FREELY)
+                problem = with_noise(problem, state, falling=iteration <= FREELY)
         elif not settled:
-            adapted = _with_surface(_with_noise(problem, state), linearised)
+            adapted = with_surface(with_noise(problem, state), linearised)
             adaptations += 1
-            same = adaptations >= ADAPTATIONS or not _differ(problem, adapted)
+            same = adaptations >= ADAPTATIONS or not differ(problem, adapted)
             settled = loss == final and same
             problem, loss = adapted, final
         else:
@@ -342,44 +386,3 @@ def _with_components(
         ),
         total,
     )
-
-
-def _with_noise(problem: Problem, state: State, *, falling: bool = True) -> Problem:
-    """The same problem with the noise that its residuals show, or what it has if that is larger.
-
-    Without ``falling`` it only grows: noise and answer may chase each other for ever.
-    """
-    told = _noise_of(problem, state)
-    if falling:
-        return told
-    return replace(
-        told,
-        noise=np.maximum(told.noise, problem.noise),
-        scale=np.maximum(told.scale, problem.scale),
-    )
-
-
-def _noise_of(problem: Problem, state: State) -> Problem:
-    observations, residuals = problem.observations, problem.residuals(state)[1]
-    if problem.model.loss != "none":
-        target = observations.target_of_sighting[observations.sighting]
-        own = [residuals[target == k] for k in range(len(state.shapes))]
-        problem = replace(problem, scale=np.array([robust_scale(r) for r in own]))
-    if not problem.model.correlated:
-        return problem
-    robust = problem.model.loss != "none"
-    noise = noise_factors(observations, residuals, problem.blocks, robust=robust)
-    return replace(problem, noise=noise)
-
-
-def _with_surface(problem: Problem, linearised: Linearised) -> Problem:
-    """The same problem with the surfaces that the data tell, where they were not stated."""
-    if not problem.model.correlated or problem.model.surface is not None:
-        return problem
-    return problem.with_surface(surface_sigma(linearised))
-
-
-def _differ(one: Problem, other: Problem) -> bool:
-    pairs = ((one.noise, other.noise), (one.scale, other.scale),
-             (one.surface_sigma, other.surface_sigma))  # fmt: skip
-    return any(bool((np.abs(a - b) > SCALE_SETTLED * b).any()) for a, b in pairs)

@@ -12,6 +12,8 @@ Array = NDArray[np.float64]
 # Below this share of the largest spread the points are taken to lie on one straight line.
 LINE_SHARE = 1e-6
 
+REFITS = 12  # of a plane that resists strays
+
 
 @dataclass(frozen=True, eq=False)
 class Plane:
@@ -96,6 +98,30 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
     normal = axes[:, 0]
     normal = normal * np.sign(normal[np.argmax(np.abs(normal))])
     return plane_through(centre, normal)
+
+
+def fit_plane_resisting(points: Array, nearest: float) -> Plane:
+    """Fit a plane by the least sum of distances, which a third of strays does not move far.
+
+    By least squares with weights from the distances, a fixed number of times: a beginning, not a
+    limit that is reached.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    nearest : float, metres
+        Points nearer than this all weigh the same.
+
+    Raises
+    ------
+    PlaneNotFound
+        Fewer than three points, or all on one straight line.
+    """
+    plane = fit_plane(points)
+    for _ in range(REFITS):
+        off = np.maximum(np.abs(plane.distances(points)), nearest)
+        plane = fit_plane(points, nearest / off)
+    return plane
 
 
 def rms_distance(plane: Plane, points: Array) -> float:
