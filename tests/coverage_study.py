@@ -90,7 +90,9 @@ def _one(
     for distance in distances:
         for model in models(times).values():
             if model.correlated:
-                points = averaged(survey, PRIOR, distance, longest=model.knot_interval)
+                points = averaged(
+                    survey, PRIOR, distance, longest=model.knot_interval, strays_apart=True
+                )
             else:
                 points = selected(survey, distance)
             result = adjust(points, PRIOR, model, diagnostics=False)

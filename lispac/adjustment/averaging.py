@@ -123,7 +123,7 @@ def _planes(observations: Observations, points: Array, distance: float) -> list[
             alone = np.column_stack([np.arange(len(own)), np.zeros(len(own))])
             found.append(_Plane(own, 2 * distance * alone, np.zeros(len(own))))
             continue
-        along: Array = points[own] @ in_plane_axes(plane.normal).T
+        along = np.asarray(points[own] @ in_plane_axes(plane.normal).T, dtype=np.float64)
         found.append(_Plane(own, along, plane.distances(points[own])))
     return found
 
