@@ -120,10 +120,11 @@ def _planes(observations: Observations, points: Array, distance: float) -> list[
         try:
             plane = fit_plane_resisting(points[own], _stated(observations, own))
         except PlaneNotFound:  # two points, or all on one straight line: nothing to average
-            alone = np.column_stack([np.arange(len(own)), np.zeros(len(own))])
-            found.append(_Plane(own, 2 * distance * alone, np.zeros(len(own))))
+            apart = np.zeros((len(own), 2))
+            apart[:, 0] = 2 * distance * np.arange(len(own))
+            found.append(_Plane(own, apart, np.zeros(len(own))))
             continue
-        along = np.asarray(points[own] @ in_plane_axes(plane.normal).T, dtype=np.float64)
+        along = points[own] @ in_plane_axes(plane.normal).T
         found.append(_Plane(own, along, plane.distances(points[own])))
     return found
 
