@@ -58,7 +58,16 @@ def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
     one = adjust(survey((UPRIGHT,)), PRIOR, StochasticModel())
     two = adjust(survey(), PRIOR, StochasticModel())
     assert (one.sigma > two.sigma).all()
+    assert "T1 is the only target" in one.observability.sentences[-1]
+    assert not any("only target" in said for said in two.observability.sentences)
     assert (np.abs(one.boresight - TRUTH.boresight) < 3.5 * one.sigma).all()
+
+
+def test_boards_that_face_one_way_are_told_of() -> None:
+    beside = replace(UPRIGHT, name="T3", centre=(-3.0, 15.0, 4.0))
+    result = adjust(survey((UPRIGHT, beside)), PRIOR, StochasticModel())
+    assert "All targets face the same way" in result.observability.sentences[-1]
+    assert (np.abs(result.boresight - TRUTH.boresight) < 3.5 * result.sigma).all()
 
 
 def test_directions_and_condition_are_those_of_the_covariance() -> None:

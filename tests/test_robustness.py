@@ -173,6 +173,17 @@ def test_a_jump_of_the_position_on_a_line_is_named_and_does_no_harm(line) -> Non
     assert (done < 1).all()
 
 
+def test_boards_that_are_interchanged_on_a_line_are_named_and_do_no_harm() -> None:
+    clean = survey(803, 0.1)
+    first, second = (k for k, s in enumerate(clean.sightings) if s.line == "L4")
+    sighting = clean.sighting.copy()
+    sighting[clean.sighting == first], sighting[clean.sighting == second] = second, first
+    done, after = harm(clean, replace(clean, sighting=sighting))
+    assert set(after.suspects) == {clean.sightings[first], clean.sightings[second]}
+    assert after.suspect_lines == ("L4",)
+    assert (done < 1).all()
+
+
 def test_what_was_let_go_of_by_mistake_is_taken_back() -> None:
     """With two sightings off, the first to be named may be a third one that agrees."""
     clean = survey(3, 0.1)

@@ -157,9 +157,27 @@ def observability(linearised: Linearised) -> Observability:
     for line in observations.lines:
         gone = np.array([sighting.line == line for sighting in observations.sightings])
         without[line] = _sigma(linearised, gone)
-    sentences = [_weakest(eigenvalues, directions), *_seen_by(sigma, without)]
+    sentences = [
+        _weakest(eigenvalues, directions), *_seen_by(sigma, without), *_one_sided(linearised),
+    ]  # fmt: skip
     condition = float(eigenvalues[2] / eigenvalues[0])
     return Observability(eigenvalues, directions, condition, without, tuple(sentences))
+
+
+def _one_sided(linearised: Linearised) -> Sequence[str]:
+    """What the data determine, and nothing checks."""
+    targets = linearised.problem.observations.targets
+    if len(targets) == 1:
+        return [
+            f"{targets[0]} is the only target: no other shows whether it is bent or moved. Add one "
+            "of another inclination."
+        ]
+    if _parallel_normals(linearised):
+        return [
+            "All targets face the same way: only the headings of the lines tell the angles apart. "
+            "Add a target of another inclination."
+        ]
+    return []
 
 
 def _sigma(linearised: Linearised, gone: NDArray[np.bool_]) -> Array | None:

@@ -313,7 +313,10 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
                 "left out of the answer"
             )
     for line in result.suspect_lines:
-        print(f"Every target is off on line {line}: the position probably jumped there")
+        print(
+            f"Every target is off on line {line}: the position may have jumped there, or targets "
+            "are mixed up"
+        )
     for part in checks.disagreements if checks else ():
         what = f"the {part.without} half" if part.kind == "half" else f"without {part.without}"
         assert part.difference is not None

@@ -73,7 +73,8 @@ def _sightings(adjustment: Adjustment) -> Iterator[Caution]:
     if jumped:
         yield mild(
             "line_jumped",
-            f"Every target is off on line {listed(jumped)}: the position probably jumped there.",
+            f"Every target is off on line {listed(jumped)}: the position may have jumped there, or "
+            "targets are mixed up.",
         )
     doubtful = [s for s in adjustment.reliability if s.in_words == "disagrees"]
     if doubtful:

@@ -47,8 +47,9 @@ def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
         )
     if result.suspect_lines:
         found.append(
-            f"Every target is off on line {', '.join(result.suspect_lines)}: the position probably "
-            "jumped there. Look at the trajectory's quality at that time."
+            f"Every target is off on line {', '.join(result.suspect_lines)}: the position may have "
+            "jumped there, or targets are mixed up. Look at the trajectory's quality at that time, "
+            "and at which target was picked."
         )
     if checks is not None and checks.disagreements:
         names = ", ".join(check_name(check) for check in checks.disagreements)
