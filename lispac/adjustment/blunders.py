@@ -97,21 +97,28 @@ def _surprise(item: tuple[float, Blunder]) -> float:
     return chance * (SIMPLER if found.kind == "surface" else 1.0)
 
 
-def belonging(
-    linearised: Linearised, gone: Collection[Blunder], level: float = BELONGS
-) -> Blunder | None:
-    """What was let go of and agrees best, if the chance that it belongs is above ``level``."""
-    chances = [
-        (_chance(linearised.of(found.back_in(linearised.problem)), found), found)
-        for found in gone
-        # Points without any weight left agree with nothing.
-        if _new_unknowns(linearised, found)[0].any()
-    ]
+def belonging(linearised: Linearised, gone: Collection[Blunder]) -> Blunder | None:
+    """What was let go of and agrees best, if it does after all."""
+    chances = [(_chance_back(linearised, found), found) for found in gone]
     chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
-    return best if chance > level else None
+    return best if chance > BELONGS else None
 
 
-def simpler(linearised: Linearised, found: Blunder) -> Blunder:
+def plainly_off(linearised: Linearised, gone: Collection[Blunder]) -> list[Blunder]:
+    """What stays out of all that the start was led without, as a shift where that is enough."""
+    return [
+        _simpler(linearised, found) for found in gone if _chance_back(linearised, found) < PLAINLY
+    ]
+
+
+def _chance_back(linearised: Linearised, found: Blunder) -> float:
+    # Points without any weight left agree with nothing.
+    if not _new_unknowns(linearised, found)[0].any():
+        return 0.0
+    return _chance(linearised.of(found.back_in(linearised.problem)), found)
+
+
+def _simpler(linearised: Linearised, found: Blunder) -> Blunder:
     """The sighting of ``found`` as shifted alone, where its tilts agree with the others."""
     if found.kind != "surface":
         return found

@@ -22,6 +22,10 @@ SIDE = 4
 FAR = 3.0
 """Standardised residuals beyond this are strays; they say nothing of the others."""
 
+ASTRAY = 3.0
+"""Spreads of a target's residuals by which only another surface, or a gross error of the position,
+sets a sighting off; a prior boresight that is wrong by degrees sets all of them off."""
+
 
 def blocks_of(observations: Observations, mounting: Mounting) -> NDArray[np.int64]:
     """Block of each point: sixteen a sighting, over its surface as placed with ``mounting``."""
@@ -78,10 +82,11 @@ def noise_factors(
 
 def astray(observations: Observations, residuals: Array) -> NDArray[np.int64]:
     """Sightings that lie off their target as a whole, by far more than most others do."""
-    each = range(len(observations.targets))
-    believed = np.any([_belonging(observations, residuals, k) for k in each], axis=0)
-    counts = np.bincount(observations.sighting[believed], minlength=len(observations.sightings))
-    return np.flatnonzero(counts == 0)
+    found = []
+    for k in range(len(observations.targets)):
+        off = _off(observations, residuals, k)
+        found += [s for s, size in off.items() if size > ASTRAY]
+    return np.array(found, dtype=np.int64)
 
 
 def _belonging(observations: Observations, residuals: Array, target: int) -> NDArray[np.bool_]:
@@ -89,12 +94,20 @@ def _belonging(observations: Observations, residuals: Array, target: int) -> NDA
 
     One that does, on another surface or misplaced by metres, says nothing of the others' noise.
     """
-    keep = observations.target_of_sighting[observations.sighting] == target
-    size = robust_scale(residuals[keep])
-    for s in np.flatnonzero(observations.target_of_sighting == target):
-        own = observations.sighting == s
-        keep[own] = float(np.median(np.abs(residuals[own]))) <= FAR * size
-    return keep
+    off = _off(observations, residuals, target)
+    near = np.zeros(len(observations.sightings), dtype=bool)
+    near[[s for s, size in off.items() if size <= FAR]] = True
+    return near[observations.sighting]
+
+
+def _off(observations: Observations, residuals: Array, target: int) -> dict[int, float]:
+    """How far half of the points of each sighting lie off, over the spread of all."""
+    own = [
+        (int(s), np.abs(residuals[observations.sighting == s]))
+        for s in np.flatnonzero(observations.target_of_sighting == target)
+    ]
+    size = robust_scale(np.concatenate([sizes for _, sizes in own]))
+    return {s: float(np.median(sizes)) / size for s, sizes in own}
 
 
 def _design_effect(residuals: Array, blocks: NDArray[np.int64]) -> float:

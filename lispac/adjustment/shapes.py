@@ -12,14 +12,11 @@ from numpy.typing import NDArray
 from lispac.adjustment.conditions import evaluate
 from lispac.adjustment.observations import Observations
 from lispac.errors import PlaneNotFound
-from lispac.geometry.planes import fit_plane_resisting
+from lispac.geometry.planes import fit_plane
 from lispac.geometry.spheres import fit_sphere
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
-
-NEAREST = 0.01
-"""Metres: points no farther from a starting plane weigh all the same."""
 
 FEWEST_FOR_MOST = 3
 """Sightings of a target among which there is a majority."""
@@ -155,7 +152,7 @@ def shapes_of_most(observations: Observations, mounting: Mounting, fitted: Array
         agreed = np.inf
         for cloud in clouds:
             try:
-                plane = fit_plane_resisting(cloud, NEAREST)
+                plane = fit_plane(cloud)
             except PlaneNotFound:  # a single straight line of points
                 continue
             off = [np.median(np.abs(plane.distances(other))) for other in clouds]

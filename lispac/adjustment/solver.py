@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.adaptation import SCALE_SETTLED, differ, with_noise, with_surface
 from lispac.adjustment.blas import one_thread
-from lispac.adjustment.blunders import PLAINLY, Blunder, belonging, simpler, worst_blunder
+from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
 from lispac.adjustment.components import FACTORS, variance_components
 from lispac.adjustment.noise import astray, noise_factors
 from lispac.adjustment.observability import require_determined, unseen
@@ -251,17 +251,15 @@ def _led_by_most(
             without = found.out_of(without)
         with suppress(RankDeficient, NotConverged):  # then they are needed after all
             solution = _iterate(without, start, progress)
-            while (back := belonging(solution.linearised, gone, PLAINLY)) is not None:
-                gone.remove(back)
-                problem = back.back_in(solution.linearised.problem)
-                solution = _iterate(problem, solution.state, progress, earlier=solution.path)
-            plainer = [simpler(solution.linearised, found) for found in gone]
-            if plainer != gone:
-                problem = solution.linearised.problem
-                for found, plain in zip(gone, plainer, strict=True):
-                    problem = plain.out_of(found.back_in(problem))
-                solution = _iterate(problem, solution.state, progress, earlier=solution.path)
-            return solution, plainer
+            plain = plainly_off(solution.linearised, gone)
+            if plain == gone:
+                return solution, gone
+            problem = solution.linearised.problem
+            for found in gone:
+                problem = found.back_in(problem)
+            for found in plain:
+                problem = found.out_of(problem)
+            return _iterate(problem, solution.state, progress, earlier=solution.path), plain
     return _iterate(problem, start, progress), []
 
 
