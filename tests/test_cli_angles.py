@@ -192,6 +192,9 @@ def test_a_project_gives_its_estimated_boresight_with_sigmas(
     assert content["from"]["lever_arm_m"] == pytest.approx(list(project.settings.lever_arm))
     text = said(capsys, project.folder, "--to", "applanix")
     assert text.count("sigma") >= 2
+    alone = said(capsys, project.folder)
+    assert alone.count("sigma") == alone.count("degrees") == 1
+    assert "lever arm   X forward" in alone
 
 
 def test_at_the_pole_one_sentence_says_what_is_done(capsys) -> None:

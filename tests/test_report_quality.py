@@ -200,7 +200,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     assert rows[-3][-1] == "no answer"
     words = _words(document_of(sample_content(project), {}), "Cross-checks")
     assert "Without target T1: All targets left face the same way." in words
-    assert "The spread by targets needs three of them" in words
+    assert "The spread with one target left out needs three of them" in words
     sigma = np.array([-0.2, 4.1, 1.0])
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
     wide = replace(
@@ -300,3 +300,11 @@ def test_noise_is_only_spoken_of_where_some_was_found(project: Project, changed:
     for targets, spoken in ((quiet, False), (noisy, True)):
         content = changed(chi_square=failed, targets=targets, model=model)
         assert ("noise found" in _caution(content, "chi_square_high")) == spoken
+
+
+def test_one_plane_alone_is_serious(project: Project, changed: Changed) -> None:
+    result = _result(project)
+    first = result.targets[0]
+    said = _caution(changed(targets=(first,)), "one_target")
+    assert f"{first.target} is the only target" in said
+    assert not [c for c in changed().cautions if c.code == "one_target"]

@@ -14,7 +14,7 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 
 from lispac.errors import InputError
-from lispac.gui.viewport.base import Highlight, Marker, PickedPoint
+from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR, Highlight, Marker, PickedPoint
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording import RecordingViewport
 from tests.view_scenes import BLUE, GREEN, RED, YELLOW, scene, wall
@@ -163,7 +163,7 @@ def test_drag_rotates_about_the_point_under_the_cursor_and_up_stays_up(viewport)
     assert viewport.camera.azimuth != pytest.approx(1.5 * np.pi)
 
 
-def test_highlights_lie_over_their_line_and_selection_makes_them_larger(viewport, tmp_path):
+def test_highlights_lie_over_their_line_and_selection_tells_them_apart(viewport, tmp_path):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
@@ -177,8 +177,13 @@ def test_highlights_lie_over_their_line_and_selection_makes_them_larger(viewport
     assert count(plain, GREEN) > 300
     viewport.select(("T1", "red"))
     one = picture(viewport, tmp_path)
-    assert count(one, YELLOW) > 1.1 * count(plain, YELLOW)
+    assert count(one, YELLOW) == 0
+    assert count(one, CHOSEN_COLOUR) > 1.1 * count(plain, YELLOW)
     assert count(one, GREEN) == count(plain, GREEN)
+    viewport.select(("T1", "blue"))
+    other = picture(viewport, tmp_path)
+    assert count(other, YELLOW) == count(other, CHOSEN_COLOUR) == 0
+    assert count(other, BESIDE_COLOUR) > 300
     viewport.select(("T2", ""))
     assert count(picture(viewport, tmp_path), GREEN) > 1.1 * count(plain, GREEN)
     viewport.select(None)

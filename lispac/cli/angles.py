@@ -40,6 +40,7 @@ CHECK_FIRST = (
     "These angles are right if the assumption above is: prove it on one line over a known "
     "surface before use."
 )
+OF_PROJECT = "estimated"
 THESIS_MODE = (
     "The POS errors were taken as independent (thesis mode): these sigmas are several times too "
     "small."
@@ -81,7 +82,10 @@ def angles(arguments: Namespace) -> None:
         return
     _print_given(given)
     print()
-    _print_stated(given, mounting, stated, correction)
+    if given.name == OF_PROJECT and target.convention.key == "lispac" and correction is None:
+        _print_lever_arm(given, stated)  # the rest stands above
+    else:
+        _print_stated(given, mounting, stated, correction)
     if arguments.matrix or not target.convention.has_angles:
         _print_matrices(given, stated, correction)
 
@@ -145,7 +149,7 @@ def _of_project(folder: Path, setup: Setup) -> _Given:
         True,
         np.asarray(result.covariance)[:3, :3],
         THESIS_MODE if independent else "",
-        "estimated",
+        OF_PROJECT,
     )
 
 
@@ -262,11 +266,15 @@ def _print_stated(
             _line("", CHECK_FIRST)
         if stated.note:
             _line("note", stated.note)
+    _print_lever_arm(given, stated)
+
+
+def _print_lever_arm(given: _Given, stated: Stated) -> None:
     if given.has_lever_arm:
         values = (
             f"{letter} {axis} {value + 0.0:+.4f} m"
             for letter, axis, value in zip(
-                "XYZ", setup.axes, np.round(stated.lever_arm, 4), strict=True
+                "XYZ", stated.setup.axes, np.round(stated.lever_arm, 4), strict=True
             )
         )
         _line("lever arm", ", ".join(values))

@@ -1,7 +1,7 @@
 """`lispac estimate`: adjust a project or plane files, and say what came of it."""
 
 from argparse import Namespace
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -16,6 +16,14 @@ from lispac.adjustment.result import (
     CrossChecks,
     SightingReliability,
 )
+from lispac.adjustment.shown import (
+    QUANTITIES,
+    SPREAD_LINES,
+    SPREAD_TARGETS,
+    STATED,
+    counted,
+    named_parts,
+)
 from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.io.plane_file import read_plane_files
@@ -26,15 +34,11 @@ from lispac.workflow.survey import load_survey
 
 DEFAULT_LIDAR_SIGMA = 0.005
 
+LABEL = 29
+"""Characters before the numbers."""
+
 NOISY = 30.0
 """Noise over the stated one that is worth a line; rough ground may have half of it."""
-
-UNITS: Mapping[str, tuple[float, str]] = {
-    "lever_x": (1.0, "m"), "lever_y": (1.0, "m"), "lever_z": (1.0, "m"),
-    "range_offset": (1.0, "m"), "scan_angle_offset": (float(np.degrees(1)), "deg"),
-    "latency": (1.0, "s"),
-}  # fmt: skip
-"""Factor from what is stored to what is shown, and its unit."""
 
 
 def estimate(arguments: Namespace) -> None:
@@ -108,7 +112,7 @@ def parameters_of(named: Iterable[str] | None) -> tuple[Parameter, ...] | None:
             choices = ", ".join(each.replace("_", "-") for each in SWITCHED)
             raise UsageError(f"estimate: there is no parameter {name}; give one of {choices}.")
         try:
-            found.append(Parameter(name, float(sigma) / UNITS[name][0] if sigma else None))
+            found.append(Parameter(name, float(sigma) / STATED[name][0] if sigma else None))
         except ValueError:
             raise UsageError(f"estimate: {sigma!r} in {text} is not a number.") from None
     return tuple(found)
@@ -209,7 +213,7 @@ def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, A
 
 
 def _parameter(estimate: Estimate) -> dict[str, Any]:
-    factor, unit = UNITS[estimate.name]
+    factor, unit = STATED[estimate.name]
 
     def shown(value: float | None) -> float | None:
         return None if value is None else factor * value
@@ -263,25 +267,30 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
     chi_square = result.chi_square
     size = "large" if chi_square.statistic < chi_square.lower else "small"
     verdict = "passed" if chi_square.passed else f"the stated sigmas are too {size}"
-    print("degrees    " + "".join(f"{name:>12s}" for name in ANGLES))
+    print(f"{'degrees':{LABEL}s}" + "".join(f"{name:>12s}" for name in ANGLES))
     rows = {
         "prior": np.degrees(result.prior_boresight),
         "boresight": np.degrees(result.boresight),
         "sigma": np.degrees(result.sigma),
         "95 %": 1.96 * np.degrees(result.sigma),
     }
-    if checks is not None and checks.spread_lines is not None:
-        rows["by lines"] = np.degrees(checks.spread_lines)
+    if checks is not None:
+        for name, spread in (
+            (SPREAD_LINES, checks.spread_lines), (SPREAD_TARGETS, checks.spread_targets)
+        ):  # fmt: skip
+            if spread is not None:
+                rows[name] = np.degrees(spread)
     for name, values in rows.items():
         sign = "+" if name in ("prior", "boresight") else ""
-        print(f"{name:11s}" + "".join(f"{value:{sign}12.4f}" for value in values))
+        print(f"{name:{LABEL}s}" + "".join(f"{value:{sign}12.4f}" for value in values))
     for estimate in result.parameters:
         print(_parameter_line(estimate))
+    strays = f" ({counted(result.left_out, 'stray')} left out)" if result.left_out else ""
     print(
-        f"POS errors {_model_words(result)}; {result.points:,} points"
-        f"{f' ({result.left_out:,} strays left out)' if result.left_out else ''}, "
-        f"{len(result.sightings)} sightings, {len(result.targets)} targets, "
-        f"{result.iterations} iterations, {result.elapsed:.3f} s"
+        f"POS errors {_model_words(result)}; {counted(result.points, 'point')}{strays}, "
+        f"{counted(len(result.sightings), 'sighting')}, "
+        f"{counted(len(result.targets), 'target')}, "
+        f"{counted(result.iterations, 'iteration')}, {result.elapsed:.3f} s"
     )
     print(
         f"variance factor {result.variance_factor:.3f}, chi-square {chi_square.statistic:.1f} "
@@ -317,14 +326,14 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
             f"Every target is off on line {line}: the position may have jumped there, or targets "
             "are mixed up"
         )
-    for part in checks.disagreements if checks else ():
-        what = f"the {part.without} half" if part.kind == "half" else f"without {part.without}"
-        assert part.difference is not None
+    for what, part in named_parts(checks) if checks else ():
+        if not part.disagrees or part.difference is None:
+            continue
         off = ", ".join(
             f"{name} {value:+.3f}"
             for name, value in zip(ANGLES, np.degrees(part.difference), strict=True)
         )
-        print(f"{what}: the answer differs by more than chance explains ({off} deg)")
+        print(f"{what}: differs by more than chance explains ({off} deg)")
 
 
 def _model_words(result: AdjustmentResult) -> str:
@@ -348,12 +357,13 @@ def _component_line(component: Component) -> str:
 
 
 def _parameter_line(estimate: Estimate) -> str:
-    factor, unit = UNITS[estimate.name]
-    name = estimate.name.replace("_", " ")
+    shown = QUANTITIES[estimate.name]
+    factor, places = shown.factor, f".{shown.decimals}f"
     if estimate.value is None or estimate.sigma is None or estimate.significance is None:
         return estimate.reason
     earned = "significant" if abs(estimate.significance) > 1.96 else "not significant"
     return (
-        f"{name} {factor * estimate.value:+.4f} {unit}, sigma {factor * estimate.sigma:.4f}, "
-        f"prior {factor * estimate.prior:+.4f}: {earned}"
+        f"{shown.title} {factor * estimate.value:+{places}} {shown.unit}, "
+        f"sigma {factor * estimate.sigma:{places}}, prior {factor * estimate.prior:+{places}}: "
+        f"{earned}"
     )

@@ -87,7 +87,7 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
 
 def _parameter_row(found: ExtraParameter) -> list[str]:
     def shown(value: float | None, *, sign: bool) -> str:
-        return known(value, lambda v: quantity(v, found.unit, sign=sign))
+        return known(value, lambda v: quantity(found.name, v, sign=sign))
 
     finding = "held" if found.prior_sigma is None else "not seen"
     if found.significant is not None:

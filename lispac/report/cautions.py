@@ -64,6 +64,14 @@ def _fit(content: ReportContent) -> Iterator[Caution]:
     noisy = any(target.noise_factor > 1 for target in content.adjustment.targets)
     yield from _chi_square(content.adjustment.chi_square, independent, noisy)
     yield from _large_sigmas(content)
+    planes = [target for target in content.adjustment.targets if target.shape == "plane"]
+    if len(planes) == len(content.adjustment.targets) == 1:
+        yield serious(
+            "one_target",
+            f"{planes[0].target} is the only target: the headings of the lines alone tell the "
+            "angles apart, and nothing shows whether it is bent or moved. Add a target of another "
+            "inclination.",
+        )
     if independent:
         yield serious(
             "independent_pos_errors",

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from lispac.adjustment.shown import SPREAD_LINES, SPREAD_TARGETS
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, rows
 from lispac.report.values import (
     Adjustment,
@@ -164,14 +165,15 @@ def cross_checks(content: ReportContent) -> list[Block]:
     absent = [
         what
         for what, spread in (
-            ("lines", checks.spread_lines_deg), ("targets", checks.spread_targets_deg)
+            ("one line", checks.spread_lines_deg), ("one target", checks.spread_targets_deg)
         )
         if spread is None
     ]  # fmt: skip
     if absent:
         blocks.append(
             Paragraph(
-                f"The spread by {listed(absent)} needs three of them, and an answer without each."
+                f"The spread with {' or '.join(absent)} left out needs three of them, and an "
+                "answer without each."
             )
         )
     blocks += [
@@ -191,8 +193,8 @@ def cross_checks(content: ReportContent) -> list[Block]:
 def _spread_table(content: ReportContent, checks: CrossChecked) -> Table:
     spreads = (
         ("Formal", checks.sigma_deg),
-        ("Spread by lines", checks.spread_lines_deg),
-        ("Spread by targets", checks.spread_targets_deg),
+        (SPREAD_LINES, checks.spread_lines_deg),
+        (SPREAD_TARGETS, checks.spread_targets_deg),
     )
     return Table(
         "1 sigma of the angles, formal and by the spread of the parts",

@@ -1,13 +1,12 @@
 """What an adjustment says about itself, as a report's values: parameters, observability, checks."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 import numpy as np
-import scipy.stats
 from numpy.typing import ArrayLike
 
-from lispac.adjustment.blunders import FAMILY
+from lispac.adjustment.critical import critical_w
 from lispac.adjustment.result import (
     AdjustmentResult,
     CrossCheck,
@@ -15,6 +14,7 @@ from lispac.adjustment.result import (
     Observability,
     SightingReliability,
 )
+from lispac.adjustment.shown import STATED
 from lispac.report.values import (
     CheckedPart,
     CrossChecked,
@@ -23,13 +23,6 @@ from lispac.report.values import (
     SightingCheck,
     VarianceComponent,
 )
-
-UNITS: Mapping[str, tuple[float, str]] = {
-    "lever_x": (1.0, "m"), "lever_y": (1.0, "m"), "lever_z": (1.0, "m"),
-    "range_offset": (1.0, "m"), "scan_angle_offset": (math.degrees(1), "deg"),
-    "latency": (1.0, "s"),
-}  # fmt: skip
-"""Factor from what is stored to what is reported, and its unit."""
 
 SIGNIFICANT = 1.96
 """Standard deviations that a change by chance exceeds one time in twenty."""
@@ -47,7 +40,7 @@ def parameters_of(result: AdjustmentResult) -> tuple[ExtraParameter, ...]:
     """What became of every value switched on besides the boresight."""
     found = []
     for estimate in result.parameters:
-        factor, unit = UNITS[estimate.name]
+        factor, unit = STATED[estimate.name]
         significance = estimate.significance
         found.append(
             ExtraParameter(
@@ -88,13 +81,6 @@ def seen(observability: Observability | None) -> Seen | None:
 def components_of(result: AdjustmentResult) -> tuple[VarianceComponent, ...]:
     """How large the groups of errors are by the data."""
     return tuple(VarianceComponent(c.name, c.factor, c.lower, c.upper) for c in result.components)
-
-
-def critical_w(result: AdjustmentResult) -> float | None:
-    """Test value beyond which a sighting disagrees with the others."""
-    if not result.reliability:
-        return None
-    return float(scipy.stats.norm.isf(FAMILY / 2 / len(result.reliability)))
 
 
 def reliability_of(result: AdjustmentResult) -> tuple[SightingCheck, ...]:

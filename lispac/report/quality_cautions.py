@@ -137,7 +137,7 @@ def _parameter(found: ExtraParameter) -> Iterator[Caution]:
         advice = "" if found.prior_sigma is not None else " Do not estimate it."
         yield mild("parameter_not_seen", found.reason + advice)
     elif not found.significant:
-        change = quantity(found.value - found.prior, found.unit, sign=True)
+        change = quantity(found.name, found.value - found.prior, sign=True)
         yield mild(
             "parameter_not_significant",
             f"{title(parameter(found.name))} does not earn its place: its change of {change} is "

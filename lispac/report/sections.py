@@ -66,8 +66,8 @@ def summary(content: ReportContent) -> list[Block]:
 def _with_sigma(found: ExtraParameter) -> str:
     assert found.value is not None
     assert found.sigma is not None
-    value = quantity(found.value, found.unit, sign=True)
-    return f"{parameter(found.name)} {value} (1\u00a0sigma {quantity(found.sigma, found.unit)})"
+    value = quantity(found.name, found.value, sign=True)
+    return f"{parameter(found.name)} {value} (1\u00a0sigma {quantity(found.name, found.sigma)})"
 
 
 def _angle_table(content: ReportContent) -> Table:

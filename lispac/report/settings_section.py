@@ -10,6 +10,7 @@ from lispac.report.wording import (
     parameter,
     quantity,
     times,
+    title,
     triple,
 )
 
@@ -38,13 +39,13 @@ def _system(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str
         (f"{prior}, forward, left, up", f"{triple(used.lever_arm_m, 4)} m"),
         ("Origin of the local frame", origin(used.origin_deg_m)),
     ]
-    for name, value, unit in (
-        ("Range offset", used.range_offset_m, "m"),
-        ("Scan-angle offset", used.scan_angle_offset_deg, "deg"),
-        ("Latency", used.latency_s, "s"),
+    for name, value in (
+        ("range_offset", used.range_offset_m),
+        ("scan_angle_offset", used.scan_angle_offset_deg),
+        ("latency", used.latency_s),
     ):
         if value:
-            said.append((f"{name}, as stated", quantity(value, unit, sign=True)))
+            said.append((f"{title(parameter(name))}, as stated", quantity(name, value, sign=True)))
     if names:
         also = listed([parameter(name) for name in names])
         said.append(("Asked to be estimated", f"the boresight; {also}"))

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from datetime import datetime
 
+from lispac.adjustment.shown import HALVES, QUANTITIES, STATED
 from lispac.report.values import CheckedPart, CrossChecked
 
 UNKNOWN = "\u2013"
@@ -58,16 +59,12 @@ def listed(names: Sequence[str]) -> str:
     return f"{', '.join(head)} and {last}" if head else last
 
 
-PARAMETERS = {
-    "lever_x": "lever arm X", "lever_y": "lever arm Y", "lever_z": "lever arm Z",
-    "range_offset": "range offset", "scan_angle_offset": "scan-angle offset",
-    "latency": "latency",
-}  # fmt: skip
-
-
 def parameter(name: str) -> str:
     """A value of the mounting in words; an angle's name is its own."""
-    return PARAMETERS.get(name, name)
+    if name not in QUANTITIES:
+        return name
+    words = QUANTITIES[name].title
+    return words[0].lower() + words[1:]
 
 
 def title(text: str) -> str:
@@ -80,14 +77,15 @@ def named_parts(checks: CrossChecked) -> list[tuple[str, CheckedPart]]:
     named = [(f"Without {p.kind} {p.part}", p) for p in checks.parts if p.kind != "half"]
     halves = [part for part in checks.parts if part.kind == "half"]
     if halves and all(half.boresight_deg is not None for half in halves):
-        return [*named, ("First half less second half", halves[0])]
+        return [*named, (HALVES, halves[0])]
     return [*named, *((f"{title(half.part)} half alone", half) for half in halves)]
 
 
-def quantity(value: float, unit: str, *, sign: bool = False) -> str:
-    """A value of the mounting with its unit; seconds as milliseconds."""
-    factor, shown, decimals = (1000.0, "ms", 2) if unit == "s" else (1.0, unit, 4)
-    return minus(f"{factor * value:{'+' if sign else ''}.{decimals}f}\u00a0{shown}")
+def quantity(name: str, value: float, *, sign: bool = False) -> str:
+    """A value of the mounting, in metres, degrees or seconds, with the unit it is shown in."""
+    shown, (stated, _) = QUANTITIES[name], STATED[name]
+    number = shown.factor / stated * value
+    return minus(f"{number:{'+' if sign else ''}.{shown.decimals}f}\u00a0{shown.unit}")
 
 
 def times(factor: float) -> str:

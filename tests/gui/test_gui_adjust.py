@@ -60,7 +60,7 @@ def test_a_wrong_number_is_caught_while_it_is_typed(picked: Driver):
         assert not panel.estimate.isEnabled()
     press(picked, Key.Key_F9)
     assert not picked.window.runner.busy
-    type_into(picked, sigma, "5")
+    type_into(picked, sigma, "0.005")
     assert not panel.problem.isVisible()
     assert panel.estimate.isEnabled()
     assert panel.settings().parameters == (Parameter("lever_x", 0.005),)
@@ -94,7 +94,7 @@ def test_what_is_chosen_goes_into_the_project_with_the_result_as_one_step(picked
     clouds = dict(picked.window.document.survey.clouds)
     unfold(picked, panel.also)
     click(picked, panel.parameters.switches["range_offset"])
-    type_into(picked, panel.parameters.priors["range_offset"].lineEdit(), "20")
+    type_into(picked, panel.parameters.priors["range_offset"].lineEdit(), "0.02")
     unfold(picked, panel.advanced)
     type_into(picked, panel.model.surface, "0.5")
     panel.model.loss.setFocus()
@@ -131,6 +131,31 @@ def test_what_is_chosen_goes_into_the_project_with_the_result_as_one_step(picked
     assert not panel.parameters.switches["range_offset"].isChecked()
 
 
+def test_the_sentence_on_times_keeps_its_lines(picked: Driver):
+    picked.window.resize(1366, 768)
+    panel = picked.window.adjust
+    unfold(picked, panel.advanced)
+    times = panel.model.times
+    for kind in (0, 1, 2):
+        panel.model.noise.setCurrentIndex(kind)
+        picked.bot.wait(50)
+        assert times.height() >= times.heightForWidth(times.width())
+
+
+def test_the_point_count_is_that_of_the_result_where_there_is_one(
+    driver: Driver, demo: Demo, estimated: Project
+):
+    driver.window.document.open(estimated, demo.survey)
+    open_step(driver, 2)
+    driver.rest()
+    panel, points = driver.window.adjust, estimated.result.points
+    assert f"<b>{points:,} points</b> took part, in 12 sightings" in panel.count.text()
+    panel.parameters.switches["lever_x"].click()
+    assert panel.count.text().startswith("About <b>")
+    panel.show_count(1, 1, 1)
+    assert panel.count.text() == "<b>All 1</b> points take part, in 1 sighting."
+
+
 def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
     truth = picked.project.settings.lever_arm
     open_step(picked, 0)
@@ -146,7 +171,7 @@ def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
     assert abs(found.value - truth[0]) < 4 * found.sigma
     assert abs(found.value - found.prior) > 5 * found.sigma
     shown = picked.window.results.parameters.text()
-    assert f"{found.value * 1000:+.1f} mm".replace("-", "−") in shown
+    assert f"{found.value:+.4f} m".replace("-", "−") in shown
     assert "significant" in shown
 
 

@@ -69,6 +69,26 @@ def heads(panel: ConventionPanel) -> list[str]:
     return [panel.table.horizontalHeaderItem(column).text() for column in range(3)]
 
 
+def test_every_digit_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel) -> None:
+    phoenix = [each.key for each in SYSTEMS if each.name.startswith("Phoenix SpatialExplorer 1")]
+    choose(qtbot, panel, phoenix[0])
+    type_boresight(qtbot, panel, "0.13", "-0.12", "0.28")
+    table = panel.table
+    assert len(table.item(0, 1).text().split(".")[1]) == 8
+    needed = sum(max(table.sizeHintForColumn(k), 0) for k in range(3))
+    for column in range(3):
+        assert table.columnWidth(column) >= table.sizeHintForColumn(column)
+    assert needed > table.viewport().width()
+    qtbot.waitUntil(table.horizontalScrollBar().isVisible)
+    assert table.viewport().width() + table.horizontalScrollBar().maximum() >= needed
+    last = table.rowCount() - 1
+    assert table.viewport().height() >= table.rowViewportPosition(last) + table.rowHeight(last)
+    qtbot.mouseClick(panel.copy_angles, Left)
+    copied = [line.split("\t") for line in QApplication.clipboard().text().splitlines()]
+    assert [name for name, _ in copied] == list(panel.convention.names)
+    assert [float(value) for _, value in copied] == rows(panel)["If so"]
+
+
 def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.13", "-0.12", "0.28")
     type_in(qtbot, panel.given.lever_arm.fields[0], "-0.186")

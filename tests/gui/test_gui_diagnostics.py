@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QTableWidget
 from lispac.adjustment.result import CrossCheck
 from lispac.gui.panels.diagnostics_pages import PAGES
 from lispac.gui.panels.diagnostics_table import MARKED_BACKGROUND
+from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
 from lispac.project import Project
 from tests.gui.support import Control, Demo, Driver, Key, Left, click_check, double_click, settle
 
@@ -36,7 +37,8 @@ def turn_to(driver: Driver, title: str):
 
 
 def column(table: QTableWidget, title: str) -> int:
-    heads = [table.horizontalHeaderItem(k).text() for k in range(table.columnCount())]
+    count = table.columnCount()
+    heads = [table.horizontalHeaderItem(k).text().replace("\n", " ") for k in range(count)]
     return heads.index(title)
 
 
@@ -69,7 +71,9 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     (axes,) = turn_to(shown, "Convergence").canvas.figure.axes
     assert axes.get_yscale() == "log"
     roll = axes.lines[0].get_ydata()
-    assert roll[0] == pytest.approx(abs(np.degrees(result.path[0, 0] - result.boresight[0])))
+    away = np.degrees(np.abs([result.prior_boresight[0], result.path[0, 0]] - result.boresight[0]))
+    assert list(roll[:2]) == pytest.approx(list(away))
+    assert list(axes.lines[0].get_xdata()[:2]) == [0, 1]
     heat = turn_to(shown, "Correlations").canvas.figure.axes[0]
     assert (heat.images[0].get_array() == result.correlation_all).all()
     numbers = [text.get_text() for text in heat.texts]
@@ -95,16 +99,25 @@ def test_the_tables_show_the_result(shown: Driver, estimated: Project):
     assert texts(table, "Target") == ["T1", "T2"]
     assert texts(table, "Noise factor") == [f"{t.noise:.2f}" for t in result.targets]
     page = turn_to(shown, "Cross-checks")
-    assert page.table.rowCount() == 6 + 2 + 2
+    assert page.table.rowCount() == 6 + 2 + 1
     first = next(check for check in checks.parts if check.difference is not None)
     row = checks.parts.index(first)
-    assert texts(page.table, "Yaw")[row] == f"{np.degrees(first.difference[2]):+.4f}".replace(
-        "-", "−"
-    )
+    difference = f"{np.degrees(first.difference[2]):+.4f}".replace("-", "−")
+    assert texts(page.table, "Yaw difference (deg)")[row] == difference
     assert f"{np.degrees(checks.sigma[1]):.4f}" in page.spread.text()
     assert f"{np.degrees(checks.spread_lines[1]):.4f}" in page.spread.text()
     table = turn_to(shown, "Parameters").table
     assert texts(table, "Parameter") == ["Roll", "Pitch", "Yaw"]
+
+
+def test_every_angle_of_the_cross_checks_is_seen_in_a_small_window(shown: Driver):
+    shown.window.resize(1366, 768)
+    page = turn_to(shown, "Cross-checks")
+    head = page.table.horizontalHeader()
+    yaw = column(page.table, "Yaw difference (deg)")
+    shown.bot.waitUntil(lambda: page.table.viewport().width() > 300)
+    right = head.sectionViewportPosition(yaw) + head.sectionSize(yaw)
+    assert right <= page.table.viewport().width()
 
 
 def test_a_heading_sorts_by_value(shown: Driver, estimated: Project):
@@ -122,6 +135,10 @@ def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated:
     double_click(shown, table, 2)
     sighting = estimated.result.sightings[2].sighting
     assert shown.viewport.selected == (sighting.target, sighting.line)
+    drawn = shown.viewport.emphasised
+    beside = [drawn[key].colour for key in drawn if key[0] == sighting.target]
+    assert drawn[sighting.target, sighting.line].colour == CHOSEN_COLOUR
+    assert sorted(beside) == sorted([CHOSEN_COLOUR] + [BESIDE_COLOUR] * (len(beside) - 1))
     name, (points,) = shown.viewport.calls[-1]
     assert name == "fit"
     assert len(points) == len(estimated.target(sighting.target).sighting(sighting.line).indices)

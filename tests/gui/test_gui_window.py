@@ -194,7 +194,7 @@ def test_the_point_count_follows_the_distance(picked: Driver):
     panel.distance.selectAll()
     picked.bot.keyClicks(panel.distance, "30")
     picked.bot.waitUntil(lambda: count_text(picked) != ten_cm, timeout=30_000)
-    kept = int(count_text(picked).split("</b>")[0].removeprefix("<b>").replace(",", ""))
+    kept = int(count_text(picked).split("</b>")[0].removeprefix("About <b>").replace(",", ""))
     assert 50 < kept < 1000
     assert panel.subsample == pytest.approx(0.30)
     panel.unit.setCurrentIndex(1)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.adjustment.shown import counted
 from lispac.adjustment.stochastic import PosErrors
 from lispac.errors import InputError
 from lispac.gui.panels import widgets
@@ -55,6 +56,8 @@ class AdjustPanel(QWidget):
         self._metres = 0.10
         self._settings: Settings | None = None
         self._ready = False
+        self._project: Project | None = None
+        self._counted: tuple[int | None, int, int, str] = (None, 0, 0, "")
         layout = widgets.column(self)
         layout.setSpacing(6)
         layout.addLayout(self._distance_row())
@@ -139,7 +142,7 @@ class AdjustPanel(QWidget):
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
         """Fill in the project's settings where they changed."""
-        self._ready = status.ready and not busy
+        self._ready, self._project = status.ready and not busy, project
         self.advice.setText(status.advice)
         settings = None if project is None else project.settings
         if settings is not None and settings != self._settings:
@@ -171,6 +174,7 @@ class AdjustPanel(QWidget):
             self.problem.setText("")
             self.problem.hide()
         self.estimate.allow(self._ready and self.sound)
+        self._say_count()
 
     def _tell(self, sentence: str) -> None:
         if sentence == self.problem.text():
@@ -185,16 +189,35 @@ class AdjustPanel(QWidget):
 
     def show_count(self, kept: int | None, total: int, sightings: int, reason: str = "") -> None:
         """The live count; None while it is being counted, or where ``reason`` says why not."""
+        self._counted = (kept, total, sightings, reason)
+        self._say_count()
+
+    def _say_count(self) -> None:
+        kept, total, sightings, reason = self._counted
+        seen = counted(sightings, "sighting")
         if not sightings:
             self.count.setText("No target yet, so no points to thin.")
         elif reason:  # said below the button, too
-            self.count.setText(f"{total:,} points in {sightings} sightings: not enough to adjust.")
+            self.count.setText(f"{counted(total, 'point')} in {seen}: not enough to adjust.")
         elif kept is None:
-            self.count.setText(f"Counting … ({total:,} points in {sightings} sightings)")
-        else:
-            self.count.setText(
-                f"<b>{kept:,}</b> of {total:,} points take part, in {sightings} sightings."
-            )
+            self.count.setText(f"Counting … ({counted(total, 'point')} in {seen})")
+        elif (took := self._took_part()) is not None:
+            self.count.setText(f"<b>{counted(took, 'point')}</b> took part, in {seen}.")
+        elif kept == total:
+            self.count.setText(f"<b>All {total:,}</b> points take part, in {seen}.")
+        else:  # about: Estimate selects the points again with the boresight found
+            near = round(kept, 2 - len(str(kept)))
+            self.count.setText(f"About <b>{near:,}</b> of {total:,} points take part, in {seen}.")
+
+    def _took_part(self) -> int | None:
+        """Points of the project's result; None where there is none for what is chosen."""
+        if self._project is None or self._project.result is None:
+            return None
+        try:
+            fits = self.settings() == self._project.settings
+        except InputError:
+            return None
+        return self._project.result.points if fits else None
 
     def show_task(self, task: Task | None) -> None:
         """Progress of the adjustment, where one runs."""

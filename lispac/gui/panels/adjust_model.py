@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QWidget
 
 from lispac.adjustment.robust import LossName
 from lispac.adjustment.stochastic import PosErrors
@@ -28,6 +29,22 @@ NOISES = ("Same on all axes", "Along X, Y, Z", "Range and angle")
 _MM, _DEG = 1e3, float(np.degrees(1.0))
 
 
+class _Sentence(QLabel):
+    """A wrapped sentence that keeps its height: a form with hidden rows squeezes it."""
+
+    def __init__(self, text: str, name: str) -> None:
+        super().__init__(text)
+        self.setObjectName(name)
+        self.setProperty("role", "muted")
+        self.setWordWrap(True)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        needed = self.heightForWidth(self.width())
+        if needed != self.minimumHeight():
+            self.setMinimumHeight(needed)
+
+
 class ModelSettings(QWidget):
     """What the stochastic model leaves to choose."""
 
@@ -44,7 +61,7 @@ class ModelSettings(QWidget):
         self.attitude_time = self._time("attitude_time", "attitude")
         form.addRow("Position time", self.position_time)
         form.addRow("Attitude time", self.attitude_time)
-        self.times = widgets.label(TIMES, "muted", wrap=True, name="times_sentence")
+        self.times = _Sentence(TIMES, "times_sentence")
         form.addRow(self.times)
         self.surface = self._optional(
             "surface", "Surface sigma", "mm", _MM, "from the data",

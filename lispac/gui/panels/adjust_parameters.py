@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass, replace
 
-import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QWidget
 
 from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.shown import QUANTITIES
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
@@ -38,19 +38,20 @@ class Kind:
         return f"{value * self.scale:{sign}.{self.decimals}f} {self.unit}".replace("-", "−")
 
 
-_DEG = float(np.degrees(1.0))
+_MEANING = {
+    "lever_x": (100.0, "forward"),
+    "lever_y": (100.0, "left"),
+    "lever_z": (100.0, "up"),
+    "range_offset": (10.0, "added to every range"),
+    "scan_angle_offset": (360.0, "turns every beam about the scanner's X axis"),
+    "latency": (1e4, "added to the time of every point before the trajectory is asked"),
+}
 KINDS: dict[str, Kind] = {
-    kind.name: kind
-    for kind in (
-        Kind("lever_x", "Lever arm X", "mm", 1e3, 1, 1e5, "forward"),
-        Kind("lever_y", "Lever arm Y", "mm", 1e3, 1, 1e5, "left"),
-        Kind("lever_z", "Lever arm Z", "mm", 1e3, 1, 1e5, "up"),
-        Kind("range_offset", "Range offset", "mm", 1e3, 1, 1e4, "added to every range"),
-        Kind("scan_angle_offset", "Scan-angle offset", "°", _DEG, 4, 360,
-             "turns every beam about the scanner's X axis"),
-        Kind("latency", "Latency", "ms", 1e3, 2, 1e4,
-             "added to the time of every point before the trajectory is asked"),
+    name: Kind(
+        name, each.title, each.unit.replace("deg", "°"), each.factor, each.decimals,
+        *_MEANING[name],
     )
+    for name, each in QUANTITIES.items()
 }  # fmt: skip
 LEVER = ("lever_x", "lever_y", "lever_z")
 SCANNER = ("range_offset", "scan_angle_offset", "latency")

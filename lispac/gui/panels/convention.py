@@ -18,7 +18,7 @@ from lispac.errors import InputError
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.panels.convention_inputs import CurrentSettings, GivenBoresight, ImuAxes
-from lispac.gui.panels.convention_table import angles_table, fill_angles
+from lispac.gui.panels.convention_table import AnglesTable
 from lispac.gui.panels.gizmo import Gizmo
 from lispac.project import Project
 from lispac.survey.conventions.conversion import Setup, Stated, state
@@ -55,7 +55,7 @@ class ConventionPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setMinimumWidth(380)
-        self._all_digits = ""
+        self._all_digits = self._all_angles = ""
         self.given, self.current, self.imu = GivenBoresight(), CurrentSettings(), ImuAxes()
         self._build()
         for inputs in (self.given, self.current, self.imu):
@@ -95,7 +95,7 @@ class ConventionPanel(QWidget):
         layout.addWidget(self.imu)
         self.values_head = widgets.label("", "heading", wrap=True)
         layout.addWidget(self.values_head)
-        self.table = angles_table()
+        self.table = AnglesTable()
         layout.addWidget(self.table)
         self.remarks = widgets.label("", "muted", wrap=True, name="convention_remarks")
         layout.addWidget(self.remarks)
@@ -155,7 +155,16 @@ class ConventionPanel(QWidget):
             tip="Copy the sixteen numbers, row by row, to the clipboard",
         )  # fmt: skip
         self.copy.clicked.connect(lambda: QApplication.clipboard().setText(self._all_digits))
-        layout.addWidget(self.copy, alignment=Qt.AlignmentFlag.AlignLeft)
+        self.copy_angles = widgets.button(
+            "Copy angles", "convention_copy_angles", icon="content-copy",
+            tip="Copy the angles to type in, one a line with its name, to the clipboard",
+        )  # fmt: skip
+        self.copy_angles.clicked.connect(lambda: QApplication.clipboard().setText(self._all_angles))
+        row = QHBoxLayout()
+        row.addWidget(self.copy)
+        row.addWidget(self.copy_angles)
+        row.addStretch(1)
+        layout.addLayout(row)
         return box
 
     # -- what the user does ------------------------------------------------------------------
@@ -206,12 +215,13 @@ class ConventionPanel(QWidget):
         for widget in (self.table, self.remarks, self.lever, self.rules, self.matrix):
             widget.setVisible(False)
         self.values_head.setText("No values")
-        self.copy.setEnabled(False)
+        for button in (self.copy, self.copy_angles):
+            button.setEnabled(False)
 
     def _show_rules(self, setup: Setup, mounting: Mounting) -> None:
         convention = setup.convention
-        word = STATUS_WORDS[convention.status].capitalize()
-        colour = _COLOURS[convention.status]
+        word = STATUS_WORDS[setup.status].capitalize()
+        colour = _COLOURS[setup.status]
         x, y, z = setup.axes
         self.status.setText(f"<b style='color:{colour}'>{word}</b>: {convention.source}.")
         rules = f"Body axes there: X {x}, Y {y}, Z {z}."
@@ -228,10 +238,11 @@ class ConventionPanel(QWidget):
     def _show_values(self, stated: Stated, correction: Correction | None) -> None:
         setup = stated.setup
         convention = setup.convention
-        sure = convention.status == "verified"
+        sure = setup.status == "verified"
         for widget in (self.remarks, self.lever, self.rules, self.matrix):
             widget.setVisible(True)
         self.copy.setEnabled(True)
+        self.copy_angles.setEnabled(stated.angles is not None)
         self.table.setVisible(convention.has_angles)
         if stated.angles is None:
             self.values_head.setText("Taken as a matrix only: see below")
@@ -248,7 +259,8 @@ class ConventionPanel(QWidget):
                         ("Correction", correction.correction, "+", False), new]  # fmt: skip
             if stated.sigmas is not None:
                 rows.append(("± 1 σ", stated.sigmas, "", False))
-            fill_angles(self.table, convention, rows, decimals)
+            self.table.fill(convention, rows, decimals)
+            self._all_angles = _lines(convention, stated.angles, decimals)
             self._show_remarks(stated, correction)
         # Unbreakable, so that a line ends between two axes and never before a number.
         arm = ", ".join(
@@ -260,7 +272,7 @@ class ConventionPanel(QWidget):
         self.lever.setText(f"Lever arm there, from the POS centre: {arm}")
 
     def _show_remarks(self, stated: Stated, correction: Correction | None) -> None:
-        signs = stated.setup.convention.signs
+        signs = stated.setup.signs
         lines = [f"{signs[0].upper()}{signs[1:]}."]
         if correction is not None:
             lines.append(
@@ -293,6 +305,12 @@ class ConventionPanel(QWidget):
         self.matrix.setPlainText(_rows(stated.transform, 7))
         self._all_digits = _rows(stated.transform, 12)
         self.matrix.setToolTip(SCANNER_WORDS[stated.setup.scanner_frame])
+
+
+def _lines(convention: Convention, angles: np.ndarray, decimals: int) -> str:
+    values = np.round(np.degrees(angles), decimals) + 0.0
+    named = zip(convention.names, values, strict=True)
+    return "\n".join(f"{name}\t{value:.{decimals}f}" for name, value in named)
 
 
 def _rows(matrix: np.ndarray, decimals: int) -> str:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from lispac.gui import theme
@@ -15,43 +16,54 @@ Row = tuple[str, np.ndarray, str, bool]
 """Word at the left, angles in radians, format of the sign, bold."""
 
 
-def angles_table() -> QTableWidget:
-    """An empty table for three angles."""
-    table = QTableWidget(1, 3)
-    table.setObjectName("convention_table")
-    table.setAccessibleName("Angles in the other program")
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
-    for policy in (table.setVerticalScrollBarPolicy, table.setHorizontalScrollBarPolicy):
-        policy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    side = table.verticalHeader()
-    side.setDefaultSectionSize(_ROW)
-    side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-    side.setMinimumWidth(96)
-    side.setHighlightSections(False)
-    head = table.horizontalHeader()
-    head.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-    head.setHighlightSections(False)
-    return table
+class AnglesTable(QTableWidget):
+    """Three angles in a row; every digit can be read, by a scroll bar where they are many."""
 
+    def __init__(self) -> None:
+        super().__init__(1, 3)
+        self.setObjectName("convention_table")
+        self.setAccessibleName("Angles in the other program")
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        side = self.verticalHeader()
+        side.setDefaultSectionSize(_ROW)
+        side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        side.setHighlightSections(False)
+        head = self.horizontalHeader()
+        head.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        head.setHighlightSections(False)
 
-def fill_angles(
-    table: QTableWidget,
-    convention: Convention,
-    rows: Sequence[Row],
-    decimals: int,
-) -> None:
-    """Name the columns as the program does and write the rows in degrees."""
-    table.setRowCount(len(rows))
-    table.setHorizontalHeaderLabels([name.capitalize() for name in convention.names])
-    table.setVerticalHeaderLabels([word for word, *_ in rows])
-    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW * len(rows) + 3)
-    for column, turn in enumerate(convention.turns):
-        table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
-        table.horizontalHeaderItem(column).setToolTip(turn.meaning.capitalize())
-    for row, (_, values, sign, bold) in enumerate(rows):
-        for column, value in enumerate(np.round(np.degrees(values), decimals)):
-            item = QTableWidgetItem(f"{value + 0.0:{sign}.{decimals}f}".replace("-", "−"))
-            item.setTextAlignment(_RIGHT)
-            item.setFont(theme.tabular(table.font(), bold=bold))
-            table.setItem(row, column, item)
+    def fill(self, convention: Convention, rows: Sequence[Row], decimals: int) -> None:
+        """Name the columns as the program does and write the rows in degrees."""
+        self.setRowCount(len(rows))
+        self.setHorizontalHeaderLabels([name.capitalize() for name in convention.names])
+        self.setVerticalHeaderLabels([word for word, *_ in rows])
+        for column, turn in enumerate(convention.turns):
+            self.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
+            self.horizontalHeaderItem(column).setToolTip(turn.meaning.capitalize())
+        for row, (_, values, sign, bold) in enumerate(rows):
+            for column, value in enumerate(np.round(np.degrees(values), decimals)):
+                item = QTableWidgetItem(f"{value + 0.0:{sign}.{decimals}f}".replace("-", "−"))
+                item.setTextAlignment(_RIGHT)
+                item.setFont(theme.tabular(self.font(), bold=bold))
+                self.setItem(row, column, item)
+        self._lay_out()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        """Give each column what its numbers need, and share out what is left."""
+        head = self.horizontalHeader()
+        needed = [
+            max(self.sizeHintForColumn(k), head.sectionSizeHint(k)) for k in range(head.count())
+        ]
+        inside = self.width() - 2 * self.frameWidth() - self.verticalHeader().sizeHint().width()
+        spare, rest = divmod(max(inside - sum(needed), 0), len(needed))
+        for column, width in enumerate(needed):
+            self.setColumnWidth(column, width + spare + (column < rest))
+        bar = self.horizontalScrollBar().sizeHint().height() if sum(needed) > inside else 0
+        self.setFixedHeight(head.sizeHint().height() + _ROW * self.rowCount() + 3 + bar)

@@ -17,11 +17,11 @@ SMALLEST_DEG = 1e-12
 
 
 def convergence(result: AdjustmentResult, figure: Figure) -> None:
-    """Distance of each angle from its last value, per iteration."""
+    """Distance of each angle from its last value, per iteration; the prior is iteration 0."""
     axes = _axes(figure)
-    path = np.degrees(result.path)
+    path = np.degrees(np.vstack([result.prior_boresight, result.path]))
     away = np.abs(path - path[-1])
-    count = np.arange(1, len(path) + 1)
+    count = np.arange(len(path))
     for k, angle in enumerate(ANGLES):
         shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
         axes.plot(

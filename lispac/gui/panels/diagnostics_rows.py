@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from lispac.adjustment.critical import critical_w
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import (
     AdjustmentResult,
@@ -11,9 +12,10 @@ from lispac.adjustment.result import (
     SightingReliability,
     SightingResidual,
 )
+from lispac.adjustment.shown import SPREAD_LINES, SPREAD_TARGETS, named_parts
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number
-from lispac.gui.panels.result_words import check_name, significance_words
+from lispac.gui.panels.result_words import significance_words
 
 MM, MDEG = 1e3, float(np.degrees(1e3))
 FOLLOW = "Double click, or Enter, goes to its points in the view"
@@ -21,7 +23,6 @@ FOLLOW = "Double click, or Enter, goes to its points in the view"
 SIGHTINGS = (
     Column("Target", "Target", True),
     Column("Line", "Line", True),
-    Column("Remark", "What to look at", True),
     Column("Points", "Points that took part, after averaging or thinning"),
     Column("Before (mm)", "RMS distance to the surface with the prior boresight, mm"),
     Column("After (mm)", "RMS distance to the adjusted surface, mm; no POS error is taken off"),
@@ -38,10 +39,10 @@ SIGHTINGS = (
     Column(
         "POS attitude (0.001°)", "Estimated attitude error and its prior sigma, 0.001° (3D length)"
     ),
+    Column("Remark", "What to look at", True),
 )
 TARGETS = (
     Column("Target", "Target", True),
-    Column("Remark", "What to look at", True),
     Column("Shape", "Plane or sphere", True),
     Column("Lines", "Lines it was seen on"),
     Column("Points", "Points that took part, after averaging or thinning"),
@@ -50,16 +51,18 @@ TARGETS = (
     Column("Noise factor", "Noise found in the residuals over the stated one, at least 1"),
     Column("Largest w", "Largest test value of its sightings"),
     Column("Strays", "Points whose own test is beyond 3.29"),
+    Column("Remark", "What to look at", True),
 )
+DIFFERENCE = "Difference from the answer of all points, or between the halves"
 CHECKS = (
-    Column("Part of the data", "What was left out, or which half was used", True),
+    Column("Part of the data", "What was left out, or which halves were compared", True),
+    Column("Roll\ndifference (deg)", f"{DIFFERENCE}, degrees"),
+    Column("in σ", "The difference over the standard deviation it should have"),
+    Column("Pitch\ndifference (deg)", f"{DIFFERENCE}, degrees"),
+    Column("in σ", "The difference over the standard deviation it should have"),
+    Column("Yaw\ndifference (deg)", f"{DIFFERENCE}, degrees"),
+    Column("in σ", "The difference over the standard deviation it should have"),
     Column("Verdict", "Whether it agrees, or why there is no answer", True),
-    Column("Roll", "Difference from the answer of all points, or between the halves, degrees"),
-    Column("in σ", "The difference over the standard deviation it should have"),
-    Column("Pitch", "Difference from the answer of all points, or between the halves, degrees"),
-    Column("in σ", "The difference over the standard deviation it should have"),
-    Column("Yaw", "Difference from the answer of all points, or between the halves, degrees"),
-    Column("in σ", "The difference over the standard deviation it should have"),
     Column("Reason", "Why there is no answer, or what disagrees", True),
 )
 PARAMETERS = (
@@ -78,13 +81,14 @@ ROUGH = 1.5
 def sighting_rows(result: AdjustmentResult) -> list[Row]:
     """One row for each sighting that took part."""
     tests = {(r.sighting.target, r.sighting.line): r for r in result.reliability}
+    critical = critical_w(result) or np.inf
     return [
-        _sighting(residual, tests.get((residual.sighting.target, residual.sighting.line)))
+        _sighting(residual, tests.get((residual.sighting.target, residual.sighting.line)), critical)
         for residual in result.sightings
     ]
 
 
-def _sighting(residual: SightingResidual, test: SightingReliability | None) -> Row:
+def _sighting(residual: SightingResidual, test: SightingReliability | None, critical: float) -> Row:
     sighting = residual.sighting
     key = (sighting.target, sighting.line)
     fit = [
@@ -94,12 +98,12 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None) -> R
     ]
     names = [Cell(sighting.target), Cell(sighting.line)]
     if test is None:
-        return Row([*names, Cell("no test"), *fit, *[number(None, "")] * 8], key, tip=FOLLOW)
-    remark = ""
+        return Row([*names, *fit, *[number(None, "")] * 8, Cell("no test")], key, tip=FOLLOW)
+    remark, odd = "", abs(test.w) > critical
     if test.released:
         remark = "released: disagrees"
-    elif abs(test.w) > 3:
-        remark = "suspicious: w beyond 3"
+    elif odd:
+        remark = f"w beyond {critical:.2f}"
     elif test.strays > 0.05 * residual.points:
         remark = "many stray points"
     tests = (
@@ -113,7 +117,6 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None) -> R
     )
     cells = [
         *names,
-        Cell(remark),
         *fit,
         number(test.shift, "+.1f", MM),
         *tests,
@@ -121,8 +124,9 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None) -> R
         number(test.redundancy, ".2f"),
         _against_prior(test.pos_error[:3], test.pos_sigma[:3], MM),
         _against_prior(test.pos_error[3:], test.pos_sigma[3:], MDEG),
+        Cell(remark),
     ]
-    return Row(cells, key, marked=test.released or abs(test.w) > 3, tip=FOLLOW)
+    return Row(cells, key, marked=test.released or odd, tip=FOLLOW)
 
 
 def _against_prior(error: np.ndarray, sigma: np.ndarray, scale: float) -> Cell:
@@ -144,7 +148,6 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
         held = [abs(r.w) for r in tests if not r.released]
         cells = [
             Cell(target.target),
-            Cell(remark),
             Cell("sphere" if target.sphere else "plane"),
             number(lines, ",.0f"),
             number(target.points, ",.0f"),
@@ -153,6 +156,7 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
             number(target.noise, ".2f") if result.model.correlated else number(None, ""),
             number(max(held, default=None), ".2f"),
             number(sum(r.strays for r in tests), ",.0f") if tests else number(None, ""),
+            Cell(remark),
         ]
         rows.append(Row(cells, (target.target, ""), marked=bool(released), tip=FOLLOW))
     return rows
@@ -161,18 +165,17 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
 def check_rows(checks: CrossChecks) -> list[Row]:
     """One row for each part of the data."""
     rows = []
-    for check in checks.parts:
-        name = check_name(check)
-        title = Cell(name[0].upper() + name[1:])
+    for name, check in named_parts(checks):
+        title = Cell(name)
         if check.difference is None or check.significance is None:
-            cells = [title, Cell("no answer"), *[number(None, "")] * 6, Cell(check.reason)]
+            cells = [title, *[number(None, "")] * 6, Cell("no answer"), Cell(check.reason)]
             rows.append(Row(cells, tip=check.reason))
             continue
-        cells = [title, Cell("disagrees" if check.disagrees else "agrees")]
+        cells = [title]
         for off, units in zip(check.difference, check.significance, strict=True):
             cells += [number(float(np.degrees(off)), "+.4f"), number(float(units), "+.1f")]
         tip = "An angle differs by more than chance explains" if check.disagrees else ""
-        cells.append(Cell(tip))
+        cells += [Cell("disagrees" if check.disagrees else "agrees"), Cell(tip)]
         rows.append(Row(cells, marked=check.disagrees, tip=tip))
     return rows
 
@@ -193,8 +196,8 @@ def spread_words(checks: CrossChecks) -> str:
         )
         + "</tr>"
         + row("Formal sigma", checks.sigma)
-        + row("Jackknife, lines", checks.spread_lines)
-        + row("Jackknife, targets", checks.spread_targets)
+        + row(SPREAD_LINES.replace(", ", ",<br>"), checks.spread_lines)
+        + row(SPREAD_TARGETS.replace(", ", ",<br>"), checks.spread_targets)
         + "</table>"
     )
 

@@ -77,7 +77,8 @@ class DiagnosticsTable(QTableWidget):
         self.setAccessibleName(title)
         self._columns = tuple(columns)
         self._rows: list[Row] = []
-        self.setHorizontalHeaderLabels([column.title for column in columns])
+        # Units in a second line: the columns stay narrow enough to be seen together.
+        self.setHorizontalHeaderLabels([column.title.replace(" (", "\n(") for column in columns])
         for k, column in enumerate(columns):
             head = self.horizontalHeaderItem(k)
             head.setToolTip(f"{column.tip}\nClick to sort")
@@ -96,11 +97,13 @@ class DiagnosticsTable(QTableWidget):
         header.setSortIndicatorClearable(True)
         header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
+        header.sortIndicatorChanged.connect(self._show_arrow)
+        self._show_arrow(-1)
         self.activated.connect(lambda index: self._follow(index.row()))
 
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Show other rows, sorted as before."""
-        selected = self.key(self.currentRow())
+        selected, header = self.key(self.currentRow()), self.horizontalHeader()
         self.setSortingEnabled(False)
         self._rows = list(rows)
         self.setRowCount(len(rows))
@@ -117,6 +120,7 @@ class DiagnosticsTable(QTableWidget):
                     item.setToolTip(row.tip)
                 self.setItem(number, column, item)
         self.setSortingEnabled(True)
+        self._show_arrow(header.sortIndicatorSection())
         if selected is not None:
             self.select(*selected)
 
@@ -133,6 +137,10 @@ class DiagnosticsTable(QTableWidget):
                 self.setCurrentCell(row, 0)
                 self.blockSignals(False)
                 return
+
+    def _show_arrow(self, section: int) -> None:
+        """Keep room for the arrow only where a column is sorted by; every heading gets it."""
+        self.horizontalHeader().setSortIndicatorShown(section >= 0)
 
     def _follow(self, row: int) -> None:
         key = self.key(row)

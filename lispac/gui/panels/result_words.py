@@ -2,7 +2,8 @@
 
 from lispac.adjustment.observations import Sighting
 from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import AdjustmentResult, CrossCheck, CrossChecks
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.adjustment.shown import counted, named_parts
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.theme import DONE, MUTED, WARNING
 
@@ -16,19 +17,10 @@ LEAST_SURFACE = 5e-5
 EARNS = 3.0
 """Standard deviations a value has to move to earn its place."""
 
-KIND_WORDS = {"line": "without line", "target": "without target", "half": "of the"}
-
 
 def sighting_name(sighting: Sighting) -> str:
     """``T1 on L2``."""
     return f"{sighting.target} on {sighting.line}"
-
-
-def check_name(check: CrossCheck) -> str:
-    """``without line L2``, ``first half``."""
-    if check.kind == "half":
-        return f"{check.without} half of the lines"
-    return f"{KIND_WORDS[check.kind]} {check.without}"
 
 
 def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
@@ -51,8 +43,9 @@ def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
             "jumped there, or targets are mixed up. Look at the trajectory's quality at that time, "
             "and at which target was picked."
         )
-    if checks is not None and checks.disagreements:
-        names = ", ".join(check_name(check) for check in checks.disagreements)
+    odd = [name for name, part in named_parts(checks) if part.disagrees] if checks else []
+    if odd:
+        names = ", ".join(name[0].lower() + name[1:] for name in odd)
         found.append(
             f"Parts of the data disagree with the whole by more than chance: {names}. See the "
             "cross-checks under Diagnostics."
@@ -62,8 +55,9 @@ def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
 
 def taking_part(result: AdjustmentResult) -> str:
     """``2,592 points, 12 sightings``, and the strays that were kept out."""
-    words = f"{result.points:,} points, {len(result.sightings)} sightings"
-    return f"{words}; {result.left_out:,} strays left out" if result.left_out else words
+    words = f"{counted(result.points, 'point')}, {counted(len(result.sightings), 'sighting')}"
+    strays = counted(result.left_out, "stray")
+    return f"{words}; {strays} left out" if result.left_out else words
 
 
 def surface_words(result: AdjustmentResult) -> str:

@@ -46,6 +46,40 @@ class Marker:
     colour: Colour
 
 
+CHOSEN_COLOUR: Colour = (60, 255, 30)
+"""Bright green: no line, target or validation plane has it."""
+BESIDE_COLOUR: Colour = (165, 171, 178)
+"""The other sightings of the target whose one sighting is chosen."""
+
+
+@dataclass(frozen=True)
+class Emphasis:
+    """How a sighting is drawn.
+
+    Attributes
+    ----------
+    larger : pixels its points are larger than those of the lines
+    outlined : whether its points have a dark edge
+    above : whether it lies over the other sightings
+    """
+
+    colour: Colour
+    larger: int
+    outlined: bool = False
+    above: bool = False
+
+
+def emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> Emphasis:
+    """How a sighting is drawn while ``selected`` is."""
+    if selected is None or highlight.key[0] != selected[0]:
+        return Emphasis(highlight.colour, 2)
+    if not selected[1]:
+        return Emphasis(highlight.colour, 4, outlined=True)
+    if highlight.key == selected:
+        return Emphasis(CHOSEN_COLOUR, 5, outlined=True, above=True)
+    return Emphasis(BESIDE_COLOUR, 1)
+
+
 class ViewportSignals(QObject):
     """What a viewport tells the window."""
 
@@ -75,7 +109,10 @@ class Viewport(Protocol):
         """Draw seeds and labels; replaces those shown."""
 
     def select(self, key: tuple[str, str] | None) -> None:
-        """Emphasise one sighting, (target, line); line "" means all lines of the target."""
+        """Emphasise one sighting, (target, line), and grey the others of its target.
+
+        Line "" means all lines of the target.
+        """
 
     def set_station(self, position: tuple[float, float, float]) -> None:
         """Say from where the scene is seen, usually the middle of the trajectory.

@@ -10,10 +10,12 @@ from lispac.errors import InputError
 from lispac.gui.viewport.base import (
     Array,
     Colour,
+    Emphasis,
     Highlight,
     Marker,
     PickedPoint,
     ViewportSignals,
+    emphasis,
 )
 
 
@@ -121,6 +123,11 @@ class RecordingViewport:
         """Remember that the graphics are released."""
         self._record("close")
         self.closed = True
+
+    @property
+    def emphasised(self) -> dict[tuple[str, str], Emphasis]:
+        """How each sighting is drawn."""
+        return {each.key: emphasis(each, self.selected) for each in self.highlights}
 
     def _record(self, name: str, *arguments: object) -> None:
         self.calls.append((name, arguments))

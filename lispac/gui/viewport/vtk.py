@@ -24,6 +24,7 @@ from lispac.gui.viewport.base import (
     Highlight,
     Marker,
     ViewportSignals,
+    emphasis,
 )
 from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.decimation import Budget, in_view, sample_order, shares
@@ -140,7 +141,7 @@ class VtkViewport:
         self._highlight_actors = []
         for highlight in self._highlights:
             data = self._data(highlight.points)
-            actor, outline = _actor(data, highlight.colour), _actor(data, _dark(highlight.colour))
+            actor, outline = _actor(data, highlight.colour), _actor(data, highlight.colour)
             self._highlight_actors.append((highlight, actor, outline))
             self._renderer.AddActor(outline)
             self._renderer.AddActor(actor)
@@ -152,7 +153,7 @@ class VtkViewport:
         self._update()
 
     def select(self, key: tuple[str, str] | None) -> None:
-        """Emphasise one sighting, (target, line); line "" means all lines of the target."""
+        """Emphasise one sighting, (target, line), and grey the others of its target."""
         self._selected = key
         self._style_points()
 
@@ -289,15 +290,15 @@ class VtkViewport:
         for rim in self._rims:
             rim.GetProperty().SetPointSize((self._point_size + 2) * scale)
         for highlight, actor, outline in self._highlight_actors:
-            selected = self._selected is not None and (
-                highlight.key == self._selected or (highlight.key[0], "") == self._selected
-            )
-            size = self._point_size + (4 if selected else 2)
+            drawn = emphasis(highlight, self._selected)
+            size = self._point_size + drawn.larger
             actor.GetProperty().SetPointSize(size * scale)
             outline.GetProperty().SetPointSize((size + 3) * scale)
+            _paint(actor, drawn.colour)
+            _paint(outline, _dark(drawn.colour))
             shown = highlight.key[1] not in self._hidden
             actor.SetVisibility(shown)
-            outline.SetVisibility(shown and selected)
+            outline.SetVisibility(shown and drawn.outlined)
         self._camera_moved()
 
     def _camera_moved(self) -> None:
@@ -307,9 +308,10 @@ class VtkViewport:
         camera.SetPosition(*eye)
         camera.SetFocalPoint(*(self.camera.focal - self._origin))
         camera.SetViewUp(*self.camera.axes[1])
-        for _, actor, outline in self._highlight_actors:
-            _shift_depth(actor, eye, -LIFT)
-            _shift_depth(outline, eye, -0.7 * LIFT)
+        for highlight, actor, outline in self._highlight_actors:
+            lift = LIFT * (2 if emphasis(highlight, self._selected).above else 1)
+            _shift_depth(actor, eye, -lift)
+            _shift_depth(outline, eye, 0.3 * LIFT - lift)
         for rim in self._rims:
             _shift_depth(rim, eye, RIM_DEPTH)
         self._renderer.ResetCameraClippingRange()
@@ -373,8 +375,12 @@ def _actor(data: vtkPolyData, colour: Colour) -> vtkActor:
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
-    actor.GetProperty().SetColor(*(c / 255.0 for c in colour))
+    _paint(actor, colour)
     return actor
+
+
+def _paint(actor: vtkActor, colour: Colour) -> None:
+    actor.GetProperty().SetColor(*(c / 255.0 for c in colour))
 
 
 def _dark(colour: Colour) -> Colour:

@@ -1,0 +1,103 @@
+"""The same words, units and limits in the window, the report and the command line."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.critical import critical_w
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.adjustment.shown import QUANTITIES, STATED, named_parts
+from lispac.cli.estimate import numbers, print_result
+from lispac.gui.panels.adjust_parameters import KINDS
+from lispac.gui.panels.diagnostics_rows import SIGHTINGS, check_rows, sighting_rows, spread_words
+from lispac.report.document import document_of
+from lispac.report.wording import quantity
+from tests.report_sample import sample_content, sample_project
+
+Sample = tuple[AdjustmentResult, CrossChecks]
+
+
+@pytest.fixture
+def sample(tmp_path: Path) -> Sample:
+    project = sample_project(tmp_path)
+    assert project.result is not None
+    assert project.cross_checks is not None
+    return project.result, project.cross_checks
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("lever_y", 0.0376581, "+0.0377 m"),
+        ("range_offset", -0.02, "-0.0200 m"),
+        ("scan_angle_offset", np.radians(0.12345), "+0.1235 deg"),
+        ("latency", 0.0021, "+2.10 ms"),
+    ],
+)
+def test_a_value_is_shown_alike_everywhere(
+    capsys: pytest.CaptureFixture[str], sample: Sample, name: str, value: float, words: str
+) -> None:
+    result = replace(sample[0], parameters=(Estimate(name, 0.0, None, value, 0.1, 3.0),))
+    print_result(result, None)
+    assert f"{QUANTITIES[name].title} {words}, sigma " in capsys.readouterr().out
+    printed = words.replace("-", "−")
+    assert KINDS[name].text(value) == printed.replace("deg", "°")
+    said = quantity(name, value * STATED[name][0], sign=True)
+    assert said == printed.replace(" ", "\u00a0")
+
+
+def test_json_keeps_metres_degrees_and_seconds(sample: Sample) -> None:
+    latency = Estimate("latency", 0.0, None, 0.0021, 0.0001, 21.0)
+    said = numbers(replace(sample[0], parameters=(latency,)), None)["parameters"]["latency"]
+    assert (said["unit"], said["value"], said["sigma"]) == ("s", 0.0021, 0.0001)
+
+
+def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sample) -> None:
+    result = sample[0]
+    critical = critical_w(result)
+    assert critical is not None
+    assert critical > 3.1
+    first, second, *rest = result.reliability
+    near = replace(first, w=critical - 0.01, released=False, strays=0)
+    beyond = replace(second, w=-critical - 0.01, released=False, strays=0)
+    rows = sighting_rows(replace(result, reliability=(near, beyond, *rest)))
+    assert SIGHTINGS[-1].title == "Remark"
+    assert [row.marked for row in rows[:2]] == [False, True]
+    assert [row.cells[-1].text for row in rows[:2]] == ["", f"w beyond {critical:.2f}"]
+    assert all(len(row.cells) == len(SIGHTINGS) for row in rows)
+
+
+def test_the_spread_has_one_name_and_the_halves_are_told_once(
+    capsys: pytest.CaptureFixture[str], sample: Sample, tmp_path: Path
+) -> None:
+    result, checks = sample
+    assert checks.spread_lines is not None
+    odd = tuple(
+        replace(part, significance=np.array([9.0, 0.0, 0.0])) if part.kind == "half" else part
+        for part in checks.parts
+    )
+    checks = replace(checks, parts=odd)
+    print_result(result, checks)
+    printed = capsys.readouterr().out
+    assert "\nSpread, one line left out " in printed
+    assert printed.count("half") == 2
+    assert "\nFirst half less second half: differs" in printed
+    assert "Spread,<br>one line left out" in spread_words(checks)
+    names = [name for name, _ in named_parts(checks)]
+    assert names == [row.cells[0].text for row in check_rows(checks)]
+    assert [name for name in names if "half" in name] == ["First half less second half"]
+    content = sample_content(sample_project(tmp_path / "report"))
+    tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
+    assert any("Spread, one line left out" in row[0] for t in tables for row in t.rows)
+
+
+def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> None:
+    result = sample[0]
+    one = replace(result, targets=result.targets[:1], sightings=result.sightings[:1], left_out=1)
+    print_result(one, None)
+    printed = capsys.readouterr().out
+    assert "1 sighting, 1 target, " in printed
+    assert "(1 stray left out)" in printed
