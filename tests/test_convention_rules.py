@@ -233,3 +233,23 @@ def test_all_right_handed_axes_can_be_stated() -> None:
     assert len(made) == 24
     assert all(np.linalg.det(axes_matrix(axes)) == pytest.approx(1) for axes in made)
     assert all(nearest_axes(axes_matrix(axes).T) == axes for axes in made)
+
+
+@pytest.mark.parametrize(
+    "setup",
+    [
+        Setup(system("applanix"), scanner="kept"),
+        Setup(system("kluster"), body_axes=("forward", "port", "up")),
+    ],
+)
+def test_axes_that_no_documentation_knows_are_not_verified(setup) -> None:
+    assert setup.convention.status == "verified"
+    assert setup.status == "unverified"
+    assert "not those of its documentation" in setup.assumption
+
+
+def test_signs_are_told_for_the_axes_they_hold_for() -> None:
+    as_known = Setup(system("kluster"))
+    turned = Setup(system("kluster"), body_axes=("forward", "port", "up"))
+    assert as_known.signs == as_known.convention.signs
+    assert "bow" not in turned.signs

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.averaging import averaged
+from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.shapes import points_local
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
@@ -125,3 +127,23 @@ def test_where_no_line_helps_the_advice_says_so() -> None:
     )
     data = survey((UPRIGHT, LEANING, Board("T3", (0.0, -15.0, 5.0), (0.0, 1.0, 0.3))), twice)
     assert "No single further line" in advice(data, adjust(data, PRIOR, StochasticModel()))
+
+
+def test_no_line_is_promised_to_bring_what_no_line_can() -> None:
+    """A scan-angle offset known to half a degree leaves roll at half a degree, whoever sails."""
+    points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
+    result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
+    assert result.sigma[0] > 0.9 * np.radians(0.5)
+    best = min(line.sigma[0] for line in further_lines(points, result))
+    assert best > 0.95 * result.sigma[0]
+    assert "No single further line" in advice(points, result)
+
+
+def test_parts_are_compared_without_what_none_of_them_sees() -> None:
+    points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
+    plain = adjust(points, PRIOR, StochasticModel())
+    result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
+    expected = cross_checks(points, PRIOR, plain)
+    found = cross_checks(points, PRIOR, result, (held,))
+    for one, other in zip(expected.parts, found.parts, strict=True):
+        np.testing.assert_allclose(other.significance, one.significance, rtol=0.05, atol=0.05)

@@ -276,3 +276,27 @@ def test_pos_error_figure_marks_what_lies_beyond_the_prior(
     red = [line for line in figure.axes[0].lines if line.get_color() == "#bb2222"]
     assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(30.0)]]
     assert len(figures.pos_error_figures_of(checks.reliability * 5)) == 3
+
+
+def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed: Changed) -> None:
+    result = _result(project)
+    large = result.covariance_all.copy()
+    large[0, 0] = np.radians(0.5) ** 2
+    reason = "These lines and targets do not see the scan-angle offset."
+    unseen = Estimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
+    content = changed(covariance_all=large, parameters=(unseen,))
+    said = _caution(content, "large_sigma")
+    assert "roll to 0.50 deg" in said
+    assert "scan-angle offset" in said
+    assert not [c for c in changed().cautions if c.code == "large_sigma"]
+
+
+def test_noise_is_only_spoken_of_where_some_was_found(project: Project, changed: Changed) -> None:
+    result = _result(project)
+    failed = replace(result.chi_square, statistic=result.chi_square.upper * 2)
+    quiet = tuple(replace(target, noise=1.0) for target in result.targets)
+    noisy = tuple(replace(target, noise=2.0) for target in result.targets)
+    model = StochasticModel("correlated")
+    for targets, spoken in ((quiet, False), (noisy, True)):
+        content = changed(chi_square=failed, targets=targets, model=model)
+        assert ("noise found" in _caution(content, "chi_square_high")) == spoken

@@ -51,6 +51,7 @@ def cross_checks(
     if result.model.correlated:
         surface = max(result.surface, 1e-5) if result.model.surface != 0 else 0.0
         result = replace(result, model=replace(result.model, surface=surface))
+    result, parameters = _without_unseen(observations, start, result, parameters)
     parts = [*_left_out(observations), *_halves(observations)]
     found: list[CrossCheck] = []
     for k, (kind, name, keep) in enumerate(parts):
@@ -63,6 +64,25 @@ def cross_checks(
         _jackknife([c.boresight for c in found if c.kind == "target"]),
         result.sigma,
     )
+
+
+def _without_unseen(
+    observations: Observations,
+    start: Mounting,
+    result: AdjustmentResult,
+    parameters: tuple[Parameter, ...],
+) -> tuple[AdjustmentResult, tuple[Parameter, ...]]:
+    """The answer as it would be with what the geometry does not see held.
+
+    The stated sigma of such a value goes into those of the angles, of every part alike: the parts
+    could differ by far more than the data allow and still seem to agree.
+    """
+    unseen = {each.name for each in result.parameters if each.value is None}
+    seen = tuple(each for each in parameters if each.name not in unseen)
+    if not any(each.name in unseen and each.prior_sigma is not None for each in result.parameters):
+        return result, seen
+    whole = adjust(observations, start, result.model, parameters=seen, diagnostics=False)
+    return replace(result, covariance_all=whole.covariance_all, estimated=whole.estimated), seen
 
 
 def _left_out(observations: Observations) -> Iterator[Part]:

@@ -196,7 +196,7 @@ def _print_rules(setup: Setup) -> None:
     convention = setup.convention
     if convention.has_angles:
         _line("", f"{convention.formula}, {DIRECTION_WORDS[convention.direction]}")
-        _line("", convention.signs)
+        _line("", setup.signs)
     _line("", f"body X {setup.axes[0]}, Y {setup.axes[1]}, Z {setup.axes[2]}")
     if setup.assumption:
         _line("", f"ASSUMED: {setup.assumption}")
@@ -222,7 +222,7 @@ def _row(label: str, values: Array, *, signed: bool = True, decimals: int = 4) -
 def _print_given(given: _Given) -> None:
     setup, mounting = given.setup, given.mounting
     convention = setup.convention
-    _line("FROM", f"{convention.name}: {STATUS_WORDS[convention.status]}")
+    _line("FROM", f"{convention.name}: {STATUS_WORDS[setup.status]}")
     _print_rules(setup)
     if convention.has_angles:
         own = state(mounting, setup, given.covariance)
@@ -246,7 +246,7 @@ def _print_stated(
 ) -> None:
     setup = stated.setup
     convention = setup.convention
-    _line("TO", f"{convention.name}: {STATUS_WORDS[convention.status]}")
+    _line("TO", f"{convention.name}: {STATUS_WORDS[setup.status]}")
     _print_rules(setup)
     if convention.key != "lispac":
         _line("", setup.scanner_words(mounting.rotation_body_lidar))
@@ -254,11 +254,11 @@ def _print_stated(
         decimals = 4 if not stated.note else 8
         print(_heads(setup))
         if correction is None:
-            print(_row(_NEW[convention.status], stated.angles, decimals=decimals))
+            print(_row(_NEW[setup.status], stated.angles, decimals=decimals))
         else:
-            _print_correction(correction, _NEW[convention.status], decimals)
+            _print_correction(correction, _NEW[setup.status], decimals)
         _print_sigmas(stated, given)
-        if convention.status != "verified":
+        if setup.status != "verified":
             _line("", CHECK_FIRST)
         if stated.note:
             _line("note", stated.note)
@@ -321,7 +321,7 @@ def _system_numbers(setup: Setup) -> dict[str, Any]:
     return {
         "system": convention.key,
         "name": convention.name,
-        "status": convention.status,
+        "status": setup.status,
         "assumption": setup.assumption,
         "source": convention.source,
         "angles": [{"name": turn.name, "meaning": turn.meaning} for turn in convention.turns],

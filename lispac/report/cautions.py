@@ -9,6 +9,9 @@ from lispac.report.quality_cautions import cross_check_cautions, quality_caution
 from lispac.report.values import Caution, Chi2, ReportContent, ValidationPlane, mild, serious
 from lispac.report.wording import listed, parameter, signed, title
 
+LARGE_SIGMA_DEG = 0.1
+"""An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
+
 HIGH_CORRELATION = 0.9
 """Beyond it two angles are told apart mostly by their sum or difference."""
 
@@ -58,7 +61,9 @@ def _fit(content: ReportContent) -> Iterator[Caution]:
     if content.adjustment is None:
         return
     independent = content.settings.pos_errors == "independent"
-    yield from _chi_square(content.adjustment.chi_square, independent)
+    noisy = any(target.noise_factor > 1 for target in content.adjustment.targets)
+    yield from _chi_square(content.adjustment.chi_square, independent, noisy)
+    yield from _large_sigmas(content)
     if independent:
         yield serious(
             "independent_pos_errors",
@@ -82,7 +87,32 @@ def _fit(content: ReportContent) -> Iterator[Caution]:
                 )
 
 
-def _chi_square(test: Chi2, independent: bool) -> Iterator[Caution]:
+def _large_sigmas(content: ReportContent) -> Iterator[Caution]:
+    large = [
+        f"{angle.name} to {angle.sigma_deg:.2f} deg"
+        for angle in content.angles
+        if angle.sigma_deg is not None and angle.sigma_deg > LARGE_SIGMA_DEG
+    ]
+    if not large:
+        return
+    assert content.adjustment is not None
+    unseen = [
+        parameter(each.name)
+        for each in content.adjustment.parameters
+        if each.value is None and each.prior_sigma is not None
+    ]
+    because = (
+        f" What these lines and targets do not see goes into it: {listed(unseen)}. Know it better, "
+        "or hold it."
+        if unseen
+        else " Add targets of other inclinations, or lines in other directions."
+    )
+    known = listed(large)
+    yield serious("large_sigma", f"Known only with a large sigma: {known} (1 sigma).{because}")
+
+
+def _chi_square(test: Chi2, independent: bool, noisy: bool) -> Iterator[Caution]:
+    used = "The sigmas of the angles are computed with the noise found. " if noisy else ""
     if test.passed is None:
         yield serious(
             "no_redundancy",
@@ -101,8 +131,7 @@ def _chi_square(test: Chi2, independent: bool) -> Iterator[Caution]:
             yield mild(
                 "chi_square_high",
                 "The chi-square test failed: the residuals are larger than the stated sigmas "
-                "allow. The sigmas of the angles are computed with the noise found in the "
-                "residuals; correct the stated ones, or look for stray points.",
+                f"allow. {used}Correct the stated ones, or look for stray points.",
             )
     else:
         yield mild(

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lispac
+from lispac.adjustment.critical import critical_w
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress, part
@@ -18,7 +19,6 @@ from lispac.project import Project, Target
 from lispac.report.cautions import cautions_of
 from lispac.report.diagnostics import (
     components_of,
-    critical_w,
     cross_checked,
     number,
     parameters_of,
@@ -220,8 +220,12 @@ def _chi_square(result: AdjustmentResult) -> Chi2:
     elif test.statistic > test.upper:
         words = "Failed: the residuals are larger than the stated sigmas allow. "
         words += (
-            "A LiDAR sigma stated too small, a rough target or stray points do that. The sigmas of "
-            "the angles are computed with the noise found in the residuals."
+            "A LiDAR sigma stated too small, a rough target or stray points do that."
+            + (
+                " The sigmas of the angles are computed with the noise found in the residuals."
+                if any(target.noise > 1 for target in result.targets)
+                else ""
+            )
             if result.model.correlated
             else "Either those are too small, or a target is not one plane on all lines; the "
             "sigmas of the angles are then too small as well."

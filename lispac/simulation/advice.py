@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.problem import Problem
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.shapes import points_local
@@ -47,13 +48,19 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
     Sigmas follow from the geometry alone: the same model and Jacobians as in the adjustment.
     """
     shapes = np.stack([target.plane for target in result.targets])
+    # What is held without a sigma takes no part; what no line sees keeps its stated one.
+    parameters = tuple(
+        Parameter(each.name, each.prior_sigma)
+        for each in result.parameters
+        if each.value is not None or each.prior_sigma is not None
+    )
     found = []
     with one_thread():
         for heading in HEADINGS:
             added = _with_line(observations, result, float(heading))
             if added is None:
                 continue
-            problem = Problem.of(added, result.mounting, result.model)
+            problem = Problem.of(added, result.mounting, result.model, parameters)
             noise = np.array([target.noise for target in result.targets])
             problem = replace(problem, noise=noise).with_surface(max(result.surface, 1e-5))
             state = problem.start(result.mounting, shapes)

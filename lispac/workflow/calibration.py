@@ -11,7 +11,7 @@ from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
-from lispac.errors import AdjustmentError
+from lispac.errors import AdjustmentError, RankDeficient
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
 from lispac.simulation.advice import advice
@@ -55,20 +55,24 @@ def observations_of(
     ------
     AdjustmentError
         Where no target, or a target on one line only, is left.
+    RankDeficient
+        Where there is one line only.
     """
     settings = settings or project.settings
     averages = settings.pos_errors == "correlated"
     sightings: list[Sighting] = []
     indices = []
     radii = {}
+    _require_two_lines(project)
     for target in project.of_role("target"):
         used = target.used_sightings
         if not target.used:
             continue
         if len(used) < 2:
             where = f"on line {used[0].line} only" if used else "on no line"
+            other = "tick" if len(target.sightings) > len(used) else "seed it on"
             raise AdjustmentError(
-                f"Target {target.name} is seen {where}, so nothing compares it; seed it on another "
+                f"Target {target.name} is used {where}, so nothing compares it; {other} another "
                 "line or leave the target out."
             )
         if target.shape == "sphere":
@@ -113,6 +117,20 @@ def observations_of(
         longest=settings.stochastic_model.knot_interval,
         strays_apart=settings.stochastic_model.loss != "none",
     )
+
+
+def _require_two_lines(project: Project) -> None:
+    lines = {
+        sighting.line
+        for target in project.of_role("target")
+        if target.used
+        for sighting in target.used_sightings
+    }
+    if len(lines) == 1:
+        raise RankDeficient(
+            f"All sightings are on line {lines.pop()}: a surface seen once fits any boresight. Add "
+            "lines in other directions over the same targets."
+        )
 
 
 def _lidar_sigma(points_lidar: Array, settings: Settings) -> Array:

@@ -269,8 +269,8 @@ def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
     first = estimated.lines[0].name
     refusal = driver.window.results.refusal
     assert refusal.isVisible()
-    assert f"Target T1 is seen on line {first} only" in refusal.text()
-    assert "T1 is seen" in driver.window.task_bar.currentMessage()
+    assert f"Target T1 is used on line {first} only" in refusal.text()
+    assert "T1 is used" in driver.window.task_bar.currentMessage()
     assert sentence(driver, 2) == "not estimated"
     assert driver.dialogs.errors == []
     assert driver.project.result is None

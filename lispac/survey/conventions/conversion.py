@@ -13,7 +13,7 @@ from lispac.survey.conventions.axes import (
     in_words,
     nearest_axes,
 )
-from lispac.survey.conventions.systems import LISPAC, SCANNER_WORDS, Convention, Scanner
+from lispac.survey.conventions.systems import LISPAC, SCANNER_WORDS, Convention, Scanner, Status
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -53,6 +53,24 @@ class Setup:
         return self.scanner or self.convention.scanner
 
     @property
+    def as_documented(self) -> bool:
+        """Whether nothing was stated that the convention itself says otherwise."""
+        axes_kept = self.convention.open_axes or self.axes == self.convention.axes
+        return axes_kept and self.scanner_frame == self.convention.scanner
+
+    @property
+    def status(self) -> Status:
+        """How sure the convention is, as it is used here."""
+        return self.convention.status if self.as_documented else "unverified"
+
+    @property
+    def signs(self) -> str:
+        """The signs of the angles in words, where the body axes are those they are known for."""
+        if self.axes == self.convention.axes:
+            return self.convention.signs
+        return "the signs follow from the axes stated, by the right-hand rule"
+
+    @property
     def permutation(self) -> Array:
         """Matrix from this program's body axes to the system's, shape (3, 3)."""
         return axes_matrix(self.axes)
@@ -87,6 +105,8 @@ class Setup:
     def assumption(self) -> str:
         """What is assumed about the system, to be shown with every number; may be empty."""
         text = self.convention.assumption
+        if not self.as_documented:
+            text += " Axes were stated that are not those of its documentation."
         if self.convention.open_axes and self.body_axes is None:
             text += f" Nothing was stated, so they are taken as {in_words(self.axes)}."
         return text

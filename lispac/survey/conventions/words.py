@@ -66,7 +66,11 @@ def offsets_words(mounting: Mounting) -> str:
         ("scan-angle offset", mounting.scan_angle_offset, float(np.degrees(1.0)), "deg"),
         ("latency", mounting.latency, 1000.0, "ms"),
     )
-    parts = [f"{name} {value * scale:+.4f} {unit}" for name, value, scale, unit in offsets if value]
+    parts = [
+        f"{name} {value * scale:+.4f} {unit}"
+        for name, value, scale, unit in offsets
+        if round(value * scale, 4)
+    ]
     if not parts:
         return ""
     return f"The boresight holds together with {_listed(parts)}: apply that there too."
