@@ -139,9 +139,9 @@ def require_within_reach(points_lidar: Array, recovery: Recovery) -> None:
     if 2 * np.count_nonzero(near) < len(near):
         half = "Half" if recovery.path is None else f"{recovery.path}: half"
         raise InputError(
-            f"{half} of the points come out farther than {FARTHEST / 1000:,.0f} km from the scanner "
-            f"with {recovery.system.name}: check the coordinate system and its unit, and that "
-            "points and trajectory share one time base."
+            f"{half} of the points come out farther than {FARTHEST / 1000:,.0f} km from the "
+            f"scanner with {recovery.system.name}: check the coordinate system and its unit, and "
+            "that points and trajectory share one time base."
         )
 
 
