@@ -91,7 +91,10 @@ def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, li
     if command == "benchmark":
         options = ["tests/benchmarks", "--benchmark-enable", "--capture=no", "-m", ""]
         return [("benchmarks", [*pytest, *options, *arguments])]
-    return [*lint_commands(), ("pytest", [*pytest, *arguments])]
+    # Whole files go to each process: their tests share data that take long to make. Chosen tests
+    # run one by one, so that they can be looked into.
+    chosen = arguments or ["--numprocesses=2", "--dist=loadfile"]
+    return [*lint_commands(), ("pytest", [*pytest, *chosen])]
 
 
 def run_checks(commands: Sequence[tuple[str, list[str]]], variables: Mapping[str, str]) -> int:

@@ -21,6 +21,7 @@ from lispac.survey.georeferencing import Mounting
 from lispac.survey.source import USUAL
 from lispac.survey.source import LineSource as LineSource
 from lispac.survey.source import Reading as Reading
+from lispac.survey.trajectory import LONGEST_GAP
 from lispac.validation.comparison import PlaneComparison
 
 Role = Literal["target", "validation"]
@@ -56,6 +57,8 @@ class Settings:
     loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` in thesis mode
     parameters : values of the mounting to estimate besides the boresight
     variance_components : whether to estimate how large LiDAR and POS errors really are
+    longest_gap : seconds between two states of the trajectory that may be bridged; points in longer
+        gaps are left out
     """
 
     lever_arm: Triple
@@ -77,6 +80,7 @@ class Settings:
     loss: LossName | None = None
     parameters: tuple[Parameter, ...] = ()
     variance_components: bool = False
+    longest_gap: float = LONGEST_GAP
 
     @property
     def stochastic_model(self) -> StochasticModel:
@@ -113,6 +117,7 @@ class Settings:
             "latency": (self.latency,),
             "correlation time": (self.position_time, self.attitude_time),
             "surface sigma": (self.surface or 0.0,),
+            "longest gap": (self.longest_gap,),
         }
         for name, values in numbers.items():
             if not np.isfinite(values).all():
@@ -132,6 +137,8 @@ class Settings:
             raise InputError("A correlation time must be larger than zero seconds; correct it.")
         if self.surface is not None and self.surface < 0:
             raise InputError("The surface sigma is negative; correct it.")
+        if not self.longest_gap > 0:
+            raise InputError("The longest gap bridged must be longer than zero seconds.")
         if self.loss is not None and self.loss not in LOSSES:
             raise InputError(f"There is no loss named {self.loss}.")
         if abs(self.latency) > 10 or abs(self.range_offset) > 10:

@@ -94,7 +94,12 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     planes = answer(capsys, "validate", project)["planes"]
     assert [plane["name"] for plane in planes] == ["V1"]
 
-    code, out, _ = run(capsys, "georeference", project, "--output", tmp_path / "out")
+    assert "is the UTM zone of the trajectory" in refused(
+        capsys, "georeference", project, "--output", tmp_path / "out"
+    )
+    code, out, _ = run(
+        capsys, "georeference", project, "--output", tmp_path / "out", "--crs", "EPSG:32619"
+    )
     assert code == 0
     assert len(list((tmp_path / "out").glob("*_estimated.laz"))) == 6
     for ending in (".html", ".pdf", ".json"):

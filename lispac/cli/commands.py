@@ -13,11 +13,15 @@ from lispac.cli.angles import angles as angles
 from lispac.cli.console import ConsoleProgress, has_display, print_json
 from lispac.cli.estimate import DEFAULT_LIDAR_SIGMA, print_result, project_numbers
 from lispac.cli.estimate import estimate as estimate
+from lispac.cli.export import export as export
+from lispac.cli.georeference import georeference as georeference
+from lispac.cli.import_lines import import_lines as import_lines
 from lispac.cli.look import look as look
 from lispac.cli.pick import pick as pick
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.workflow import demo as demo_survey
-from lispac.workflow import export, projects
+from lispac.workflow import projects
+from lispac.workflow.export import write_report
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate as compare
 
@@ -27,8 +31,8 @@ def demo(arguments: Namespace) -> None:
     with ConsoleProgress() as progress:
         project, survey = demo_survey.run_demo(arguments.output, progress=progress)
         report = project.folder / "report.pdf"
-        export.write_report(project, survey, report)
-        export.write_report(project, survey, report.with_suffix(".html"))
+        write_report(project, survey, report)
+        write_report(project, survey, report.with_suffix(".html"))
     if arguments.json:
         truth = dict(zip(ANGLES, project.truth_deg or (), strict=True))
         print_json(project_numbers(project) | {"truth_deg": truth}
@@ -110,22 +114,11 @@ def validate(arguments: Namespace) -> None:
         _print_validation(project)
 
 
-def georeference(arguments: Namespace) -> None:
-    """Write the lines in the local frame."""
-    project, survey = _open(arguments.project)
-    with ConsoleProgress() as progress:
-        paths = export.georeference_lines(
-            project, survey, arguments.output, arguments.boresight, progress=progress
-        )
-    for path in paths:
-        print(path)
-
-
 def report(arguments: Namespace) -> None:
     """Write the report."""
     project, survey = _open(arguments.project)
     with ConsoleProgress() as progress:
-        export.write_report(project, survey, arguments.output, progress=progress)
+        write_report(project, survey, arguments.output, progress=progress)
     print(arguments.output)
 
 

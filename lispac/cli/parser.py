@@ -31,10 +31,12 @@ def build_parser() -> argparse.ArgumentParser:
     _demo(commands)
     _look(commands)
     _new(commands)
+    _import(commands)
     _pick(commands)
     _estimate(commands)
     _validate(commands)
     _georeference(commands)
+    _export(commands)
     _report(commands)
     _angles(commands)
     return parser
@@ -119,6 +121,24 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="columns of text lines from the left, e.g. time,x,y,z,intensity",
     )
     _json(new)
+
+
+def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
+    imported = _command(
+        commands, "import", "keep the lines of a project in its folder, ordered in space"
+    )
+    imported.set_defaults(command="import_lines")  # import is a word of the language
+    imported.add_argument("project", type=Path, metavar="PROJECT")
+    imported.add_argument(
+        "--lines", nargs="+", default=[], metavar="NAME", help="these lines only (default all)"
+    )
+    imported.add_argument(
+        "--again", action="store_true", help="import lines that are imported already, too"
+    )
+    imported.add_argument(
+        "--check", action="store_true", help="read all of what is imported and compare checksums"
+    )
+    _json(imported)
 
 
 def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -227,10 +247,56 @@ def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
-    georeference = _command(commands, "georeference", "write the lines in the local frame as LAZ")
+    georeference = _command(
+        commands, "georeference", "write the lines on the map as LAZ with all their attributes"
+    )
     georeference.add_argument("project", type=Path, metavar="PROJECT")
     georeference.add_argument("--output", type=Path, required=True, metavar="DIR")
     georeference.add_argument("--boresight", choices=("prior", "estimated"), default="estimated")
+    _system(georeference, "that of the lines where they are georeferenced")
+    georeference.add_argument(
+        "--lines", nargs="+", metavar="NAME", help="these lines only (default all)"
+    )
+    georeference.add_argument("--format", choices=("laz", "las"), default="laz")
+    _json(georeference)
+
+
+def _system(parser: argparse.ArgumentParser, default: str) -> None:
+    parser.add_argument(
+        "--crs", default="", metavar="CODE",
+        help="coordinate system: EPSG code (EPSG:32619, EPSG:6347+5703) or WKT, or local for "
+        f"North, West, Up (default {default})",
+    )  # fmt: skip
+    parser.add_argument(
+        "--height", default="", metavar="WHAT",
+        help="what heights count from: ellipsoid, EPSG code of a vertical system, or the path of "
+        "a geoid grid (default: as --crs says, else the ellipsoid)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--trajectory-datum", default="", metavar="CODE",
+        help="geographic system of the trajectory where it is not that of --crs, e.g. EPSG:7912",
+    )  # fmt: skip
+    parser.add_argument(
+        "--epoch", type=_finite, metavar="YEAR", help="date of the survey where datums drift apart"
+    )
+
+
+def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
+    export = _command(commands, "export", "write targets or the trajectory for other programs")
+    export.add_argument("project", type=Path, metavar="PROJECT")
+    export.add_argument("--what", choices=("targets", "planes", "trajectory"), required=True)
+    export.add_argument(
+        "--output", type=Path, required=True, metavar="PATH", help="folder; file for the trajectory"
+    )
+    export.add_argument(
+        "--format", choices=("laz", "las", "csv", "sbet", "text"),
+        help="of targets laz (default), las or csv; of the trajectory sbet (default) or text; "
+        "planes are text of 25 columns",
+    )  # fmt: skip
+    export.add_argument("--boresight", choices=("prior", "estimated"), default="estimated")
+    export.add_argument("--targets", nargs="+", metavar="NAME", help="these only (default all)")
+    _system(export, "local")
+    _json(export)
 
 
 def _report(commands: "Commands[argparse.ArgumentParser]") -> None:

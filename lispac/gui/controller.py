@@ -6,7 +6,6 @@ from PySide6.QtCore import QObject, QStandardPaths, Signal
 
 from lispac.errors import LispacError
 from lispac.gui import edits
-from lispac.gui.dialogs.new_project import NewProjectRequest
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene
@@ -15,6 +14,7 @@ from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.progress import Progress, part
 from lispac.project import Project, Role, Settings, Shape, Target
+from lispac.workflow.intake import ImportRequest
 from lispac.workflow.survey import Survey, load_survey
 
 Opened = tuple[Project, Survey]
@@ -44,6 +44,11 @@ class Controller(QObject):
         self.candidate: Target | None = None
         document.changed.connect(self._follow)
 
+    @property
+    def busy(self) -> bool:
+        """Whether work runs that somebody waits for."""
+        return self._runner.busy
+
     # -- the project's life ------------------------------------------------------------------
 
     def open(self, path: Path) -> None:
@@ -59,7 +64,7 @@ class Controller(QObject):
 
         self._runner.run(f"Opening {path.name}", work, self._opened)
 
-    def create(self, request: NewProjectRequest) -> None:
+    def create(self, request: ImportRequest) -> None:
         """Make a project and open it."""
 
         def work(progress: Progress) -> Opened:
@@ -71,6 +76,8 @@ class Controller(QObject):
                 lines=request.lines,
                 settings=request.settings,
                 accuracy=request.accuracy,
+                trajectory_reading=request.trajectory_reading,
+                accuracy_reading=request.accuracy_reading,
                 progress=progress,
             )
 

@@ -1,5 +1,6 @@
 """The life of a project in the window: what is asked before it is opened, computed or left."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QObject
@@ -12,6 +13,7 @@ from lispac.gui.document import Document
 from lispac.gui.estimating import Estimating
 from lispac.gui.settings import AppSettings
 from lispac.project import Settings
+from lispac.workflow.intake import project_among
 
 
 class ProjectLife(QObject):
@@ -46,12 +48,27 @@ class ProjectLife(QObject):
         if self.may_leave():
             self._controller.open(path)
 
-    def new(self) -> None:
-        """Ask what a new project holds, and make it."""
+    def new(self, paths: Sequence[Path] = ()) -> None:
+        """Ask what a new project holds, and make it; ``paths`` are files to begin with."""
         if self.may_leave():
-            request = self._dialogs.new_project()
-            if request is not None:
-                self._controller.create(request)
+            answer = self._dialogs.new_project(self._settings, paths)
+            if isinstance(answer, Path):
+                self._controller.open(answer)
+            elif answer is not None:
+                self._controller.create(answer)
+
+    def take_in(self, paths: Sequence[Path]) -> None:
+        """Files were dropped on the window: a project is opened, others are imported."""
+        if self._controller.busy:
+            self._controller.noted.emit(
+                "Wait until the running task has ended, then drop the files again"
+            )
+            return
+        project = project_among(paths)
+        if project is not None:
+            self.open_project(project)
+        else:
+            self.new(paths)
 
     def open(self) -> None:
         """Ask for a project, and open it."""

@@ -12,6 +12,7 @@ from lispac.gui.computing import Computing, PointCount
 from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
+from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
 from lispac.gui.life import ProjectLife
 from lispac.gui.panels.adjust import AdjustPanel
@@ -81,6 +82,7 @@ class MainWindow(QMainWindow):
         self._join_panels()
         self._join_actions()
         self._join_work()
+        FileDrops(self).dropped.connect(self.life.take_in)
         viewport.set_point_size(self.settings.point_size)
         self._refresh()
 

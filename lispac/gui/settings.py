@@ -1,5 +1,6 @@
 """What the window remembers between two runs."""
 
+import json
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings, QStandardPaths
@@ -51,6 +52,20 @@ class AppSettings:
         """Remember geometry and dock state."""
         self._store.setValue("geometry", geometry)
         self._store.setValue("docks", state)
+
+    def column_mappings(self) -> dict[str, str]:
+        """Columns chosen for text files, by their layout."""
+        try:
+            stored = json.loads(str(self._store.value("columns", "{}")))
+        except ValueError:
+            return {}
+        return {str(k): str(v) for k, v in stored.items()} if isinstance(stored, dict) else {}
+
+    def keep_column_mappings(self, mappings: dict[str, str]) -> None:
+        """Remember columns for the next file laid out alike."""
+        if mappings:
+            kept = self.column_mappings() | mappings
+            self._store.setValue("columns", json.dumps(kept))
 
     @property
     def point_size(self) -> int:

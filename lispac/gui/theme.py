@@ -154,6 +154,13 @@ QLabel[role="warning"] {{ color: #6d3703; background: #fdf1e3; border: 1px solid
     border-radius: 5px; padding: 7px 9px; }}
 QLabel[role="hint"] {{ color: #123f72; background: #e9f1fa; border: 1px solid #cfe0f2;
     border-radius: 5px; padding: 7px 9px; }}
+QFrame[role="drop"] {{ background: #ffffff; border: 2px dashed #9fb4ca; border-radius: 10px; }}
+QTabWidget::pane {{ border: 1px solid {BORDER}; background: #fbfcfd; top: -1px; }}
+QTabWidget > QTabBar::tab {{ padding: 6px 14px; background: transparent; border: none;
+    border-bottom: 3px solid transparent; color: {MUTED}; }}
+QTabWidget > QTabBar::tab:selected {{ color: {TEXT}; border-bottom-color: {ACCENT}; }}
+QTabWidget > QTabBar::tab:hover {{ background: #e8eef5; }}
+QTabWidget > QTabBar::tab:focus {{ color: {ACCENT}; }}
 QLineEdit[wrong="true"] {{ background: #fdeceb; border: 1px solid {ERROR}; border-radius: 2px; }}
 QFrame[role="candidate"] {{ background: #fff8df; border: 1px solid #e6c65c; border-radius: 5px; }}
 QTableView, QListView {{ border: 1px solid {BORDER}; gridline-color: #e6eaee;

@@ -5,6 +5,7 @@ the next file of the same kind is read without asking.
 """
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -132,7 +133,7 @@ def look_ascii(path: Path, choice: Choice) -> Finding:
     found = DEFAULTS | detected | dict(choice)
     layout = layout_of(path, found)
     finding = look_at_text(path, layout, _conventions(found), found)
-    return Finding(finding.facts, finding.rows, found, (*doubts, *finding.doubts))
+    return replace(finding, choice=found, doubts=(*doubts, *finding.doubts))
 
 
 def read_ascii(path: Path, choice: Choice) -> Trajectory:

@@ -12,6 +12,7 @@ are roll positive port side up and pitch positive bow down.
 """
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
@@ -169,7 +170,7 @@ def look_exail(path: Path, choice: Choice) -> Finding:
             )
     if any(column.unit == "clock" for column in layout.columns) and "time" not in choice:
         doubts.append("The header does not say whether its times are UTC; UTC is taken.")
-    return Finding(finding.facts, finding.rows, found, tuple(doubts))
+    return replace(finding, choice=found, doubts=tuple(doubts))
 
 
 def read_exail(path: Path, choice: Choice) -> Trajectory:

@@ -1,5 +1,6 @@
 """Opening files with plain errors, and writing them so that a crash leaves no half."""
 
+import errno
 import os
 import tempfile
 from collections.abc import Iterator
@@ -65,7 +66,7 @@ def read_records(
     if bad.any():
         raise InputError(
             f"{path}: {what} record {int(np.argmax(bad)) + 1:,} holds a value that is not a "
-            f"number ({int(bad.sum()):,} such records); export it again."
+            f"number ({such(int(bad.sum()), 'record')}); export it again."
         )
     return records.astype(np.float64, copy=False)
 
@@ -108,16 +109,24 @@ def require_increasing(
     )
 
 
+def such(count: int, noun: str) -> str:
+    """How many of them there are: ``1 such point``, ``2 such points``."""
+    return f"{count:,} such {noun}{'' if count == 1 else 's'}"
+
+
 @contextmanager
 def written_whole(path: Path) -> Iterator[Path]:
     """Yield a temporary name beside ``path`` and rename it to ``path`` when all went well.
 
+    Where it did not, neither the file nor a folder made for it is left.
+
     Raises
     ------
     InputError
-        Where the folder cannot be written.
+        Where the folder cannot be written, or the disk is full.
     """
     path = Path(path)
+    made = [folder for folder in path.parents if not folder.exists()]
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(
@@ -125,9 +134,8 @@ def written_whole(path: Path) -> Iterator[Path]:
         )
         os.close(handle)
     except OSError as error:
-        raise InputError(
-            f"{path}: cannot be written ({error.strerror}); choose another folder."
-        ) from error
+        _remove_empty(made)
+        raise _not_written(path, error) from error
     temporary = Path(name)
     try:
         yield temporary
@@ -137,6 +145,23 @@ def written_whole(path: Path) -> Iterator[Path]:
         temporary.chmod(0o666 & ~mask)
         temporary.replace(path)
     except OSError as error:
-        raise InputError(f"{path}: cannot be written ({error.strerror}).") from error
+        raise _not_written(path, error) from error
     finally:
         temporary.unlink(missing_ok=True)
+        _remove_empty(made)
+
+
+def _not_written(path: Path, error: OSError) -> InputError:
+    remedy = "choose another folder"
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        remedy = f"make room on the disk or {remedy}"
+    return InputError(f"{path}: cannot be written ({error.strerror or error}); {remedy}.")
+
+
+def _remove_empty(folders: list[Path]) -> None:
+    """Remove folders, the innermost first, up to one that holds something."""
+    for folder in folders:
+        try:
+            folder.rmdir()
+        except OSError:
+            return

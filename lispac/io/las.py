@@ -10,8 +10,9 @@ from lazrs import LazrsError
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.files import require_file, written_whole
+from lispac.io.files import such, written_whole
 from lispac.io.las_guard import require_sound_header
+from lispac.io.points import require_filled
 from lispac.survey.scan import Scan
 
 ASSUMPTIONS = ("LAS coordinates are metres in the LiDAR frame", "LAS gps_time is the point time")
@@ -27,7 +28,7 @@ def read_scan(path: Path) -> Scan:
     InputError
         Where the file is missing, damaged, without gps_time, or empty.
     """
-    path = require_file(Path(path), "LAS")
+    path = require_filled(Path(path), "LAS")
     require_sound_header(path)
     try:
         with laspy.open(path) as reader:
@@ -74,7 +75,7 @@ def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path:
     if bad.any():
         raise InputError(
             f"{path}: point {int(np.argmax(bad)) + 1:,} has a coordinate or time that is not a "
-            f"number ({int(bad.sum()):,} such points); clean or export it again."
+            f"number ({such(int(bad.sum()), 'point')}); clean or export it again."
         )
 
 

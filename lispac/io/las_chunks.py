@@ -1,10 +1,12 @@
 """LAS and LAZ of any kind with time, chunk by chunk with all their attributes."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 import laspy
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.las_crs import stated_system
@@ -26,12 +28,43 @@ from lispac.io.points import (
     time_base,
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.survey.kernels import scaled
 
 LARGEST_CHUNK = 1 << 28
 """Bytes of point records read at once, whatever size a header claims for one."""
 FEET_SCALES = (0.3048, 1 / 0.3048)
 BOUNDS_DOUBT = "Points lie outside the bounds that the header states: the file may be damaged."
 SHOWN = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
+
+
+class PackedColumns(Mapping[str, NDArray[Any]]):
+    """Attributes of LAS points, unpacked when asked for; as a mapping of name to array.
+
+    A record holds several attributes in one byte and extra bytes as scaled whole numbers: who
+    copies points to another LAS file takes ``record``, and nothing is unpacked or rounded.
+
+    Attributes
+    ----------
+    record : laspy.PackedPointRecord
+        The points as the file has them, coordinates and time too. Who writes them elsewhere may
+        put other coordinates in their place: those of the chunk are kept apart.
+    """
+
+    def __init__(self, record: laspy.PackedPointRecord, names: list[str]) -> None:
+        self.record = record
+        self._known: dict[str, NDArray[Any] | None] = dict.fromkeys(names)
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        values = self._known[name]
+        if values is None:
+            values = self._known[name] = np.array(self.record[name])
+        return values
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._known)
+
+    def __len__(self) -> int:
+        return len(self._known)
 
 
 @sniffer
@@ -119,14 +152,16 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
             if name not in ("X", "Y", "Z", "gps_time")
         ]  # fmt: skip
         done = 0
-        for points in reader.chunk_iterator(_rows_at_once(header)):
-            xyz = np.stack([points.x, points.y, points.z], axis=1)
+        for points in _chunks(reader, path):
+            xyz = np.empty((len(points), 3))
+            steps = (points.array[axis] for axis in "XYZ")
+            scaled(*steps, np.asarray(header.scales), np.asarray(header.offsets), xyz)
             time = np.array(points.gps_time)
             require_points(xyz, time, path, done)
             done += len(time)
             if not len(time):
                 break
-            extra = {name: np.array(points[name]) for name in others}
+            extra = PackedColumns(points, others)
             yield PointChunk(xyz * scale if scale != 1 else xyz, time, extra, header.point_count)
         if done != header.point_count:
             raise InputError(
@@ -149,6 +184,21 @@ def _opened(path: Path) -> laspy.LasReader:
         reader.close()
         raise InputError(f"{path}: this line holds no points; leave it out.")
     return reader
+
+
+def _chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleAwarePointRecord]:
+    """Points some at a time; a file that is cut meanwhile is said to be."""
+    chunks = reader.chunk_iterator(_rows_at_once(reader.header))
+    while True:
+        try:
+            points = next(chunks, None)
+        except Exception:
+            if path.exists():
+                require_sound_header(path)
+            raise
+        if points is None:
+            return
+        yield points
 
 
 def _rows_at_once(header: laspy.LasHeader) -> int:

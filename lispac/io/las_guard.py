@@ -11,6 +11,7 @@ import lazrs
 
 from lispac.errors import InputError
 
+SIGNATURE = b"LASF"
 RECORD_HEADER = 54
 LASZIP = (b"laszip encoded", 22204)
 COMPRESSED = 0x80
@@ -33,6 +34,11 @@ def require_sound_header(path: Path) -> None:
     size = path.stat().st_size
     with path.open("rb") as file:
         header = file.read(375)
+    if header[:4] != SIGNATURE:
+        raise InputError(
+            f"{path}: cannot be read as LAS or LAZ (it does not start with LASF, as these do); "
+            "check what it is, or export it again."
+        )
     if len(header) < 227:
         return  # laspy says so at once
     header_size, points_start, records = struct.unpack_from("<HII", header, 94)
@@ -43,10 +49,24 @@ def require_sound_header(path: Path) -> None:
     point_format, point_size = struct.unpack_from("<BH", header, 104)
     if sound and point_format & COMPRESSED:
         sound = _is_sound_laz(path, size, header_size, points_start, records, point_size)
+    elif sound:
+        _require_all_points(path, (size - points_start) // max(point_size, 1), header)
     if not sound:
         raise InputError(
             f"{path}: cannot be read as LAS or LAZ (its header does not fit its {size:,} bytes); "
             "copy or export it again."
+        )
+
+
+def _require_all_points(path: Path, held: int, header: bytes) -> None:
+    """Refuse a file that ends before the last point that its header promises."""
+    (promised,) = struct.unpack_from("<I", header, 107)
+    if header[24:26] == b"\x01\x04" and len(header) >= 255:
+        (promised,) = struct.unpack_from("<Q", header, 247)
+    if promised > held:
+        raise InputError(
+            f"{path}: the file ends after point {held:,} of the {promised:,} that its header "
+            "promises, so it is cut short; copy or export it again."
         )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError, LispacError
-from lispac.io.files import require_file
+from lispac.io.files import require_file, such
 from lispac.io.registry import NOT, Choice, Option
 from lispac.survey.crs import ELLIPSOID, UNITS, CoordinateSystem, coordinate_system
 from lispac.survey.time_base import KEYS, base_of, plausible
@@ -65,8 +65,13 @@ FAR = 1000.0
 """Metres beyond which a vessel's scanner hardly sees."""
 
 
-def system_of(choice: Choice) -> CoordinateSystem | None:
+def system_of(choice: Choice, path: Path | None = None) -> CoordinateSystem | None:
     """The coordinate system of settled options; None for points in the scanner frame.
+
+    Parameters
+    ----------
+    path : Path, optional
+        Of the file that the options belong to, for what is said of it.
 
     Raises
     ------
@@ -80,13 +85,20 @@ def system_of(choice: Choice) -> CoordinateSystem | None:
         year = float(epoch) if epoch else None
     except ValueError:
         raise InputError(f"{epoch}: not a date as a decimal year; 2024.5 for example.") from None
-    return coordinate_system(
-        choice[CRS.name],
-        height=choice[HEIGHT.name],
-        height_unit=choice[HEIGHT_UNIT.name],
-        trajectory_datum=choice[DATUM.name],
-        epoch=year,
-    )
+    try:
+        return coordinate_system(
+            choice[CRS.name],
+            height=choice[HEIGHT.name],
+            height_unit=choice[HEIGHT_UNIT.name],
+            trajectory_datum=choice[DATUM.name],
+            epoch=year,
+        )
+    except InputError as error:
+        if path is None:
+            raise
+        words = str(error)
+        words = f"t{words[1:]}" if words.startswith("The ") else words
+        raise InputError(f"{path}: {words}") from error
 
 
 def scale_of(choice: Choice) -> float:
@@ -198,11 +210,14 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
     ------
     InputError
     """
-    good = (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME)  # NaN is not
-    if not good.all():
+    if not (_within(xyz, LARGEST) and _within(time, LARGEST_TIME)):
+        good = (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME)
+        bad = int((~good).sum())
+        swapped = bad > len(good) / 4 and len(good) > 10
+        hint = ", as where the byte order is another one than the file says" if swapped else ""
         raise InputError(
             f"{path}: point {first + int(np.argmin(good)) + 1:,} has a coordinate or time that is "
-            f"not a usable number ({int((~good).sum()):,} such points up to here); "
+            f"not a usable number ({such(bad, 'point')} up to here{hint}); "
             "clean or export it again."
         )
     step = coarseness(time)
@@ -217,6 +232,11 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
             f"{path}: {len(time):,} points share the time {float(time[0]):.6f}; "
             "the file was written without times: export it with them."
         )
+
+
+def _within(values: NDArray[Any], limit: float) -> bool:
+    """Whether all values are numbers up to a limit; not a number is neither above nor below."""
+    return not len(values) or bool(values.min() >= -limit and values.max() <= limit)
 
 
 def coarseness(time: NDArray[Any], seconds: float = 1.0) -> float:

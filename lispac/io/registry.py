@@ -61,12 +61,15 @@ class Finding:
         Options as detected.
     doubts : tuple of str
         A sentence for each thing the user should look at before importing.
+    assumptions : tuple of str
+        What the reader takes for granted with these options: frame, unit, signs, time base.
     """
 
     facts: Mapping[str, str]
     rows: tuple[tuple[str, ...], ...] = ()
     choice: Choice = None  # type: ignore[assignment]
     doubts: tuple[str, ...] = ()
+    assumptions: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.choice is None:

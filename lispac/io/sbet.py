@@ -133,6 +133,7 @@ def _require_on_earth(
     if np.abs(latitude).max() <= limit and np.abs(longitude).max() <= around:
         return
     largest = max(np.abs(latitude).max(), np.abs(longitude).max())
+    first = int(np.argmax((np.abs(latitude) > limit) | (np.abs(longitude) > around))) + 1
     factor = np.degrees(1.0) if chosen.unit == "degrees" else 1.0
     if chosen.unit == "degrees":
         hint = "check the unit and that this is SBET"
@@ -143,8 +144,8 @@ def _require_on_earth(
     else:
         hint = "it may be of another byte order or another format: export it again"
     raise InputError(
-        f"{path}: latitude or longitude is out of range for {chosen.unit} "
-        f"(up to {factor * largest:.6g}); this is not SBET in {chosen.unit}: {hint}."
+        f"{path}: latitude or longitude is out of range for {chosen.unit} from SBET record "
+        f"{first:,} on (up to {factor * largest:.6g}); this is not SBET in {chosen.unit}: {hint}."
     )
 
 
@@ -159,7 +160,7 @@ def write_sbet(path: Path, trajectory: Trajectory) -> None:
     records[:, 8] = -trajectory.attitude[:, 1]
     records[:, 9] = trajectory.attitude[:, 2]
     with written_whole(path) as temporary:
-        records.tofile(temporary)
+        temporary.write_bytes(records.data)  # tofile hides what the system says
 
 
 def read_smrmsg(path: Path) -> TrajectoryAccuracy:
@@ -190,4 +191,4 @@ def write_smrmsg(path: Path, accuracy: TrajectoryAccuracy) -> None:
     records[:, 1:4] = accuracy.position
     records[:, 7:10] = np.degrees(accuracy.attitude) * 60
     with written_whole(path) as temporary:
-        records.tofile(temporary)
+        temporary.write_bytes(records.data)  # tofile hides what the system says

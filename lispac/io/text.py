@@ -53,7 +53,8 @@ def read_text_scan(path: Path, columns: Sequence[str]) -> Scan:
             if len(fields) < len(names):
                 raise InputError(
                     f"{path}, row {number:,}: {len(fields)} columns where {len(names)} were named "
-                    f"({', '.join(names)}); name the columns the file has."
+                    f"({', '.join(names)}); copy or export it again where it is cut short, or "
+                    "name the columns the file has."
                 )
             try:
                 rows.append([float(fields[index]) for index in indices])

@@ -255,7 +255,8 @@ def _require_width(
         row = number + 1 if len(lines) == 1 else number + 1 + _first_row(lines)
         raise InputError(
             f"{path}, row {row:,}: {len(fields)} columns where {len(names)} were named "
-            f"({', '.join(names)}); name the columns the file has."
+            f"({', '.join(names)}); copy or export it again where it is cut short, or name the "
+            "columns the file has."
         )
 
 

@@ -195,7 +195,8 @@ def columns_of(
             if len(fields) < width:
                 raise InputError(
                     f"{path}, row {row:,}: {len(fields)} columns where at least {width} are "
-                    "needed; the file is cut short or its columns are not as stated."
+                    "needed; copy or export the file again where it is cut short, or state "
+                    "its columns."
                 )
         values = [
             _parsed([fields[index] for _, fields in block], parse) for index, parse, _ in wanted

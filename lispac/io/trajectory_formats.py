@@ -75,9 +75,9 @@ def _sniff_sbet(path: Path) -> float:
 def _look_sbet(path: Path, choice: Choice) -> Finding:
     found = detect_sbet(path)
     rows = tuple(tuple(f"{value:.10g}" for value in row) for row in found.head)
-    return Finding(
-        found.facts, (SBET_COLUMNS, *rows), asdict(found.options) | dict(choice), found.doubts
-    )
+    options = asdict(found.options) | dict(choice)
+    words = SbetOptions(**options).words()
+    return Finding(found.facts, (SBET_COLUMNS, *rows), options, found.doubts, words)
 
 
 def _read_sbet(path: Path, choice: Choice) -> Trajectory:

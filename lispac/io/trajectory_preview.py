@@ -85,7 +85,7 @@ def look_at_text(
     doubts += said
     doubts += time_doubts(first.time, conventions.time)
     doubts += course_doubts([(motion, exchanged)], [first.attitude[:, 2]])
-    return Finding(facts, rows, choice, tuple(doubts))
+    return Finding(facts, rows, choice, tuple(doubts), first.assumptions)
 
 
 def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -> Finding:

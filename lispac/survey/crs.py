@@ -8,10 +8,7 @@ the sum, so unless the user says otherwise both are in the datum of the cloud an
 between datums: that is what makes the inverse exact. PROJ's network access stays off.
 """
 
-import os
 import warnings
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -34,6 +31,7 @@ from lispac.geometry.frames import (
     ecef_to_geodetic,
     geodetic_to_ecef,
 )
+from lispac.survey.blocks import in_blocks
 
 Array = NDArray[np.float64]
 Geodetic = tuple[Array, Array, Array]
@@ -42,7 +40,6 @@ UNITS = {"metre": 1.0, "foot": 0.3048, "us-survey-foot": 1200 / 3937}
 """Metres in each unit a length may be given in."""
 ELLIPSOID = "ellipsoid"
 GRID_ENDINGS = (".gtx", ".tif", ".tiff")
-BLOCK = 1 << 17  # points per call of PROJ, which releases the GIL
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,12 +58,18 @@ class CoordinateSystem:
         Of the horizontal coordinates.
     assumptions : tuple of str
         What was taken for granted, in words.
+    metres : three of float
+        Metres in each unit of x, y and height; of a degree, what it is at the equator.
+    written : pyproj.CRS
+        What a file of such points has to name: with the heights chosen, where they have a code.
     """
 
     crs: CRS
     height: str
     unit: str
     assumptions: tuple[str, ...]
+    metres: tuple[float, float, float]
+    written: CRS
     _height_factor: float
     _to_geographic: Transformer
     _to_ellipsoid: Transformer | None
@@ -83,57 +86,67 @@ class CoordinateSystem:
         """Whether horizontal coordinates are longitude and latitude in degrees."""
         return bool(self.crs.is_geographic)
 
-    def to_geodetic(self, points_crs: Array) -> Geodetic:
+    def to_geodetic(self, points_crs: Array, *, strict: bool = True) -> Geodetic:
         """Latitude, longitude (radians) and ellipsoidal height (metres) of points.
 
         Parameters
         ----------
         points_crs : ndarray of shape (n, 3)
             East, north (or longitude, latitude in degrees) and height, as LAS stores them.
+        strict : bool
+            Whether points outside are refused; otherwise they come out not finite.
 
         Raises
         ------
         InputError
             Where points lie outside what the system or its geoid grid covers.
         """
-        return _in_blocks(self._block_to_geodetic, *np.asarray(points_crs, dtype=float).T)
+        run = partial(self._block_to_geodetic, strict=strict)
+        return in_blocks(run, *np.asarray(points_crs, dtype=float).T)
 
     def to_ecef(self, points_crs: Array) -> Array:
         """Earth-centred coordinates of points, shape (n, 3), metres."""
         return geodetic_to_ecef(*self.to_geodetic(points_crs))
 
-    def to_local(self, points_crs: Array, frame: LocalFrame) -> Array:
-        """Points in the local frame, shape (n, 3), metres."""
-        return frame.to_local(*self.to_geodetic(points_crs))
+    def to_local(self, points_crs: Array, frame: LocalFrame, *, strict: bool = True) -> Array:
+        """Points in the local frame, shape (n, 3), metres; as `to_geodetic`."""
+        return frame.to_local(*self.to_geodetic(points_crs, strict=strict))
 
-    def from_geodetic(self, latitude: Array, longitude: Array, height: Array) -> Array:
-        """The inverse of `to_geodetic`, shape (n, 3)."""
-        return np.stack(_in_blocks(self._block_from_geodetic, latitude, longitude, height), axis=-1)
+    def from_geodetic(
+        self, latitude: Array, longitude: Array, height: Array, *, strict: bool = True
+    ) -> Array:
+        """The inverse of `to_geodetic`, shape (n, 3); not finite outside unless ``strict``."""
+        run = partial(self._block_from_geodetic, strict=strict)
+        return np.stack(in_blocks(run, latitude, longitude, height), axis=-1)
 
     def from_ecef(self, points_ecef: Array) -> Array:
         """The inverse of `to_ecef`, shape (n, 3)."""
         return self.from_geodetic(*ecef_to_geodetic(points_ecef))
 
-    def from_local(self, points_local: Array, frame: LocalFrame) -> Array:
-        """The inverse of `to_local`, shape (n, 3)."""
-        return self.from_geodetic(*frame.to_geodetic(points_local))
+    def from_local(self, points_local: Array, frame: LocalFrame, *, strict: bool = True) -> Array:
+        """The inverse of `to_local`, shape (n, 3); not finite outside unless ``strict``."""
+        return self.from_geodetic(*frame.to_geodetic(points_local), strict=strict)
 
-    def _block_to_geodetic(self, x: Array, y: Array, z: Array) -> Geodetic:
+    def _block_to_geodetic(self, x: Array, y: Array, z: Array, *, strict: bool = True) -> Geodetic:
         place = self._transform(self._to_geographic, (x, y, z * self._height_factor))
         if self._to_ellipsoid is not None:
             place = self._transform(self._to_ellipsoid, place)
         longitude, latitude, height = place
-        self._require_inside(place, (x, y, z))
+        if strict:
+            self._require_inside(place, (x, y, z))
         return np.radians(latitude), np.radians(longitude), height
 
-    def _block_from_geodetic(self, latitude: Array, longitude: Array, height: Array) -> Geodetic:
+    def _block_from_geodetic(
+        self, latitude: Array, longitude: Array, height: Array, *, strict: bool = True
+    ) -> Geodetic:
         given = (np.degrees(longitude), np.degrees(latitude), height)
         back = TransformDirection.INVERSE
         place = given
         if self._to_ellipsoid is not None:
             place = self._transform(self._to_ellipsoid, place, back)
         x, y, z = self._transform(self._to_geographic, place, back)
-        self._require_inside((x, y, z), given)
+        if strict:
+            self._require_inside((x, y, z), given)
         return x, y, z / self._height_factor
 
     def _transform(
@@ -237,6 +250,8 @@ def _settled(
         height=f"{above} ({unit})",
         unit=horizontal.axis_info[0].unit_name,
         assumptions=tuple(assumptions),
+        metres=_metres(horizontal, source, factor),
+        written=crs if not height else horizontal if vertical is None else source,
         _height_factor=factor,
         _to_geographic=to_geographic,
         _to_ellipsoid=None if grid is None else _geoid(grid),
@@ -298,6 +313,13 @@ def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]
     if len(crs.axis_info) < 3 and not crs.is_geographic:
         return first.unit_conversion_factor / own, first.unit_name
     return 1.0, source.axis_info[-1].unit_name
+
+
+def _metres(horizontal: CRS, source: CRS, factor: float) -> tuple[float, float, float]:
+    across = horizontal.axis_info[0].unit_conversion_factor
+    if horizontal.is_geographic:
+        across *= SEMI_MAJOR_AXIS
+    return across, across, factor * source.axis_info[-1].unit_conversion_factor
 
 
 def _target(horizontal: CRS, trajectory_datum: str) -> CRS:
@@ -369,23 +391,3 @@ def _geoid(grid: Path) -> Transformer:
         raise InputError(
             f"{grid}: cannot be read as a geoid grid; give a .gtx or GeoTIFF grid of PROJ."
         ) from error
-
-
-def _in_blocks(run: Callable[[Array, Array, Array], Geodetic], *axes: Array) -> Geodetic:
-    """Run over blocks on all cores."""
-    count = len(axes[0])
-    if count <= BLOCK:
-        return run(*(np.ascontiguousarray(axis) for axis in axes))
-    result = tuple(np.empty(count) for _ in range(3))
-
-    def one(start: int) -> None:
-        rows = slice(start, start + BLOCK)
-        for whole, some in zip(
-            result, run(*(np.ascontiguousarray(axis[rows]) for axis in axes)), strict=True
-        ):
-            whole[rows] = some
-
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for _ in pool.map(partial(one), range(0, count, BLOCK)):
-            pass
-    return result[0], result[1], result[2]

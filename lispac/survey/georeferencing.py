@@ -9,12 +9,12 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.progress import Progress, no_progress
+from lispac.survey import kernels
 from lispac.survey.trajectory import LocalTrajectory, Poses
 
 Array = NDArray[np.float64]
@@ -146,67 +146,44 @@ def georeference(
         Where a time lies outside the trajectory.
     """
     points_lidar = np.ascontiguousarray(mounting.corrected(points_lidar), dtype=np.float64)
-    time = np.ascontiguousarray(time + mounting.latency, dtype=np.float64)
+    time = np.ascontiguousarray(time, dtype=np.float64)
     points_local = np.empty_like(points_lidar)
-    states = np.ascontiguousarray(np.hstack([trajectory.position, trajectory.attitude]))
-    knots = np.ascontiguousarray(trajectory.time)
-    rotation, lever_arm = mounting.rotation_body_lidar, np.asarray(mounting.lever_arm, dtype=float)
+    passage = kernel_arguments(trajectory, mounting)
 
     def run(start: int) -> bool:
         chunk = slice(start, start + CHUNK)
         return bool(
-            _georeference(
-                points_lidar[chunk], time[chunk], knots, states, rotation, lever_arm,
-                points_local[chunk],
-            )
-        )  # fmt: skip
+            kernels.georeferenced(points_lidar[chunk], time[chunk], *passage, points_local[chunk])
+        )
 
     starts = range(0, len(time), CHUNK)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for done, inside in enumerate(pool.map(run, starts)):
             if not inside:
                 pool.shutdown(cancel_futures=True)
-                raise InputError(
-                    f"Points from {np.min(time):.3f} to {np.max(time):.3f} s lie outside the "
-                    f"trajectory ({knots[0]:.3f} to {knots[-1]:.3f} s): "
-                    "check that both use the same time base."
-                )
+                raise outside(time + mounting.latency, trajectory)
             progress((done + 1) / len(starts))
     return points_local
 
 
-@njit(nogil=True, cache=True)
-def _georeference(points_lidar, time, knots, states, rotation, lever_arm, points_local):  # type: ignore[no-untyped-def]
-    last = len(knots) - 2
-    k = 0
-    for i in range(len(time)):
-        t = time[i]
-        if not (knots[0] <= t <= knots[-1]):
-            return False
-        # Times mostly increase, so the interval of the last point or the next one holds; a
-        # jump is found by bisection.
-        if not (knots[k] <= t <= knots[k + 1]):
-            if k < last and knots[k + 1] <= t <= knots[k + 2]:
-                k += 1
-            else:
-                k = min(max(np.searchsorted(knots, t) - 1, 0), last)
-        u = (t - knots[k]) / (knots[k + 1] - knots[k])
-        low, high = states[k], states[k + 1]
-        roll = low[3] + u * (high[3] - low[3])
-        pitch = low[4] + u * (high[4] - low[4])
-        heading = low[5] + u * (high[5] - low[5])
-        x, y, z = points_lidar[i, 0], points_lidar[i, 1], points_lidar[i, 2]
-        bx = rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z + lever_arm[0]
-        by = rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z + lever_arm[1]
-        bz = rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z + lever_arm[2]
-        # Rx(roll), Ry(pitch), Rz(-heading), one after the other
-        c, s = np.cos(roll), np.sin(roll)
-        by, bz = c * by - s * bz, s * by + c * bz
-        c, s = np.cos(pitch), np.sin(pitch)
-        bx, bz = c * bx + s * bz, -s * bx + c * bz
-        c, s = np.cos(heading), np.sin(heading)
-        bx, by = c * bx + s * by, -s * bx + c * by
-        points_local[i, 0] = low[0] + u * (high[0] - low[0]) + bx
-        points_local[i, 1] = low[1] + u * (high[1] - low[1]) + by
-        points_local[i, 2] = low[2] + u * (high[2] - low[2]) + bz
-    return True
+def kernel_arguments(
+    trajectory: LocalTrajectory, mounting: Mounting
+) -> tuple[float, Array, Array, Array, Array]:
+    """Latency, knots, states, rotation and lever arm as `lispac.survey.kernels` takes them."""
+    return (
+        float(mounting.latency),
+        np.ascontiguousarray(trajectory.time, dtype=np.float64),
+        np.ascontiguousarray(np.hstack([trajectory.position, trajectory.attitude])),
+        np.ascontiguousarray(mounting.rotation_body_lidar),
+        np.asarray(mounting.lever_arm, dtype=float),
+    )
+
+
+def outside(time: Array, trajectory: LocalTrajectory) -> InputError:
+    """What is said of times that have no pose."""
+    known = trajectory.time
+    return InputError(
+        f"Points from {np.min(time):.3f} to {np.max(time):.3f} s lie outside the "
+        f"trajectory ({known[0]:.3f} to {known[-1]:.3f} s): "
+        "check that both use the same time base."
+    )

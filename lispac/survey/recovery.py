@@ -7,10 +7,10 @@ left out or added (its stored resolution, a strip adjustment, a smoothed or anot
 stays in the vectors.
 """
 
-import os
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
 from typing import Any, ClassVar, Protocol, TypeVar
 
 import numpy as np
@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.survey.crs import CoordinateSystem
-from lispac.survey.georeferencing import Mounting, to_lidar
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.mapping import PointMapper
 from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
 
-BLOCK = 1 << 16  # points per turn of a thread: a rotation matrix each
 FARTHEST = 5000.0
 """Metres from the scanner beyond which a point is not believed."""
 
@@ -56,11 +56,14 @@ class Recovery:
         The one the cloud was made with, not a better one computed later.
     mounting : Mounting
         Lever arm, boresight and offsets applied when the cloud was made.
+    path : Path, optional
+        Of the cloud, for what is said of it.
     """
 
     system: CoordinateSystem
     trajectory: LocalTrajectory
     mounting: Mounting
+    path: Path | None = None
 
     @property
     def assumptions(self) -> tuple[str, ...]:
@@ -70,6 +73,11 @@ class Recovery:
             "the points were made with this trajectory, lever arm and boresight, by linear "
             "interpolation, and were not adjusted afterwards",
         )
+
+    @cached_property
+    def mapping(self) -> PointMapper:
+        """The way between scanner and map, there and back."""
+        return PointMapper(self.system, self.trajectory, self.mounting)
 
     def usable(self, time: Array) -> NDArray[np.bool_]:
         """Which points have a pose: inside the trajectory and not in a gap of it."""
@@ -89,18 +97,7 @@ class Recovery:
         InputError
             Where a time lies outside the trajectory or a point outside the coordinate system.
         """
-        points_local = self.system.to_local(points_crs, self.trajectory.frame)
-        points_lidar = np.empty_like(points_local)
-
-        def run(start: int) -> None:
-            rows = slice(start, start + BLOCK)
-            poses = self.trajectory.at(time[rows] + self.mounting.latency)
-            points_lidar[rows] = to_lidar(points_local[rows], poses, self.mounting)
-
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            for _ in pool.map(run, range(0, len(time), BLOCK)):
-                pass
-        return points_lidar
+        return self.mapping.to_scanner(points_crs, time)
 
 
 def recovered(chunks: Iterable[C], recovery: Recovery) -> Iterator[tuple[C, int]]:
@@ -138,12 +135,13 @@ def require_within_reach(points_lidar: Array, recovery: Recovery) -> None:
     """
     if not len(points_lidar):
         return
-    distance = float(np.median(np.linalg.norm(points_lidar, axis=1)))
-    if not distance <= FARTHEST:
+    near = np.einsum("ij,ij->i", points_lidar, points_lidar) <= FARTHEST**2
+    if 2 * np.count_nonzero(near) < len(near):
+        half = "Half" if recovery.path is None else f"{recovery.path}: half"
         raise InputError(
-            f"Half of the points come out farther than {distance / 1000:,.1f} km from the scanner "
-            f"with {recovery.system.name}: check the coordinate system and its unit, and that "
-            "points and trajectory share one time base."
+            f"{half} of the points come out farther than {FARTHEST / 1000:,.0f} km from the "
+            f"scanner with {recovery.system.name}: check the coordinate system and its unit, and "
+            "that points and trajectory share one time base."
         )
 
 

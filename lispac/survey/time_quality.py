@@ -50,7 +50,10 @@ class TimeQuality:
                 "export it again."
             )
         if self.duplicates:
-            told.append(f"{self.duplicates:,} of {self.count:,} times repeat the one before.")
+            told.append(
+                f"{self.duplicates:,} of {self.count:,} times repeat the one before; sort the "
+                "file or export it again."
+            )
         return tuple(told)
 
 

@@ -13,7 +13,10 @@ from lispac.geometry.rotations import angles_of, rotation_matrix
 Array = NDArray[np.float64]
 
 LONGEST_GAP = 1.5
-"""Seconds between two states that a straight line may bridge; text exports come at 1 Hz."""
+"""Seconds between two states that a straight line may bridge, where nothing else is set; text
+exports come at 1 Hz."""
+STEEPEST = float(np.radians(80.0))
+"""Pitch beyond which roll and heading run too fast to be interpolated; at 90 deg they are one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,33 +100,56 @@ class LocalTrajectory:
     position : ndarray of shape (n, 3), metres, local
     attitude : ndarray of shape (n, 3), radians
         Roll, pitch, heading against the axes of the local frame, without jumps by 2 pi.
+    longest_gap : float, seconds
+        Between two states that may be bridged.
     """
 
     frame: LocalFrame
     time: Array
     position: Array
     attitude: Array
+    longest_gap: float = LONGEST_GAP
 
     @classmethod
-    def of(cls, trajectory: Trajectory, frame: LocalFrame) -> "LocalTrajectory":
-        """Bring a trajectory into ``frame``: positions, and attitude turned to its axes."""
+    def of(
+        cls, trajectory: Trajectory, frame: LocalFrame, longest_gap: float = LONGEST_GAP
+    ) -> "LocalTrajectory":
+        """Bring a trajectory into ``frame``: positions, and attitude turned to its axes.
+
+        Raises
+        ------
+        InputError
+            Where the body frame points up or down nearly all the time.
+        """
         position = frame.to_local(trajectory.latitude, trajectory.longitude, trajectory.height)
         rotation_level_body = rotation_matrix(*trajectory.attitude.T)
         rotation_local_level = frame.rotation_local_level(trajectory.latitude, trajectory.longitude)
         attitude = angles_of(rotation_local_level @ rotation_level_body)
-        return cls(frame, trajectory.time, position, np.unwrap(attitude, axis=0))
+        if (np.abs(attitude[:, 1]) > STEEPEST).mean() > 0.5:
+            raise InputError(
+                f"The trajectory's pitch is beyond {np.degrees(STEEPEST):.0f} deg most of the "
+                "time, where roll and heading cannot be told apart: export it for a body frame "
+                "whose first axis is level (vessel or reference frame, not the tilted IMU's own)."
+            )
+        return cls(frame, trajectory.time, position, np.unwrap(attitude, axis=0), longest_gap)
 
     @cached_property
     def has_gaps(self) -> bool:
-        """Whether two states are farther apart than may be bridged."""
-        return bool((np.diff(self.time) > LONGEST_GAP).any())
+        """Whether anything between two states may not be bridged."""
+        return bool(self._unbridged.any())
+
+    @cached_property
+    def _unbridged(self) -> NDArray[np.bool_]:
+        """Intervals between states that are too long, or too steep, shape (n - 1,)."""
+        steep = np.abs(self.attitude[:, 1]) > STEEPEST
+        return np.asarray((np.diff(self.time) > self.longest_gap) | steep[:-1] | steep[1:])
 
     def covers(self, time: Array) -> NDArray[np.bool_]:
-        """Which of ``time`` lie inside the trajectory and not in a gap of it."""
+        """Which of ``time`` have a pose: inside, not in a gap, and not where the pitch is steep."""
         inside = (time >= self.time[0]) & (time <= self.time[-1])
         if self.has_gaps:
             before = np.clip(np.searchsorted(self.time, time) - 1, 0, len(self.time) - 2)
-            inside &= np.diff(self.time)[before] <= LONGEST_GAP
+            inside &= ~self._unbridged[before]
         return np.asarray(inside)
 
     def rate_at(self, time: Array) -> Array:

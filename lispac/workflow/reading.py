@@ -9,10 +9,12 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.io.files import require_file
 from lispac.io.formats import format_of, recognised
+from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.las import read_scan
 from lispac.io.points import system_of
 from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind, PointChunk
 from lispac.io.sbet import read_sbet, read_smrmsg
+from lispac.io.text import ASSUMPTIONS as TEXT_ASSUMPTIONS
 from lispac.io.text import read_text_scan
 from lispac.project import LineSource, Reading
 from lispac.survey.georeferencing import Mounting
@@ -182,6 +184,66 @@ def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
     return found
 
 
+@dataclass(frozen=True, eq=False)
+class LineStream:
+    """A line as it comes from its file, some points at a time; to be run through once.
+
+    Attributes
+    ----------
+    chunks : iterator of PointChunk
+        In the order of the file, times in the trajectory's time base.
+    recovery : Recovery or None
+        Brings the coordinates to the LiDAR frame; None where they are in it, in metres.
+    assumptions : tuple of str
+        What is taken for granted, in words.
+    """
+
+    chunks: Iterator[PointChunk]
+    recovery: Recovery | None
+    assumptions: tuple[str, ...]
+
+
+def line_stream(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting) -> LineStream:
+    """Read a line some points at a time, with all attributes of its file.
+
+    Parameters
+    ----------
+    trajectory : LocalTrajectory
+    mounting : Mounting
+        The prior: a georeferenced cloud is taken to have been made with both.
+
+    Raises
+    ------
+    InputError
+        Here where the options are not the format's own; the stream raises it where the file is
+        missing or damaged.
+    """
+    format, choice, assumptions = _format_of_line(line)
+    settled = format.settled(choice)
+    chunks = format.read(line.path, choice)
+    assert isinstance(chunks, Iterator)
+    shifted = (replace(chunk, time=chunk.time + line.reading.time_shift) for chunk in chunks)
+    system = system_of(settled, line.path)
+    if system is None:
+        return LineStream(shifted, None, assumptions)
+    recovery = Recovery(system, trajectory, mounting, line.path)
+    return LineStream(shifted, recovery, (*assumptions, *recovery.assumptions))
+
+
+def _format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
+    """How a line is read in chunks, and what that takes for granted."""
+    if line.reading.format:
+        format = format_of(line.reading.format)
+        choice: Choice = format.settled(dict(line.reading.options))
+        words: tuple[str, ...] = (f"{line.path.name} is {format.name}",)
+        if system_of(choice, line.path) is None:
+            words += ("points are in the LiDAR frame",)
+        return format, choice, words
+    if line.path.suffix.lower() in LAS_ENDINGS:
+        return format_of("las"), {}, LAS_ASSUMPTIONS
+    return format_of("text"), {"columns": " ".join(line.columns)}, TEXT_ASSUMPTIONS
+
+
 def read_line(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting) -> Scan:
     """Read one line into the LiDAR frame.
 
@@ -201,23 +263,17 @@ def read_line(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting)
         else:
             scan = read_text_scan(line.path, line.columns)
         return replace(scan, time=scan.time + line.reading.time_shift)
-    format = format_of(line.reading.format)
-    choice: Choice = format.settled(dict(line.reading.options))
-    chunks = format.read(line.path, choice)
-    assert isinstance(chunks, Iterator)
-    shifted = (replace(chunk, time=chunk.time + line.reading.time_shift) for chunk in chunks)
-    system = system_of(choice)
-    assumptions: tuple[str, ...] = (f"{line.path.name} is {format.name}",)
-    if system is None:
-        return _joined(list(shifted), line.path, (*assumptions, "points are in the LiDAR frame"))
-    recovery = Recovery(system, trajectory, mounting)
+    stream = line_stream(line, trajectory, mounting)
+    if stream.recovery is None:
+        return _joined(list(stream.chunks), line.path, stream.assumptions)
     parts, lost = [], 0
-    for chunk, out in recovered(shifted, recovery):
+    for chunk, out in recovered(stream.chunks, stream.recovery):
         parts.append(chunk)
         lost += out
+    assumptions = stream.assumptions
     if lost:
         assumptions += (f"{line.path.name}: {lost:,} points outside the trajectory are left out",)
-    return _joined(parts, line.path, (*assumptions, *recovery.assumptions))
+    return _joined(parts, line.path, assumptions)
 
 
 def _joined(parts: list[PointChunk], path: Path, assumptions: tuple[str, ...]) -> Scan:

@@ -15,6 +15,7 @@ from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import georeference
 from lispac.survey.scan import Scan
 from lispac.survey.time_base import matches, sentence
+from lispac.survey.time_quality import coverage
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.workflow.reading import read_accuracy, read_line, read_trajectory
 
@@ -81,7 +82,8 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     """
     progress(0.0, f"Reading {project.trajectory.name}")
     raw = read_trajectory(project.trajectory, project.trajectory_reading)
-    trajectory = LocalTrajectory.of(raw, _frame(project) or raw.mean_frame())
+    frame = _frame(project) or raw.mean_frame()
+    trajectory = LocalTrajectory.of(raw, frame, project.settings.longest_gap)
     _require_near(trajectory, project)
     notes = list(raw.assumptions)
     if project.accuracy is not None:
@@ -169,10 +171,18 @@ def _inside(scan: Scan, trajectory: LocalTrajectory, path: Path) -> tuple[Scan, 
     lost = len(scan) - len(kept)
     if lost == 0:
         return scan, ()
-    return kept, (
-        f"{path.name}: {lost:,} points outside the trajectory's time, or in a gap of it, are left "
-        "out",
-    )
+    covered = coverage(scan.time, trajectory.time, trajectory.longest_gap)
+    parts = []
+    if covered.outside:
+        parts.append(f"{covered.outside:,} points outside the trajectory's time")
+    if covered.in_gaps:
+        parts.append(
+            f"{covered.in_gaps:,} points in a gap of the trajectory longer than "
+            f"{trajectory.longest_gap:g} s"
+        )
+    if steep := lost - covered.outside - covered.in_gaps:
+        parts.append(f"{steep:,} points where the trajectory's pitch is beyond 80 deg")
+    return kept, (f"{path.name}: {' and '.join(parts)}, of {len(scan):,}, are left out",)
 
 
 def _median_heading(trajectory: LocalTrajectory, scan: Scan) -> float:

@@ -1,12 +1,57 @@
-"""Points georeferenced per second: the fused kernel beside the vectorised NumPy formula."""
+"""Points georeferenced per second: kernel, to the map, to LAZ, beside NumPy, PROJ and laspy.
 
+`LISPAC_BENCHMARK_POINTS` (1e6, or 1e6,1e7,1e8) sets the sizes of the files. What is compared runs
+in turn, several times; ratios are of times in the same round. Processor time stands beside the
+clock's: on a busy machine it is the better measure.
+"""
+
+import os
+import resource
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from statistics import median
-from time import perf_counter
+from time import perf_counter, process_time
 
+import laspy
 import numpy as np
+import pytest
 
-from lispac.survey.georeferencing import georeference, place
+from lispac.io.las_chunks import LAS
+from lispac.io.las_export import pattern_of_columns, pattern_of_las, steps
+from lispac.io.registry import PointChunk
+from lispac.io.sbet import write_sbet
+from lispac.project import LineSource, Project, Settings
+from lispac.survey.crs import coordinate_system
+from lispac.survey.georeferencing import Mounting, georeference, place, to_lidar
+from lispac.survey.mapping import PointMapper
+from lispac.survey.trajectory import Trajectory
+from lispac.workflow.clouds import write_cloud
+from lispac.workflow.georeferencing import stored_chunks
+from lispac.workflow.importing import import_lines, stored_line, trajectory_of
+from tests.cloud_files import sweep, track
 from tests.test_georeferencing import survey
+
+SIZES = [int(float(n)) for n in os.environ.get("LISPAC_BENCHMARK_POINTS", "1e6,1e7").split(",")]
+CHUNK = 1_000_000
+UTM = coordinate_system("EPSG:32619")
+
+
+def timed(run: Callable[[], object]) -> tuple[float, float]:
+    """Seconds by the clock and of the processors."""
+    start, work = perf_counter(), process_time()
+    run()
+    return perf_counter() - start, process_time() - work
+
+
+def ratio(of: list[tuple[float, float]], to: list[tuple[float, float]], k: int = 0) -> float:
+    """Median over the rounds."""
+    return median(a[k] / b[k] for a, b in zip(of, to, strict=True))
+
+
+def rate(count: int, times: list[tuple[float, float]]) -> str:
+    """Million points a second: the median and, in brackets, the best."""
+    clock = [time for time, _ in times]
+    return f"{count / median(clock) / 1e6:.2f} ({count / min(clock) / 1e6:.2f}) M points/s"
 
 
 def test_kernel_beside_numpy():
@@ -14,17 +59,200 @@ def test_kernel_beside_numpy():
     path, points, time, mounting = survey(count)
     time.sort()
     georeference(points[:1000], time[:1000], path, mounting)  # compile
+    found = {}
     kernel, numpy = [], []
     for _ in range(rounds):
-        start = perf_counter()
-        fused = georeference(points, time, path, mounting)
-        kernel.append(perf_counter() - start)
-        start = perf_counter()
-        vectorised = place(points, path.at(time), mounting)
-        numpy.append(perf_counter() - start)
-    assert np.abs(fused - vectorised).max() < 1e-9
-    ratio = median(n / k for n, k in zip(numpy, kernel, strict=True))
+        kernel.append(timed(lambda: found.update(k=georeference(points, time, path, mounting))))
+        numpy.append(timed(lambda: found.update(n=place(points, path.at(time), mounting))))
+    assert np.abs(found["k"] - found["n"]).max() < 1e-9
     print(
-        f"\ngeoreferencing: kernel {count / median(kernel) / 1e6:.1f} M points/s, "
-        f"NumPy {count / median(numpy) / 1e6:.1f} M points/s, ratio {ratio:.1f}"
+        f"\ngeoreferencing: kernel {rate(count, kernel)}, NumPy {rate(count, numpy)}, "
+        f"ratio {ratio(numpy, kernel):.1f} (processor time {ratio(numpy, kernel, 1):.1f})"
+    )
+
+
+@pytest.mark.parametrize("code", ["EPSG:32619", "EPSG:4979", "EPSG:4978"])
+def test_to_the_map_and_back_beside_proj(code):
+    count, rounds = 2_000_000, 3
+    trajectory, system = track(), coordinate_system(code)
+    points, time = sweep(trajectory, count)
+    mounting = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.4, -1.9, 0.4]))
+    mapper = PointMapper(system, trajectory, mounting)
+    fit, _ = timed(lambda: (mapper.fit_to(points), mapper.to_map(points[:9], time[:9])))
+    found = {}
+    fused, exact, back, exact_back = [], [], [], []
+    for _ in range(rounds):
+        fused.append(timed(lambda: found.update(f=mapper.to_map(points, time))))
+        exact.append(timed(lambda: found.update(e=by_proj(system, trajectory, points, time,
+                                                          mounting))))  # fmt: skip
+        mapper.to_scanner(found["f"][:9], time[:9])
+        back.append(timed(lambda: found.update(b=mapper.to_scanner(found["f"], time))))
+        exact_back.append(timed(lambda: back_by_proj(system, trajectory, found["f"], time,
+                                                     mounting)))  # fmt: skip
+    off = np.abs((found["f"] - found["e"]) * np.array(system.metres)).max()
+    print(
+        f"\n{code}: to the map {rate(count, fused)}, NumPy and PROJ {rate(count, exact)}, ratio "
+        f"{ratio(exact, fused):.0f}; off {1e3 * off:.1e} mm; fit {fit:.2f} s\n"
+        f"  back {rate(count, back)}, PROJ and NumPy {rate(count, exact_back)}, ratio "
+        f"{ratio(exact_back, back):.0f}; off {1e3 * np.abs(found['b'] - points).max():.1e} mm"
+    )
+
+
+def by_proj(system, trajectory, points, time, mounting):
+    """Point by point, vectorised."""
+    return system.from_local(place(points, trajectory.at(time), mounting), trajectory.frame)
+
+
+def back_by_proj(system, trajectory, points, time, mounting):
+    """The inverse of `by_proj`."""
+    local = system.to_local(points, trajectory.frame)
+    return to_lidar(local, trajectory.at(time), mounting)
+
+
+def profiler(count: int) -> Iterator[PointChunk]:
+    """A mirror at 100 revolutions a second in a room that is not quite round."""
+    trajectory, rng = track(), np.random.default_rng(0)
+    start, span = trajectory.time[0] + 1, trajectory.time[-1] - trajectory.time[0] - 2
+    for first in range(0, count, CHUNK):
+        k = np.arange(first, min(first + CHUNK, count))
+        turn = k * (2 * np.pi / 5000)
+        reach = 20 + 5 * np.sin(3 * turn) + rng.normal(0, 0.005, len(k))
+        xyz = np.stack([0 * turn, reach * np.sin(turn), reach * np.cos(turn)], axis=1)
+        ones = np.ones(len(k), np.uint8)
+        extra = {
+            "intensity": (500 + 50 * np.sin(7 * turn) + rng.integers(0, 20, len(k))).astype("u2"),
+            "return_number": ones,
+            "number_of_returns": ones,
+            "classification": ones,
+        }
+        yield PointChunk(xyz, start + span * k / count, extra, count)
+
+
+def write_las(path: Path, count: int) -> laspy.LasHeader:
+    """The profiler's points in the scanner frame, LAS or LAZ by the ending."""
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales = np.full(3, 1e-4)
+    with laspy.open(path, "w", header=header) as writer:
+        for chunk in profiler(count):
+            record = laspy.ScaleAwarePointRecord.zeros(len(chunk.time), header=header)
+            record.x, record.y, record.z = chunk.xyz.T
+            record.gps_time = chunk.time
+            for name, values in chunk.extra.items():
+                record[name] = values
+            writer.write_points(record)
+    return header
+
+
+class Alone:
+    """laspy writing points that are on the map already, and nothing else."""
+
+    def __init__(self, path: Path, mapper: PointMapper) -> None:
+        self.header = laspy.LasHeader(point_format=6, version="1.4")
+        self.header.scales, self.header.offsets = steps(UTM), np.round(mapper.centre)
+        self._writer = laspy.open(path, "w", header=self.header)
+        self._mapper = mapper
+
+    def write(self, points: np.ndarray, chunk: PointChunk) -> None:
+        record = laspy.ScaleAwarePointRecord.zeros(len(points), header=self.header)
+        record.x, record.y, record.z = points.T
+        record.gps_time = chunk.time
+        for name, values in chunk.extra.items():
+            record[name] = values
+        self._writer.write_points(record)
+
+    def run(self, chunks: Iterator[PointChunk]) -> tuple[float, float]:
+        """Time of the writing alone, without what makes the points."""
+        clock = work = 0.0
+        for chunk in chunks:
+            points = self._mapper.to_map(chunk.xyz, chunk.time)
+            more = timed(lambda points=points, chunk=chunk: self.write(points, chunk))
+            clock, work = clock + more[0], work + more[1]
+        more = timed(self._writer.close)
+        return clock + more[0], work + more[1]
+
+
+@pytest.mark.parametrize("count", SIZES)
+def test_to_laz_beside_laspy_alone(tmp_path, count):
+    trajectory = track()
+    mapper = PointMapper(UTM, trajectory, Mounting(np.zeros(3), np.radians([0.4, -1.9, 0.4])))
+    rounds = 1 if count > 20_000_000 else 3
+    ours, alone, making = tmp_path / "ours.laz", tmp_path / "alone.laz", []
+    warm = list(profiler(1000))
+    write_cloud(warm, ours, ours, mapper, pattern_of_columns)
+    made, laspys = [], []
+    for _ in range(rounds):
+        held = list(profiler(count)) if count <= 20_000_000 else None
+        laspys.append(Alone(alone, mapper).run(iter(held) if held else profiler(count)))
+        if held is None:  # what makes the points costs time too
+            making.append(timed(lambda: [None for _ in profiler(count)])[0])
+        source = held if held is not None else profiler(count)
+        made.append(timed(lambda source=source: write_cloud(
+            source, ours, ours, mapper, pattern_of_columns)))  # fmt: skip
+    size = ours.stat().st_size / alone.stat().st_size
+    note = f", of which making the points alone takes {making[0]:.0f} s" if making else ""
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+    print(
+        f"\n{count:,} points to UTM LAZ: {rate(count, made)} ({made[0][0]:.1f} s{note}), laspy "
+        f"alone {rate(count, laspys)}, ratio {ratio(made, laspys):.2f} (processor time "
+        f"{ratio(made, laspys, 1):.2f}); file {size:.3f} of laspy's; peak {peak:.2f} GB"
+    )
+
+
+@pytest.mark.parametrize("ending", ["las", "laz"])
+@pytest.mark.parametrize("count", [n for n in SIZES if n <= 20_000_000])
+def test_file_to_laz_beside_laspy_reading_and_writing(tmp_path, count, ending):
+    trajectory = track()
+    mapper = PointMapper(UTM, trajectory, Mounting(np.zeros(3), np.radians([0.4, -1.9, 0.4])))
+    source, ours, copy = tmp_path / f"raw.{ending}", tmp_path / "ours.laz", tmp_path / "copy.laz"
+    header = write_las(source, count)
+
+    def through() -> None:
+        with laspy.open(source) as reader, laspy.open(copy, "w", header=header) as writer:
+            for points in reader.chunk_iterator(CHUNK):
+                writer.write_points(points)
+
+    made, copied = [], []
+    for _ in range(3):
+        copied.append(timed(through))
+        made.append(timed(lambda: write_cloud(
+            LAS.read(source, LAS.settled({})), ours, ours, mapper,
+            lambda _: pattern_of_las(source))))  # fmt: skip
+    print(
+        f"\n{count:,} points from {ending} to UTM LAZ: {rate(count, made)}, laspy reading and "
+        f"writing the same {rate(count, copied)}, ratio {ratio(made, copied):.2f} "
+        f"(processor time {ratio(made, copied, 1):.2f})"
+    )
+
+
+@pytest.mark.parametrize("count", SIZES)
+def test_store_to_laz_beside_laspy_alone(tmp_path, count):
+    """From an imported line, whose points are in the order of space."""
+    local = track()
+    latitude, longitude, height = local.frame.to_geodetic(local.position)
+    write_sbet(
+        tmp_path / "sbet.out",
+        Trajectory(local.time, latitude, longitude, height, local.attitude),
+    )
+    source = tmp_path / "raw.las"
+    write_las(source, count)
+    project = Project(
+        tmp_path / "project", tmp_path / "sbet.out", (LineSource("L1", source),),
+        Settings((0.0, 0.0, 0.0)),
+    )  # fmt: skip
+    project.folder.mkdir()
+    import_lines(project)
+    trajectory = trajectory_of(project)
+    mapper = PointMapper(UTM, trajectory, project.mounting("prior"))
+    stored = stored_line(project, project.lines[0], trajectory)
+    ours, alone = tmp_path / "ours.laz", tmp_path / "alone.laz"
+    made, laspys = [], []
+    for _ in range(1 if count > 20_000_000 else 3):
+        laspys.append(Alone(alone, mapper).run(stored_chunks(stored)))
+        made.append(timed(lambda: write_cloud(
+            stored_chunks(stored), ours, ours, mapper, pattern_of_columns)))  # fmt: skip
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+    print(
+        f"\n{count:,} points from the store to UTM LAZ: {rate(count, made)}, laspy alone "
+        f"{rate(count, laspys)}, ratio {ratio(made, laspys):.2f} (processor time "
+        f"{ratio(made, laspys, 1):.2f}); peak {peak:.2f} GB"
     )

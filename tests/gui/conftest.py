@@ -1,21 +1,26 @@
 """Windows with the demo survey in them."""
 
 import shutil
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.project import Project
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds, make_demo
 from lispac.workflow.picking import pick
 from lispac.workflow.survey import load_survey
-from tests.gui.support import Demo, Driver
+from tests.gui.import_support import drop, raw, rest
+from tests.gui.support import WAIT_MS, Demo, Driver
 
 PICKED = ("T1", "T2", "V1")
 
@@ -67,3 +72,28 @@ def picked(driver: Driver, demo: Demo) -> Driver:
     driver.window.document.open(demo.picked, demo.survey)
     driver.rest()
     return driver
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[ImportDialog]:
+    """An empty import dialogue that leaves nothing behind."""
+    theme.apply_theme(qapp)
+    made = ImportDialog(AppSettings(tmp_path / "settings.ini"))
+    made.show()
+    made.activateWindow()
+    qtbot.waitUntil(made.isActiveWindow, timeout=WAIT_MS)
+    yield made
+    made.close()
+    made.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    QCoreApplication.processEvents()
+    assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == []
+    assert [t.name for t in threading.enumerate() if t.name == "lispac-worker"] == []
+
+
+@pytest.fixture
+def filled(dialog: ImportDialog, qtbot: QtBot, demo: Demo) -> ImportDialog:
+    """The demo survey's files, dropped and looked into."""
+    drop(dialog, raw(demo))
+    rest(qtbot, dialog)
+    return dialog

@@ -1,6 +1,7 @@
 """The window of the tests: answers instead of dialogues, and a driver that leaves nothing."""
 
 import threading
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,13 +9,13 @@ from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.new_project import NewProjectRequest
 from lispac.gui.dialogs.service import Answer, CandidateAnswer, Dialogs
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
+from lispac.workflow.intake import ImportRequest
 from lispac.workflow.survey import Survey
 
 WAIT_MS = 120_000
@@ -28,13 +29,17 @@ class ScriptedDialogs(Dialogs):
     def __init__(self) -> None:
         super().__init__()
         self.path: Path | None = None
-        self.request: NewProjectRequest | None = None
+        self.request: ImportRequest | None = None
+        self.dropped: list[Path] = []
         self.answer: Answer = "discard"
         self.about_candidate: CandidateAnswer = "cancel"
         self.asked: list[str] = []
         self.errors: list[BaseException] = []
 
-    def new_project(self) -> NewProjectRequest | None:
+    def new_project(
+        self, settings: AppSettings, paths: Sequence[Path] = ()
+    ) -> ImportRequest | Path | None:
+        self.dropped = list(paths)
         return self.request
 
     def project_to_open(self, start: Path) -> Path | None:

@@ -12,12 +12,10 @@ from pytestqt.qtbot import QtBot
 from lispac.errors import Cancelled, InputError
 from lispac.gui import edits, status
 from lispac.gui.dialogs.error import describe, error_box
-from lispac.gui.dialogs.new_project import NewProjectDialog
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import spoken
 from lispac.gui.tasks import TaskRunner
 from lispac.progress import Progress
-from lispac.workflow.projects import create_project
 from tests.gui.support import Demo
 
 
@@ -116,52 +114,6 @@ def test_closing_waits_for_the_worker(qtbot):
     runner.close()
     assert ended == [True]
     assert "lispac-worker" not in [thread.name for thread in threading.enumerate()]
-
-
-# -- a new project -------------------------------------------------------------------------------
-
-
-def test_a_new_project_says_what_is_missing_until_it_can_be_made(
-    qtbot: QtBot, demo: Demo, tmp_path: Path
-):
-    dialog = NewProjectDialog()
-    qtbot.addWidget(dialog)
-    dialog.show()
-    assert not dialog.ok.isEnabled()
-    assert dialog.reason.text() == "Choose a folder for the project."
-    qtbot.keyClicks(dialog.folder, str(tmp_path / "made"))
-    assert "trajectory" in dialog.reason.text()
-    dialog.trajectory.setText(str(tmp_path / "none.sbet"))
-    assert "is not there" in dialog.reason.text()
-    dialog.trajectory.setText(str(demo.project.trajectory))
-    assert "at least one line" in dialog.reason.text()
-    assert dialog.position_sigma.isEnabled()
-    dialog.accuracy.setText(str(demo.project.accuracy))
-    assert not dialog.position_sigma.isEnabled()
-
-    text = tmp_path / "line.txt"
-    text.write_text("1 2 3 4\n")
-    dialog.add_lines([text])
-    assert dialog.ok.isEnabled()
-    dialog.columns.setText("time x y")
-    assert dialog.reason.text().endswith("missing: z.")
-    dialog.lines.setCurrentRow(0)
-    dialog.findChild(QPushButton, "new_remove_lines").click()
-    assert not dialog.columns.isEnabled()
-    dialog.add_lines([line.path for line in demo.project.lines])
-    field = dialog.lever_arm.fields[2]
-    field.selectAll()
-    qtbot.keyClicks(field, "2.173")
-    assert dialog.ok.isEnabled(), dialog.reason.text()
-
-    asked = dialog.request()
-    made = create_project(
-        asked.folder, trajectory=asked.trajectory, lines=asked.lines,
-        settings=asked.settings, accuracy=asked.accuracy,
-    )  # fmt: skip
-    assert [line.name for line in made.lines] == [line.name for line in demo.project.lines]
-    assert made.settings.lever_arm == (0.0, 0.0, 2.173)
-    assert dialog.problem() == "There is a project in this folder already."
 
 
 # -- errors and words ----------------------------------------------------------------------------

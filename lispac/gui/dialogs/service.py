@@ -3,6 +3,7 @@
 The window gets such an object; a test gives it one that answers by itself.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -10,7 +11,9 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QWidget
 
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.error import error_box
-from lispac.gui.dialogs.new_project import NewProjectDialog, NewProjectRequest
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.settings import AppSettings
+from lispac.workflow.intake import ImportRequest
 
 Answer = Literal["save", "discard", "cancel"]
 CandidateAnswer = Literal["accept", "reject", "cancel"]
@@ -25,13 +28,22 @@ class Dialogs:
         self.parent: QWidget | None = None
         self._error_open = False
 
-    def new_project(self) -> NewProjectRequest | None:
-        """What a new project is to hold."""
-        dialog = NewProjectDialog(self.parent)
+    def new_project(
+        self, settings: AppSettings, paths: Sequence[Path] = ()
+    ) -> ImportRequest | Path | None:
+        """What a new project is to hold, or the project that was dropped instead.
+
+        Parameters
+        ----------
+        paths : sequence of Path
+            Files and folders to begin with.
+        """
+        dialog = ImportDialog(settings, self.parent)
+        dialog.add(paths)
         accepted = dialog.exec() == QDialog.DialogCode.Accepted
-        request = dialog.request() if accepted else None
+        answer = dialog.request() if accepted else dialog.project
         dialog.deleteLater()
-        return request
+        return answer
 
     def project_to_open(self, start: Path) -> Path | None:
         """A project's folder."""

@@ -1,0 +1,59 @@
+"""``lispac export``: targets and the trajectory for other programs."""
+
+import sys
+from argparse import Namespace
+from typing import Any
+
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.workflow.exporting import export_planes, export_targets, export_trajectory
+from lispac.workflow.georeferencing import LOCAL, chosen_system
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import load_survey
+
+FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "planes": ("text",)}
+"""For each thing to export, the usual format first."""
+
+
+def export(arguments: Namespace) -> None:
+    """Write what is asked for and print the names of the files."""
+    what: str = arguments.what
+    form: Any = arguments.format or FORMATS[what][0]
+    if form not in FORMATS[what]:
+        raise UsageError(f"export {what}: --format is one of {', '.join(FORMATS[what])}")
+    if what != "targets" and (arguments.crs or arguments.height or arguments.trajectory_datum):
+        raise UsageError(
+            f"export {what}: there is no coordinate system to choose; "
+            + ("its angles refer to the local frame" if what == "planes" else
+               "it stays in latitude, longitude and height")
+        )  # fmt: skip
+    if what == "trajectory" and arguments.targets:
+        raise UsageError("export trajectory: --targets has no meaning here")
+    project = open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        if what == "trajectory":
+            paths = [export_trajectory(project, arguments.output, form)]
+            if form == "sbet":
+                print("note: velocities, accelerations and rates in the SBET are zero, the wander "
+                      "angle is zero", file=sys.stderr)  # fmt: skip
+        else:
+            survey = load_survey(project, progress=progress)
+            names = arguments.targets or ()
+            if what == "planes":
+                paths = export_planes(
+                    project, survey, arguments.output, arguments.boresight, names=names,
+                    progress=progress,
+                )  # fmt: skip
+            else:
+                system = chosen_system(
+                    arguments.crs or LOCAL, survey.trajectory, arguments.height,
+                    arguments.trajectory_datum, arguments.epoch,
+                )  # fmt: skip
+                paths = export_targets(
+                    project, survey, arguments.output, arguments.boresight, system=system,
+                    ending=form, names=names, progress=progress,
+                )  # fmt: skip
+    if arguments.json:
+        print_json({"files": [str(path) for path in paths]})
+        return
+    for path in paths:
+        print(path)

@@ -1,0 +1,41 @@
+"""``lispac georeference``: the lines on the map."""
+
+import sys
+from argparse import Namespace
+
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.projects import open_project
+
+
+def georeference(arguments: Namespace) -> None:
+    """Write the lines as LAS or LAZ with all their attributes."""
+    project = open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        written = georeference_project(
+            project,
+            arguments.output,
+            arguments.boresight,
+            system=arguments.crs,
+            height=arguments.height,
+            trajectory_datum=arguments.trajectory_datum,
+            epoch=arguments.epoch,
+            lines=arguments.lines or (),
+            ending=arguments.format,
+            progress=progress,
+        )
+    notes = [note for done in written for note in (done.sentence, *done.notes) if note]
+    for note in dict.fromkeys(notes):
+        print(f"note: {note}", file=sys.stderr)
+    if arguments.json:
+        lines = [
+            {
+                "file": str(done.path), "points": done.points, "outside": done.outside,
+                "in_gaps": done.in_gaps,
+            }
+            for done in written
+        ]  # fmt: skip
+        print_json({"lines": lines, "notes": list(dict.fromkeys(notes))})
+        return
+    for done in written:
+        print(f"{done.path}  {done.points:,} points")

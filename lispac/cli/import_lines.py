@@ -1,0 +1,65 @@
+"""``lispac import``: lines as columns in the project's folder."""
+
+import sys
+from argparse import Namespace
+from typing import Any
+
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.errors import Cancelled
+from lispac.progress import Progress
+from lispac.workflow.importing import Imported
+from lispac.workflow.importing import import_lines as imported_lines
+from lispac.workflow.projects import open_project
+
+
+def import_lines(arguments: Namespace) -> None:
+    """Import the lines of a project; those imported already stay."""
+    project = open_project(arguments.project)
+    try:
+        with ConsoleProgress() as progress:
+            found = imported_lines(
+                project, arguments.lines, again=arguments.again, progress=progress
+            )
+            if arguments.check:
+                _check(found, progress)
+    except (KeyboardInterrupt, Cancelled):
+        print(
+            "lispac: what is read of the line so far is kept; import again to go on from there.",
+            file=sys.stderr,
+        )
+        raise
+    if arguments.json:
+        print_json({"lines": {item.stored.name: _numbers(item) for item in found}})
+        return
+    for item in found:
+        _print(item)
+    for words in dict.fromkeys(words for item in found for words in item.stored.assumptions):
+        print(f"note: {words}", file=sys.stderr)
+
+
+def _check(found: list[Imported], progress: Progress) -> None:
+    for item in found:
+        words = f"Checking {item.stored.name}"
+        item.stored.require_sound(lambda done, words=words: progress(done, words))  # type: ignore[misc]
+
+
+def _print(item: Imported) -> None:
+    manifest = item.stored.manifest
+    how = "imported already"
+    if item.seconds:
+        how = f"{item.seconds:.1f} s, {manifest.points / item.seconds / 1e6:.2f} M points/s"
+    print(
+        f"{manifest.line:20s} {manifest.points:12,} points, {manifest.bytes / 1e6:10,.1f} MB, {how}"
+    )
+
+
+def _numbers(item: Imported) -> dict[str, Any]:
+    manifest = item.stored.manifest
+    return {
+        "folder": str(item.stored.folder),
+        "points": manifest.points,
+        "left_out": manifest.left_out,
+        "bytes": manifest.bytes,
+        "seconds": item.seconds,
+        "assumptions": list(manifest.assumptions),
+    }

@@ -1,0 +1,1 @@
+"""The import dialogue: files in, looked at, checked against each other, and a project made."""

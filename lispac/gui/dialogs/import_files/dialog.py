@@ -1,0 +1,331 @@
+"""The import dialogue: puts its parts together and joins their signals."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QIcon, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QProgressBar,
+    QPushButton,
+    QSplitter,
+    QStackedLayout,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import theme
+from lispac.gui.dialogs.error import describe
+from lispac.gui.dialogs.import_files.empty import EmptyState
+from lispac.gui.dialogs.import_files.file_page import FilePage
+from lispac.gui.dialogs.import_files.file_table import FileTable
+from lispac.gui.dialogs.import_files.mounting_page import MountingPage
+from lispac.gui.dialogs.import_files.quality_page import QualityPage
+from lispac.gui.dialogs.import_files.timeline_page import TimelinePage
+from lispac.gui.dialogs.import_files.work import Work
+from lispac.gui.drops import FileDrops
+from lispac.gui.panels import widgets
+from lispac.gui.settings import AppSettings
+from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
+
+SURVEY_FILES = (
+    "Survey files (*.las *.laz *.e57 *.ply *.pcd *.txt *.xyz *.csv *.asc *.gz *.sbet *.out *.pos "
+    "*.smrmsg *.dat);;All files (*)"
+)
+FILE, TIMELINE, QUALITY, MOUNTING = range(4)
+
+
+class ImportDialog(QDialog):
+    """Files in, looked at, checked against each other; then the project is made.
+
+    Parameters
+    ----------
+    settings : AppSettings
+        Remembers the columns chosen for text files.
+    """
+
+    def __init__(self, settings: AppSettings, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._settings = settings
+        self.project: Path | None = None
+        """A project that was dropped and is to be opened instead."""
+        self._own_folder = False
+        self.setObjectName("import_dialog")
+        self.setWindowTitle("New project")
+        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
+        self.work = Work(settings.column_mappings(), self)
+        self._build()
+        self._join()
+        self._show()
+        screen = self.screen().availableGeometry()
+        self.resize(min(1240, screen.width() - 40), min(840, screen.height() - 60))
+        table = min(270, self.height() * 3 // 10)
+        self._split.setSizes([table, self.height() - table])
+
+    @property
+    def intake(self) -> Intake:
+        """The files as they stand."""
+        return self.work.intake
+
+    def add(self, paths: Sequence[Path]) -> None:
+        """Take in files and folders."""
+        if paths:
+            self.work.add(paths)
+
+    def request(self) -> ImportRequest:
+        """What the project is to be made of."""
+        folder = Path(self.folder.text().strip()).expanduser()
+        return self.intake.request(folder, self.mounting.settings())
+
+    # -- assembly ----------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        outer = QVBoxLayout(self)
+        outer.setSpacing(theme.SPACE)
+        outer.setContentsMargins(14, 12, 14, 12)
+        self.empty = EmptyState()
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self.empty)
+        self._stack.addWidget(self._filled())
+        outer.addLayout(self._stack, 1)
+        outer.addLayout(self._bottom())
+
+    def _filled(self) -> QWidget:
+        filled = QWidget()
+        layout = QVBoxLayout(filled)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(theme.SPACE)
+        layout.addLayout(self._bar())
+        self.table = FileTable()
+        self.tabs = QTabWidget()
+        self.tabs.setObjectName("import_tabs")
+        self.file_page, self.timeline = FilePage(), TimelinePage()
+        self.quality, self.mounting = QualityPage(), MountingPage()
+        self.tabs.addTab(self.file_page, "Selected file")
+        self.tabs.addTab(self.timeline, "Timeline")
+        self.tabs.addTab(self.quality, "Trajectory quality")
+        self.tabs.addTab(self.mounting, "Mounting and accuracies")
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.setChildrenCollapsible(False)
+        split.addWidget(self.table)
+        split.addWidget(self.tabs)
+        split.setStretchFactor(1, 1)
+        self._split = split
+        layout.addWidget(split, 1)
+        return filled
+
+    def _bar(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        self.add_files = widgets.button("Add files…", "import_add_files", icon="file-plus-outline")
+        self.add_folder = widgets.button(
+            "Add folder…", "import_add_folder", icon="folder-plus-outline",
+            tip="Add the files that lie directly in a folder",
+        )  # fmt: skip
+        self.remove = widgets.button(
+            "Remove", "import_remove", tip="Take the selected file off the list (Delete)"
+        )
+        self.progress = QProgressBar()
+        self.progress.setRange(0, 1000)
+        self.progress.setTextVisible(False)
+        self.progress.setFixedWidth(180)
+        self.progress.setAccessibleName("Files looked into")
+        self.doing = widgets.label("", "muted", name="import_doing")
+        self.stop = widgets.button("Stop", "import_stop", tip="Look into no more files")
+        self.again = widgets.button(
+            "Look again", "import_look_again", tip="Look into the files that were passed over"
+        )
+        for each in (self.add_files, self.add_folder, self.remove):
+            row.addWidget(each)
+        row.addStretch(1)
+        for each in (self.doing, self.progress, self.stop, self.again):
+            row.addWidget(each)
+        for each in (self.add_files, self.add_folder, self.remove, self.stop, self.again):
+            each.setAutoDefault(False)
+        return row
+
+    def _bottom(self) -> QVBoxLayout:
+        self.folder = QLineEdit()
+        self.folder.setObjectName("new_folder")
+        self.folder.setAccessibleName("Project folder")
+        self.folder.setToolTip("Where the project is kept; the survey's files stay where they are")
+        self.browse = widgets.button("Browse…", "new_folder_browse")
+        self.browse.setAutoDefault(False)
+        head = QLabel("Project folder")
+        head.setBuddy(self.folder)
+        upper = QHBoxLayout()
+        upper.addWidget(head)
+        upper.addWidget(self.folder, 1)
+        upper.addWidget(self.browse)
+        self.reason = widgets.label("", "error", wrap=True, name="new_reason")
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self.ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self.ok.setText("Create project")
+        self.ok.setObjectName("new_ok")
+        self.ok.setProperty("primary", True)
+        for standard in self.buttons.buttons():
+            standard.setIcon(QIcon())
+        lower = QHBoxLayout()
+        lower.addWidget(self.reason, 1)
+        lower.addWidget(self.buttons, 0, Qt.AlignmentFlag.AlignBottom)
+        bottom = QVBoxLayout()
+        bottom.setSpacing(theme.SPACE)
+        bottom.addLayout(upper)
+        bottom.addLayout(lower)
+        return bottom
+
+    def _join(self) -> None:
+        work, edit = self.work, self.work.edit
+        work.changed.connect(self._show)
+        work.moved.connect(self._show_progress)
+        work.runner.failed.connect(self._failed)
+        work.project_found.connect(self._open_instead)
+        FileDrops(self).dropped.connect(self.add)
+        for files in (self.empty.files_asked, self.add_files.clicked):
+            files.connect(lambda *_: self._ask_files())
+        for folder in (self.empty.folder_asked, self.add_folder.clicked):
+            folder.connect(lambda *_: self._ask_folder())
+        self.remove.clicked.connect(self._remove)
+        self.stop.clicked.connect(work.stop)
+        self.again.clicked.connect(work.look_again)
+        delete = QShortcut(QKeySequence(Qt.Key.Key_Delete), self.table)
+        delete.setContext(Qt.ShortcutContext.WidgetShortcut)
+        delete.activated.connect(self._remove)
+        table = self.table
+        table.file_selected.connect(lambda _path: self._show_selected())
+        table.role_chosen.connect(lambda path, role: edit(self.intake.with_role(path, role)))
+        table.format_chosen.connect(lambda path, key: edit(self.intake.with_format(path, key)))
+        page = self.file_page
+        page.remedy_chosen.connect(lambda remedy: self._mend(table.current, remedy))
+        page.option_stated.connect(
+            lambda name, value: edit(self.intake.with_option(table.current, name, value))
+        )
+        page.meaning_chosen.connect(
+            lambda column, what: edit(self.intake.with_column(table.current, column, what))
+        )
+        self.timeline.remedy_chosen.connect(self._mend)
+        self.timeline.file_selected.connect(table.select)
+        self.timeline.shift_all_asked.connect(lambda: edit(self.intake.with_shift_for_all()))
+        self.timeline.gap_changed.connect(lambda gap: edit(replace(self.intake, longest_gap=gap)))
+        self.mounting.changed.connect(self._show_reason)
+        self.folder.textEdited.connect(self._folder_typed)
+        self.browse.clicked.connect(self._ask_project_folder)
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+
+    # -- what is shown -----------------------------------------------------------------------
+
+    def _show(self) -> None:
+        intake = self.intake
+        self._stack.setCurrentIndex(1 if intake.entries or self.work.busy else 0)
+        self.table.show_intake(intake)
+        self._show_selected()
+        self.quality.show_intake(intake)
+        accuracy = intake.accuracy
+        self.mounting.show_accuracy("" if accuracy is None else accuracy.path.name)
+        self.mounting.show_prior_needed(any(line.georeferenced for line in intake.lines))
+        if not self._own_folder:
+            proposed = proposed_folder(intake)
+            self.folder.setText("" if proposed is None else str(proposed))
+        late = sum(bool(intake.time_remarks(line)) for line in intake.lines)
+        self.tabs.setTabText(TIMELINE, f"Timeline ({late} to look at)" if late else "Timeline")
+        self._show_progress()
+        self._show_reason()
+
+    def _show_selected(self) -> None:
+        current = self.table.current
+        entry = next((e for e in self.intake.entries if e.path == current), None)
+        self.file_page.show_entry(self.intake, entry)
+        self.timeline.show_intake(self.intake, current)
+        self.remove.setEnabled(entry is not None)
+
+    def _show_progress(self) -> None:
+        busy = self.work.busy
+        for each in (self.doing, self.progress, self.stop):
+            each.setVisible(busy)
+        self.again.setVisible(self.work.was_stopped and not busy)
+        self.progress.setValue(round(1000 * self.work.fraction))
+        self.doing.setText(self.work.words)
+        if not busy:
+            self._show_reason()
+
+    def _show_reason(self) -> None:
+        problem = self.intake.problem(self.folder.text())
+        waiting = any(entry.pending for entry in self.intake.entries)
+        hint = ""
+        if not problem and self.mounting.lever_arm_is_zero:
+            hint = "The lever arm is zero: state it under Mounting and accuracies if it is not."
+        self.reason.setText(problem or hint)
+        wrong = bool(problem) and bool(self.intake.entries) and not waiting
+        self.reason.setProperty("role", "error" if wrong else "muted")
+        self.reason.style().polish(self.reason)
+        self.ok.setEnabled(not problem)
+
+    # -- what is asked -----------------------------------------------------------------------
+
+    def _mend(self, path: Path, remedy) -> None:
+        self.work.edit(self.intake.with_remedy(path, remedy))
+
+    def _remove(self) -> None:
+        path = self.table.current
+        if path is not None:
+            self.work.edit(self.intake.without(path))
+
+    def _ask_files(self) -> None:
+        names, _ = QFileDialog.getOpenFileNames(self, "Survey files", self._start(), SURVEY_FILES)
+        self.add([Path(name) for name in names])
+
+    def _ask_folder(self) -> None:
+        name = QFileDialog.getExistingDirectory(self, "Folder with survey files", self._start())
+        self.add([Path(name)] if name else [])
+
+    def _ask_project_folder(self) -> None:
+        name = QFileDialog.getExistingDirectory(self, "Project folder", self.folder.text())
+        if name:
+            self.folder.setText(name)
+            self._folder_typed(name)
+
+    def _start(self) -> str:
+        entries = self.intake.entries
+        return str(entries[-1].path.parent) if entries else ""
+
+    def _folder_typed(self, text: str) -> None:
+        self._own_folder = bool(text.strip())
+        self._show_reason()
+
+    def _open_instead(self, project: Path) -> None:
+        self.project = project
+        self.reject()
+
+    def _failed(self, error: BaseException) -> None:
+        """A folder that cannot be listed: the one thing that has no row to stand in."""
+        self._show()
+        self.reason.setText(describe(error)[0])
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def keyPressEvent(self, event) -> None:
+        """Enter presses the button that has the focus and never one that has not: it ends the
+        typing of an EPSG code, not the dialogue."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            focused = self.focusWidget()
+            if isinstance(focused, QPushButton):
+                focused.click()
+            return
+        super().keyPressEvent(event)
+
+    def done(self, result: int) -> None:
+        """Stop the worker, and remember columns where the project is made."""
+        self.work.close()
+        if result == QDialog.DialogCode.Accepted:
+            self._settings.keep_column_mappings(self.intake.mappings)
+        super().done(result)

@@ -1,0 +1,145 @@
+"""The selected file: what there is to say, its options, its facts and its first rows."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QFormLayout,
+    QFrame,
+    QScrollArea,
+    QSplitter,
+    QStackedLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import theme
+from lispac.gui.dialogs.import_files import words
+from lispac.gui.dialogs.import_files.options_form import OptionsForm
+from lispac.gui.dialogs.import_files.preview import Preview
+from lispac.gui.dialogs.import_files.remarks_view import RemarksView
+from lispac.gui.panels import widgets
+from lispac.workflow.intake import Intake
+from lispac.workflow.intake_entry import Entry
+
+ASSUMED = "assumed"
+"""A fact of readers of points that is an assumption."""
+
+
+class FilePage(QWidget):
+    """Everything about one file."""
+
+    remedy_chosen = Signal(object)
+    option_stated = Signal(str, str)
+    meaning_chosen = Signal(int, str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._stack = QStackedLayout(self)
+        none = QWidget()
+        widgets.column(none).addWidget(
+            widgets.label("Select a file above to see what is in it.", "muted")
+        )
+        none.layout().addStretch(1)
+        self._stack.addWidget(none)
+        filled = QWidget()
+        self._stack.addWidget(filled)
+        layout = QVBoxLayout(filled)
+        layout.setContentsMargins(10, 8, 10, 8)
+        layout.setSpacing(theme.SPACE)
+        self.remarks = RemarksView("import_remarks")
+        self.remarks.remedy_chosen.connect(self._remedy)
+        layout.addWidget(self.remarks)
+        split = QSplitter(Qt.Orientation.Horizontal)
+        split.setChildrenCollapsible(False)
+        self.options = OptionsForm()
+        self.options.option_stated.connect(self.option_stated)
+        self.facts = QFormLayout()
+        self._facts_of: tuple[object, object] = (None, None)
+        self.facts.setVerticalSpacing(3)
+        self.facts.setHorizontalSpacing(10)
+        self.assumptions = widgets.label("", "muted", wrap=True, name="import_assumptions")
+        split.addWidget(self._left())
+        right = QWidget()
+        beside = QVBoxLayout(right)
+        beside.setContentsMargins(6, 0, 0, 0)
+        beside.setSpacing(4)
+        self.preview_head = widgets.label("First rows", "heading")
+        beside.addWidget(self.preview_head)
+        self.preview = Preview()
+        self.preview.meaning_chosen.connect(self.meaning_chosen)
+        beside.addWidget(self.preview, 1)
+        split.addWidget(right)
+        split.setStretchFactor(1, 1)
+        split.setSizes([400, 700])
+        layout.addWidget(split, 1)
+
+    def _left(self) -> QScrollArea:
+        body = QWidget()
+        rows = QVBoxLayout(body)
+        rows.setContentsMargins(0, 0, 6, 0)
+        rows.setSpacing(6)
+        self._options_head = widgets.label("How it is read", "heading")
+        rows.addWidget(self._options_head)
+        rows.addWidget(self.options)
+        rows.addWidget(widgets.label("What is in it", "heading"))
+        rows.addLayout(self.facts)
+        self._assumed_head = widgets.label("Taken for granted", "heading")
+        rows.addWidget(self._assumed_head)
+        rows.addWidget(self.assumptions)
+        rows.addStretch(1)
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setMinimumWidth(330)
+        area.setAccessibleName("How the file is read, and what is in it")
+        area.setWidget(body)
+        body.setAutoFillBackground(False)
+        return area
+
+    def show_entry(self, intake: Intake, entry: Entry | None) -> None:
+        """Show a file; None for none selected."""
+        self._stack.setCurrentIndex(0 if entry is None else 1)
+        if entry is None:
+            return
+        fine = "" if entry.pending or entry.role is None else "Nothing to doubt in this file."
+        self.remarks.show_remarks(intake.remarks(entry), fine)
+        self.options.show_entry(entry)
+        self._options_head.setVisible(bool(self.options.fields))
+        self._show_facts(entry)
+        self.preview.show_entry(entry)
+        mapped = bool(self.preview.combos)
+        rows = entry.finding is not None and len(entry.finding.rows) > 1
+        self.preview_head.setVisible(rows)
+        self.preview.setVisible(rows)
+        self.preview_head.setText(
+            "First rows – choose over each column what it is" if mapped else "First rows"
+        )
+
+    def _show_facts(self, entry: Entry) -> None:
+        finding = entry.finding
+        if self._facts_of == (entry.path, finding):
+            return
+        self._facts_of = (entry.path, finding)
+        while self.facts.rowCount():
+            self.facts.removeRow(0)
+        facts = {} if finding is None else dict(finding.facts)
+        assumed = [] if finding is None else list(finding.assumptions)
+        if ASSUMED in facts:
+            assumed += [facts.pop(ASSUMED)]
+        facts = {"Folder": str(entry.path.parent)} | facts
+        for name, value in facts.items():
+            head = widgets.label(words.option_name(name), "muted")
+            head.setAlignment(Qt.AlignmentFlag.AlignTop)
+            said = widgets.label(value, wrap=True)
+            said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            self.facts.addRow(head, said)
+        sentences = [text[:1].upper() + text[1:].rstrip(".") + "." for text in assumed]
+        self.assumptions.setText("\n".join(sentences))
+        self._assumed_head.setVisible(bool(assumed))
+        self.assumptions.setVisible(bool(assumed))
+
+    def _remedy(self, remedy, _place: int) -> None:
+        if remedy.ask:
+            self.options.ask(remedy.ask)
+        else:
+            self.remedy_chosen.emit(remedy)

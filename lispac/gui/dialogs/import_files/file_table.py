@@ -1,0 +1,192 @@
+"""The files: one row each, with what it is, how it is read, and how it stands."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+)
+
+from lispac.gui import theme
+from lispac.gui.dialogs.import_files import words
+from lispac.gui.panels import widgets
+from lispac.io.registry import Kind
+from lispac.workflow.intake import Intake
+from lispac.workflow.intake_entry import Entry
+
+FILE, ROLE, FORMAT, COUNT, SPAN, FRAME, STATE = range(7)
+_HEADS = ("File", "Role", "Format", "Points", "Time span (s)", "Frame", "State")
+_TIPS = (
+    "Name of the file; its folder is in the tip of each row",
+    "What the file is for the project",
+    "How the file is read; the surest comes first",
+    "Points of a line, states of a trajectory",
+    "First and last time, seconds, in the file's own time base",
+    "What the coordinates refer to",
+    "Whether there is something to look at; select the row to read it",
+)
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+ROW = 28
+
+
+class FileTable(QTableWidget):
+    """Shows an intake; roles and formats are chosen in it."""
+
+    role_chosen = Signal(object, object)
+    """Path, and role or None."""
+    format_chosen = Signal(object, str)
+    """Path, and key of the format."""
+    file_selected = Signal(object)
+    """Path, or None."""
+
+    def __init__(self) -> None:
+        super().__init__(0, len(_HEADS))
+        self.setObjectName("import_files")
+        self.setAccessibleName("Files to be imported")
+        self.setHorizontalHeaderLabels(list(_HEADS))
+        for column, tip in enumerate(_TIPS):
+            head = self.horizontalHeaderItem(column)
+            head.setToolTip(tip)
+            head.setTextAlignment(_RIGHT if column in (COUNT, SPAN) else _LEFT)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(ROW)
+        self.setShowGrid(False)
+        self.setStyleSheet("QTableWidget::item { padding: 0 6px; }")
+        self.setAlternatingRowColors(True)
+        self.setTabKeyNavigation(False)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        header = self.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header.setSectionResizeMode(FILE, QHeaderView.ResizeMode.Stretch)
+        for column, width in ((ROLE, 120), (FORMAT, 210), (COUNT, 96), (SPAN, 200), (FRAME, 180),
+                              (STATE, 120)):  # fmt: skip
+            self.setColumnWidth(column, width)
+        self._paths: list[Path] = []
+        self.itemSelectionChanged.connect(lambda: self.file_selected.emit(self.current))
+
+    @property
+    def current(self) -> Path | None:
+        """The selected file."""
+        rows = self.selectionModel().selectedRows()
+        return self._paths[rows[0].row()] if rows else None
+
+    def select(self, path: Path) -> None:
+        """Select a file's row."""
+        if path in self._paths:
+            self.selectRow(self._paths.index(path))
+
+    def show_intake(self, intake: Intake) -> None:
+        """Fill in; rows of files that stay keep their widgets and the focus."""
+        self._keep([entry.path for entry in intake.entries])
+        colours = theme.line_colours([str(entry.path) for entry in intake.lines])
+        for row, entry in enumerate(intake.entries):
+            name = self.item(row, FILE)
+            colour = colours.get(str(entry.path))
+            name.setIcon(theme.swatch(colour) if colour else _no_swatch())
+            self._fill_role(row, entry)
+            self._fill_format(row, entry)
+            for column, text in (
+                (COUNT, words.count(entry)),
+                (SPAN, words.span(entry)),
+                (FRAME, words.frame(entry)),
+            ):
+                self.item(row, column).setText(text)
+                self.item(row, column).setToolTip(text)
+            state, colour = words.state(intake, entry)
+            item = self.item(row, STATE)
+            item.setText(state)
+            item.setForeground(QColor(colour))
+            item.setIcon(words.state_icon(intake, entry))
+            item.setToolTip("\n".join(remark.text for remark in intake.remarks(entry)) or state)
+            out = intake.state(entry) == "out"
+            for column in (FILE, COUNT, SPAN, FRAME):
+                self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
+        if self.current is None and self._paths:
+            self.selectRow(0)
+
+    def _keep(self, paths: Sequence[Path]) -> None:
+        if self._paths == list(paths):
+            return
+        for row in reversed(range(len(self._paths))):
+            if self._paths[row] not in paths:
+                del self._paths[row]
+                self.removeRow(row)
+        for path in paths:
+            if path not in self._paths:
+                self._paths.append(path)
+                self._add(path)
+
+    def _add(self, path: Path) -> None:
+        row = self.rowCount()
+        self.insertRow(row)
+        for column in range(len(_HEADS)):
+            item = QTableWidgetItem(path.name if column == FILE else "")
+            item.setToolTip(str(path))
+            if column in (COUNT, SPAN):
+                item.setTextAlignment(_RIGHT)
+                item.setFont(theme.tabular(self.font()))
+            self.setItem(row, column, item)
+
+    def _fill_role(self, row: int, entry: Entry) -> None:
+        roles: tuple[Kind | None, ...] = (*entry.roles, None)
+        items = [(words.ROLES[role], role) for role in roles]
+        self._fill_choice(row, ROLE, entry, items, entry.role, self.role_chosen)
+
+    def _fill_format(self, row: int, entry: Entry) -> None:
+        items: list[tuple[str, object]] = [(each.name, each.key) for each in entry.formats]
+        chosen = entry.format.key if entry.format is not None and items else None
+        self._fill_choice(row, FORMAT, entry, items or [("–", None)], chosen, self.format_chosen)
+
+    def _fill_choice(self, row: int, column: int, entry: Entry, items, chosen, signal) -> None:
+        """A list where there is something to choose, plain words where there is not."""
+        path, item = entry.path, self.item(row, column)
+        text = next((text for text, data in items if data == chosen), items[0][0])
+        item.setToolTip(text)
+        combo = self.cellWidget(row, column)
+        if len(items) < 2:
+            if combo is not None:
+                self.removeCellWidget(row, column)
+            item.setText(text)
+            item.setForeground(QColor(theme.MUTED if chosen is None else theme.TEXT))
+            return
+        item.setText("")
+        if combo is None:
+            what = "role" if column == ROLE else "format"
+            combo = widgets.Choice(f"{what}_{path.name}", ["–"], _TIPS[column])
+            combo.setAccessibleName(f"{what.capitalize()} of {path.name}")
+            combo.setSizeAdjustPolicy(
+                QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+            )
+            combo.activated.connect(lambda: self.select(path))
+            combo.activated.connect(lambda: signal.emit(path, combo.currentData()))
+            self.setCellWidget(row, column, combo)
+        _fill(combo, items, chosen)
+
+
+def _no_swatch() -> QIcon:
+    """Keeps the names of files that are no lines in one column with the others."""
+    pixmap = QPixmap(12, 12)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    return QIcon(pixmap)
+
+
+def _fill(combo: QComboBox, items: Sequence[tuple[str, object]], chosen: object) -> None:
+    """Fill a list without telling anyone."""
+    now = [(combo.itemText(k), combo.itemData(k)) for k in range(combo.count())]
+    combo.blockSignals(True)
+    if now != list(items):
+        combo.clear()
+        for text, data in items:
+            combo.addItem(text, data)
+    combo.setCurrentIndex(next((k for k, (_, data) in enumerate(items) if data == chosen), 0))
+    combo.blockSignals(False)

@@ -1,0 +1,135 @@
+"""What the user knows of the mounting and of the accuracies: as the settings of the project."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QScrollArea, QWidget
+
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.project import Settings
+
+
+class MountingPage(QScrollArea):
+    """Lever arm, prior boresight, origin and sigmas."""
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAccessibleName("Mounting and accuracies")
+        self.setWidgetResizable(True)
+        body = QWidget()
+        grid = QGridLayout(body)
+        grid.setContentsMargins(16, 12, 16, 12)
+        grid.setHorizontalSpacing(36)
+        grid.setVerticalSpacing(theme.SPACE)
+        grid.addWidget(widgets.label("Mounting", "heading"), 0, 0)
+        grid.addLayout(self._mounting(), 1, 0, Qt.AlignmentFlag.AlignTop)
+        grid.addWidget(widgets.label("Uncertainties", "heading"), 0, 1)
+        grid.addLayout(self._uncertainties(), 1, 1, Qt.AlignmentFlag.AlignTop)
+        grid.setColumnStretch(0, 1)
+        grid.setColumnStretch(1, 1)
+        grid.setRowStretch(2, 1)
+        self.setWidget(body)
+        body.setAutoFillBackground(False)
+        for field in (*self.lever_arm.fields, *self.boresight.fields):
+            field.valueChanged.connect(self.changed)
+
+    def settings(self) -> Settings:
+        """What the fields say."""
+        return Settings(
+            lever_arm=self.lever_arm.value(),
+            boresight_deg=self.boresight.value(),
+            origin_deg_m=self.origin.value() if self.origin_given.isChecked() else None,
+            position_sigma=self.position_sigma.value(),
+            attitude_sigma_deg=self.attitude_sigma.value(),
+            lidar_sigma=self.lidar_sigma.value() / 1000,
+        )
+
+    @property
+    def lever_arm_is_zero(self) -> bool:
+        """Whether the lever arm is as it was at the start."""
+        return not any(self.lever_arm.value())
+
+    def show_accuracy(self, name: str) -> None:
+        """Say where the POS accuracies come from: a file's name, or empty for the fields."""
+        self.position_sigma.setEnabled(not name)
+        self.attitude_sigma.setEnabled(not name)
+        self._source.setText(
+            f"Position and attitude: from {name}." if name
+            else "Position and attitude: no accuracy file, so these hold at all times."
+        )  # fmt: skip
+
+    def show_prior_needed(self, needed: bool) -> None:
+        """Say that the prior boresight is the one that georeferenced lines were made with."""
+        self._prior.setVisible(needed)
+
+    def _mounting(self) -> QFormLayout:
+        form = _form()
+        self.lever_arm = widgets.lever_arm_fields("new_lever_arm")
+        self.boresight = widgets.boresight_fields("new_boresight")
+        form.addRow("Lever arm", self.lever_arm)
+        form.addRow("Prior boresight", self.boresight)
+        self._prior = widgets.label(
+            "Lines on the map are taken back to the scanner: state the lever arm and the boresight "
+            "that they were made with.",
+            "hint", wrap=True, name="new_prior_hint",
+        )  # fmt: skip
+        self._prior.hide()
+        form.addRow(self._prior)
+        self.origin_given = QCheckBox("Set the origin of the local frame")
+        self.origin_given.setObjectName("new_origin_given")
+        self.origin_given.setToolTip("Without it, the mean position of the trajectory is used")
+        self.origin = widgets.Triple(
+            ("Latitude", "Longitude", "Height"),
+            [
+                _plain("new_latitude", " °", 8, -90, 90),
+                _plain("new_longitude", " °", 8, -180, 360),
+                _plain("new_height", " m", 3, -1000, 10000),
+            ],
+        )
+        self.origin.setEnabled(False)
+        self.origin_given.toggled.connect(self.origin.setEnabled)
+        form.addRow(QLabel(), self.origin_given)
+        form.addRow("Origin", self.origin)
+        return form
+
+    def _uncertainties(self) -> QFormLayout:
+        form = _form()
+        usual = Settings(lever_arm=(0.0, 0.0, 0.0))
+        self.lidar_sigma = widgets.number(
+            "new_lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
+            tip="Standard deviation of one LiDAR point on each axis, millimetres",
+        )  # fmt: skip
+        self.lidar_sigma.setValue(usual.lidar_sigma * 1000)
+        self.lidar_sigma.setMaximumWidth(140)
+        self.position_sigma = widgets.Triple(
+            ("North", "East", "Down"),
+            [_plain(f"new_sigma_{axis}", " m", 4, 0, 100) for axis in ("n", "e", "d")],
+        )
+        self.position_sigma.set_value(usual.position_sigma)
+        self.attitude_sigma = widgets.Triple(
+            ("Roll", "Pitch", "Heading"),
+            [_plain(f"new_sigma_{axis}", " °", 4, 0, 90) for axis in ("roll", "pitch", "heading")],
+        )
+        self.attitude_sigma.set_value(usual.attitude_sigma_deg)
+        form.addRow("LiDAR noise (1 σ)", self.lidar_sigma)
+        self._source = widgets.label("", "muted", wrap=True, name="new_sigma_source")
+        form.addRow(self._source)
+        form.addRow("Position (1 σ)", self.position_sigma)
+        form.addRow("Attitude (1 σ)", self.attitude_sigma)
+        return form
+
+
+def _form() -> QFormLayout:
+    form = QFormLayout()
+    form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+    form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+    form.setHorizontalSpacing(14)
+    form.setVerticalSpacing(theme.SPACE)
+    return form
+
+
+def _plain(name: str, suffix: str, decimals: int, low: float, high: float):
+    return widgets.number(
+        name, suffix=suffix, decimals=decimals, low=low, high=high, step=10.0 ** (1 - decimals)
+    )

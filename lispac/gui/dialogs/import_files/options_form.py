@@ -1,0 +1,124 @@
+"""What a file does not say by itself: one field for each option, preset as found."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
+
+from lispac.gui.dialogs.import_files import words
+from lispac.gui.panels import widgets
+from lispac.io.registry import Format, Option
+from lispac.workflow.intake_entry import Entry
+
+_GEOREFERENCED = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
+_SCANNER = ("unit",)
+"""Options that mean nothing in the other frame."""
+
+
+class OptionsForm(QWidget):
+    """Fields of one file's options."""
+
+    option_stated = Signal(str, str)
+    """Name and value."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._form = QFormLayout(self)
+        self._form.setContentsMargins(0, 0, 6, 0)
+        self._form.setVerticalSpacing(5)
+        self._form.setHorizontalSpacing(10)
+        self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._shown: tuple[object, Format | None, tuple[str, ...]] = (None, None, ())
+        self.fields: dict[str, QComboBox | QLineEdit] = {}
+        self._labels: dict[str, QLabel] = {}
+        self.system = widgets.label("", "muted", wrap=True, name="import_system")
+
+    def show_entry(self, entry: Entry) -> None:
+        """Show a file's options as they stand."""
+        options = _shown(entry)
+        which = (entry.path, entry.format, tuple(option.name for option in options))
+        if which != self._shown:
+            self._shown = which
+            self._build(options)
+        settled, stated = entry.options, entry.stated or {}
+        for option in options:
+            field = self.fields[option.name]
+            field.blockSignals(True)
+            if isinstance(field, QComboBox):
+                field.setCurrentIndex(max(0, field.findData(settled[option.name])))
+            elif not field.hasFocus() or not field.isModified():
+                field.setText(settled[option.name])
+                field.setCursorPosition(0)
+            field.blockSignals(False)
+            own = option.name in stated
+            self._labels[option.name].setProperty("role", "heading" if own else "")
+            self._labels[option.name].style().polish(self._labels[option.name])
+            origin = "Stated by you." if own else "As found in the file, or by default."
+            field.setToolTip(f"{option.meaning.rstrip('.')}.\n{origin}")
+        self._show_system(entry)
+
+    def ask(self, name: str) -> None:
+        """Take the focus to an option's field."""
+        if name in self.fields:
+            self.fields[name].setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _build(self, options: tuple[Option, ...]) -> None:
+        self.system.setParent(None)
+        while self._form.rowCount():
+            self._form.removeRow(0)
+        self.fields, self._labels = {}, {}
+        for option in options:
+            field = self._field(option)
+            label = widgets.label(words.option_name(option.name))
+            label.setBuddy(field)
+            field.setAccessibleName(words.option_name(option.name))
+            self.fields[option.name], self._labels[option.name] = field, label
+            self._form.addRow(label, field)
+            if option.name == "crs":
+                self._form.addRow("", self.system)
+
+    def _field(self, option: Option) -> QComboBox | QLineEdit:
+        name = option.name
+        if option.choices:
+            combo = widgets.Choice(f"option_{name}", [""], option.meaning)
+            combo.clear()
+            for value in option.choices:
+                combo.addItem(words.option_value(name, value), value)
+            combo.setMinimumContentsLength(12)
+            combo.setSizeAdjustPolicy(
+                QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+            )
+            combo.activated.connect(lambda: self.option_stated.emit(name, str(combo.currentData())))
+            return combo
+        line = QLineEdit()
+        line.setObjectName(f"option_{name}")
+        if name == "crs":
+            line.setPlaceholderText("EPSG:32619, say")
+        line.editingFinished.connect(lambda: self._typed(name, line))
+        return line
+
+    def _typed(self, name: str, line: QLineEdit) -> None:
+        if line.isModified():
+            line.setModified(False)
+            self.option_stated.emit(name, line.text().strip())
+
+    def _show_system(self, entry: Entry) -> None:
+        if "crs" not in self.fields:
+            return
+        place = entry.place
+        if place is None:
+            self.system.setText("")
+            self.system.setVisible(False)
+            return
+        self.system.setVisible(True)
+        self.system.setText(place.error or f"This is {place.system}.")
+        self.system.setProperty("role", "error" if place.error else "muted")
+        self.system.style().polish(self.system)
+
+
+def _shown(entry: Entry) -> tuple[Option, ...]:
+    if entry.format is None or entry.role is None:
+        return ()
+    hidden = {"columns"}
+    if entry.role == "points":
+        hidden |= set(_SCANNER if entry.georeferenced else _GEOREFERENCED)
+    return tuple(option for option in entry.format.options if option.name not in hidden)

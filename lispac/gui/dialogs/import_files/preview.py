@@ -1,0 +1,86 @@
+"""The first rows of a file; over the columns of a text file stands what each of them means."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
+
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.workflow.intake_columns import PASSED_OVER, has_columns, meanings, word_of
+from lispac.workflow.intake_entry import Entry
+
+MOST_COLUMNS = 60
+NARROWEST = 118
+
+
+class Preview(QTableWidget):
+    """Rows as text; meanings of columns as lists to choose from in the first row."""
+
+    meaning_chosen = Signal(int, str)
+    """Column, and what it means."""
+
+    def __init__(self) -> None:
+        super().__init__(0, 0)
+        self.setObjectName("import_preview")
+        self.setAccessibleName("First rows of the file")
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(24)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setTabKeyNavigation(False)
+        self.horizontalHeader().setHighlightSections(False)
+        self._shown: tuple[object, ...] = ()
+        self.combos: list[widgets.Choice] = []
+
+    def show_entry(self, entry: Entry) -> None:
+        """Show a file's rows."""
+        rows = () if entry.finding is None else entry.finding.rows
+        columns = min(max((len(row) for row in rows), default=0), MOST_COLUMNS)
+        mapped = entry.format is not None and entry.role is not None and has_columns(entry.format)
+        which = (entry.path, entry.format, rows, mapped)
+        if which != self._shown:
+            self._shown = which
+            self._build(entry, rows, columns, mapped)
+        for k, combo in enumerate(self.combos):
+            chosen = entry.columns[k] if k < len(entry.columns) else PASSED_OVER
+            combo.blockSignals(True)
+            if combo.findData(chosen) < 0:
+                combo.addItem(chosen, chosen)
+            combo.setCurrentIndex(combo.findData(chosen))
+            combo.blockSignals(False)
+
+    def _build(self, entry: Entry, rows, columns: int, mapped: bool) -> None:
+        self.clear()
+        self.combos = []
+        first = 1 if mapped else 0
+        self.setRowCount(first + max(len(rows) - 1, 0))
+        self.setColumnCount(columns)
+        names = list(rows[0][:columns]) if rows else []
+        heads = [f"Column {k + 1}" for k in range(columns)] if mapped else names
+        self.setHorizontalHeaderLabels(heads + [""] * (columns - len(heads)))
+        for k in range(columns if mapped else 0):
+            self._add_combo(entry, k)
+        for row, cells in enumerate(rows[1:]):
+            for column, text in enumerate(cells[:columns]):
+                item = QTableWidgetItem(text)
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                item.setFont(theme.tabular(self.font()))
+                self.setItem(first + row, column, item)
+        if self.rowCount():
+            self.setRowHeight(0, 30 if mapped else 24)
+        self.resizeColumnsToContents()
+        for k in range(columns):
+            wanted = self.columnWidth(k) + 10
+            self.setColumnWidth(k, max(wanted, NARROWEST) if mapped else wanted)
+
+    def _add_combo(self, entry: Entry, column: int) -> None:
+        assert entry.format is not None
+        combo = widgets.Choice(f"column_{column + 1}", [""], "What this column is")
+        combo.clear()
+        for meaning in meanings(entry.format):
+            combo.addItem(word_of(meaning), meaning)
+        combo.setAccessibleName(f"Meaning of column {column + 1}")
+        combo.setItemData(0, QColor(theme.MUTED), Qt.ItemDataRole.ForegroundRole)
+        combo.activated.connect(lambda: self.meaning_chosen.emit(column, combo.currentData()))
+        self.setCellWidget(0, column, combo)
+        self.combos.append(combo)

@@ -1,0 +1,142 @@
+"""The dialogue's own worker: files are looked into one after the other, never in the window."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from lispac.errors import Cancelled
+from lispac.gui.dialogs.error import describe
+from lispac.gui.tasks import TaskRunner
+from lispac.progress import Progress
+from lispac.workflow.intake import Intake, gathered, project_among
+from lispac.workflow.intake_entry import Entry, examined, examined_again
+
+STOPPED = "Not looked into, as it was stopped; press Look again."
+
+
+class Work(QObject):
+    """Holds the intake, and reads what it asks for.
+
+    Parameters
+    ----------
+    mappings : dict of str to str
+        Columns chosen for text files before, by their layout.
+    """
+
+    changed = Signal()
+    """The intake is another one."""
+    moved = Signal()
+    """The running work has moved: look at `words` and `fraction`."""
+    project_found = Signal(object)
+    """A project was dropped: it is to be opened."""
+
+    def __init__(self, mappings: dict[str, str], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.intake = Intake()
+        self._mappings = mappings
+        self._asked: dict[Path, Entry] = {}
+        self._done = 0
+        self.runner = TaskRunner(self)
+        self.runner.changed.connect(self.moved)
+
+    def add(self, paths: Iterable[Path]) -> None:
+        """Take in files and folders."""
+        paths = list(paths)
+
+        def work(progress: Progress) -> tuple[Path | None, tuple[Path, ...]]:
+            return project_among(paths), gathered(paths)
+
+        def done(found: tuple[Path | None, tuple[Path, ...]]) -> None:
+            if found[0] is not None:
+                self.project_found.emit(found[0])
+            else:
+                self.edit(self.intake.with_files(found[1]))
+
+        self.runner.run("Listing the files", work, done)
+
+    def edit(self, intake: Intake) -> None:
+        """Take another intake, and look into the files that wait for it."""
+        self.intake = intake
+        here = {entry.path for entry in intake.entries}
+        self._asked = {path: entry for path, entry in self._asked.items() if path in here}
+        for entry in intake.entries:
+            if entry.pending and self._asked.get(entry.path) is not entry:
+                self._look(entry)
+        self.changed.emit()
+
+    def stop(self) -> None:
+        """Look into no more files."""
+        self.runner.cancel()
+        self._asked = {}
+        self._done = 0
+        entries = tuple(
+            replace(e, pending=False, error=STOPPED) if e.pending else e
+            for e in self.intake.entries
+        )
+        self.intake = replace(self.intake, entries=entries)
+        self.changed.emit()
+
+    @property
+    def was_stopped(self) -> bool:
+        """Whether some files were not looked into."""
+        return any(entry.error == STOPPED for entry in self.intake.entries)
+
+    def look_again(self) -> None:
+        """Look into the files that were passed over when it was stopped."""
+        entries = tuple(
+            replace(e, pending=True) if e.error == STOPPED else e for e in self.intake.entries
+        )
+        self.edit(replace(self.intake, entries=entries))
+
+    @property
+    def busy(self) -> bool:
+        """Whether a file is being looked into, or waits."""
+        return self.runner.active
+
+    @property
+    def words(self) -> str:
+        """What is being done."""
+        task = self.runner.current
+        if task is None:
+            return ""
+        total = self._done + sum(entry.pending for entry in self.intake.entries)
+        what = task.message or task.title
+        return f"{what} ({self._done + 1} of {total})" if total > 1 else what
+
+    @property
+    def fraction(self) -> float:
+        """How much is done, from 0 to 1."""
+        task = self.runner.current
+        total = self._done + sum(entry.pending for entry in self.intake.entries)
+        return (self._done + (0.0 if task is None else task.fraction)) / max(total, 1)
+
+    def close(self) -> None:
+        """Stop, and wait for the worker to end."""
+        self.runner.close()
+
+    def _look(self, entry: Entry) -> None:
+        self._asked[entry.path] = entry
+        mappings = self._mappings
+
+        def work(progress: Progress) -> Entry:
+            try:
+                if not entry.looks:
+                    return examined(entry.path, mappings, progress=progress)
+                return examined_again(entry, progress=progress)
+            except Cancelled:
+                raise
+            except Exception as error:  # whatever one file does, the others are looked into
+                sentence, details = describe(error)
+                said = f"It cannot be looked into ({type(error).__name__}: {error})."
+                return replace(entry, pending=False, error=said if details else sentence)
+
+        def done(found: Entry) -> None:
+            if self._asked.get(entry.path) is not entry:
+                return
+            del self._asked[entry.path]
+            self._done = self._done + 1 if self._asked else 0
+            self.edit(self.intake.with_entry(found).sorted_out(found.path))
+
+        self.runner.run(f"Looking into {entry.path.name}", work, done, key=str(entry.path))

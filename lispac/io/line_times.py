@@ -1,0 +1,118 @@
+"""The times of a line before it is imported: all of a short one, a sample of a long one."""
+
+import time as clock
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import laspy
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.las_guard import require_sound_header
+from lispac.io.points import plainly
+from lispac.io.registry import Choice, Format, PointChunk
+from lispac.progress import Progress, no_progress
+
+Array = NDArray[np.float64]
+
+KEPT = 20_000
+"""Times kept of a line: one of every few hundred milliseconds of an hour."""
+READ_WHOLE = 3_000_000
+"""Points that LAS and LAZ are read whole up to; of more, blocks here and there."""
+BLOCKS, BLOCK = 40, 500
+LONGEST = 15.0
+"""Seconds after which reading stops; what was not read is checked at the import."""
+
+
+@dataclass(frozen=True, eq=False)
+class LineTimes:
+    """When a line's points were measured, as the file says it.
+
+    Attributes
+    ----------
+    sample : ndarray of shape (n,), seconds, in the file's time base, in the order of the file
+    start, end : float, seconds
+        Of the points looked at.
+    count : int or None
+        Points of the file, where it was read whole or says so.
+    whole : bool
+        Whether every point was looked at, so that start and end are certain.
+    reached_end : bool
+        Whether the end of the file was looked at.
+    place : ndarray of shape (3,)
+        Coordinates of one point, as the file has them.
+    """
+
+    sample: Array
+    start: float
+    end: float
+    count: int | None
+    whole: bool
+    reached_end: bool
+    place: Array
+
+
+def line_times(
+    path: Path, format: Format, choice: Choice, *, progress: Progress = no_progress
+) -> LineTimes:
+    """Look through a line's times.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read with these options.
+    """
+    if format.key == "las" and (count := _points_of(path)) > READ_WHOLE:
+        return _sampled(path, count, progress)
+    chunks = format.read(path, choice)
+    assert isinstance(chunks, Iterator)
+    return _read(path, chunks, progress)
+
+
+def _read(path: Path, chunks: Iterator[PointChunk], progress: Progress) -> LineTimes:
+    started, done = clock.monotonic(), 0
+    parts: list[Array] = []
+    place = np.zeros(3)
+    start, end, ended, total = np.inf, -np.inf, True, None
+    for chunk in chunks:
+        if not done:
+            place = np.asarray(chunk.xyz[0], dtype=np.float64)
+        done += len(chunk.time)
+        start, end = min(start, float(chunk.time.min())), max(end, float(chunk.time.max()))
+        parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // KEPT)]))
+        total = chunk.total
+        progress(done / max(total or 2 * done, 1), f"{path.name}: {done:,} points looked at")
+        if clock.monotonic() - started > LONGEST:
+            ended = total is not None and done >= total
+            break
+    if not done:
+        raise InputError(f"{path}: this line holds no points; leave it out.")
+    sample = np.concatenate(parts)
+    sample = sample[:: max(1, len(sample) // KEPT)]
+    return LineTimes(sample, start, end, done if ended else total, ended, ended, place)
+
+
+def _points_of(path: Path) -> int:
+    with plainly(path, "LAS or LAZ"):
+        require_sound_header(path)
+        with laspy.open(path) as reader:
+            return int(reader.header.point_count)
+
+
+def _sampled(path: Path, count: int, progress: Progress) -> LineTimes:
+    parts, place = [], np.zeros(3)
+    with plainly(path, "LAS or LAZ"), laspy.open(path) as reader:
+        for k, first in enumerate(np.linspace(0, count - BLOCK, BLOCKS).astype(int)):
+            progress(k / BLOCKS, f"{path.name}: {k} of {BLOCKS} places looked at")
+            reader.seek(int(first))
+            points = reader.read_points(BLOCK)
+            parts.append(np.array(points.gps_time, dtype=np.float64))
+            if not k and len(points):
+                place = np.array([points.x[0], points.y[0], points.z[0]], dtype=np.float64)
+    times = np.concatenate(parts)
+    times = times[np.isfinite(times)]
+    if not len(times):
+        raise InputError(f"{path}: no point looked at has a usable time; export the line again.")
+    return LineTimes(times, float(times.min()), float(times.max()), count, False, True, place)

@@ -1,0 +1,91 @@
+"""Points and trajectories as text that other programs read, units in the header."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.survey.crs import CoordinateSystem
+from lispac.survey.trajectory import Trajectory
+
+TRAJECTORY_HEADER = (
+    "# Trajectory written by LISPAC.",
+    "# Time as in the source; latitude and longitude in degrees, height in metres above the "
+    "ellipsoid;",
+    "# roll positive starboard down, pitch positive bow up, heading clockwise from true north, in "
+    "degrees (Applanix).",
+    "time latitude longitude height roll pitch heading",
+)
+"""Above the numbers; the last line names the columns as `lispac.io.ascii_trajectory` knows them."""
+
+
+def write_table(
+    path: Path, names: Sequence[str], columns: Sequence[NDArray[Any]], formats: Sequence[str]
+) -> None:
+    """Write columns as CSV with one row of names.
+
+    Parameters
+    ----------
+    names : sequence of str
+        With units; no commas or quotes are in them.
+    columns : sequence of ndarray of shape (n,)
+        Numbers or text.
+    formats : sequence of str
+        One of Python's for each column: ``.4f``, ``d``, ``s``.
+
+    Raises
+    ------
+    InputError
+        Where a name or text would fall apart in CSV.
+    """
+    texts = [name for name in names] + [
+        str(value) for column in columns if column.dtype.kind == "U" for value in np.unique(column)
+    ]
+    for text in texts:
+        if any(character in text for character in ',"\n\r'):
+            raise InputError(f"{path.name}: {text} cannot stand in CSV; rename it.")
+    row = ",".join("{:" + form + "}" for form in formats) + "\n"
+    with path.open("w", encoding="utf-8", newline="") as file:
+        file.write(",".join(names) + "\n")
+        file.writelines(row.format(*values) for values in zip(*columns, strict=True))
+
+
+def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What the coordinates of a system are called, with their unit, and the formats to 0.1 mm."""
+    if system is None:
+        return ("north (m)", "west (m)", "up (m)"), (".4f", ".4f", ".4f")
+    code = system.crs.to_epsg()
+    of = f" EPSG:{code}" if code else ""
+    height_unit = system.height.rpartition("(")[2].rstrip(")")
+    if system.is_geographic:
+        names = f"longitude{of} (deg)", f"latitude{of} (deg)", f"height ({height_unit})"
+        return names, (".9f", ".9f", ".4f")
+    if system.crs.is_geocentric:
+        return (f"X{of} (m)", f"Y{of} (m)", f"Z{of} (m)"), (".4f", ".4f", ".4f")
+    names = f"east{of} ({system.unit})", f"north{of} ({system.unit})", f"height ({height_unit})"
+    return names, (".4f", ".4f", ".4f")
+
+
+def write_trajectory_text(path: Path, trajectory: Trajectory) -> None:
+    """Write a trajectory as text: degrees and metres, signs after Applanix, as the header says.
+
+    Position to 0.01 mm, attitude to 1e-9 deg.
+    """
+    signs = np.array([1.0, -1.0, 1.0])  # pitch is positive bow down inside
+    attitude = np.degrees(trajectory.attitude * signs)
+    attitude[:, 2] %= 360
+    rows = np.column_stack(
+        [
+            trajectory.time,
+            np.degrees(trajectory.latitude),
+            np.degrees(trajectory.longitude),
+            trajectory.height,
+            attitude,
+        ]
+    )
+    with path.open("w", encoding="utf-8", newline="\n") as file:
+        file.write("\n".join(TRAJECTORY_HEADER) + "\n")
+        np.savetxt(file, rows, fmt="%.9f %.11f %.11f %.5f %.9f %.9f %.9f")

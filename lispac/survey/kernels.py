@@ -1,0 +1,240 @@
+"""The compiled passes over points: scanner frame to local frame to map, and back.
+
+Each function works on a contiguous piece of a line and lets go of Python's lock, so pieces run on
+all cores. Fused ones go through the piece in tiles that stay in the processor's cache: one
+implementation of each step, and no array of intermediate results.
+"""
+
+import numpy as np
+from numba import njit
+
+TILE = 2048
+SHORT = 0.1
+"""Radians; the first term left out of the series is 3e-17 there."""
+TERMS = 20
+"""Coefficients of a polynomial of third degree in three variables."""
+
+# Numba has no types mypy could check, hence the marks.
+
+
+@njit(nogil=True, cache=True)
+def interval(t, knots, k):  # type: ignore[no-untyped-def]
+    """The interval of ``knots`` that holds ``t``; -1 outside. ``k`` is where the last one was.
+
+    Times mostly increase, so the interval of the last point or the next one holds; a jump is
+    found by bisection.
+    """
+    last = len(knots) - 2
+    if not (knots[0] <= t <= knots[-1]):
+        return -1
+    if knots[k] <= t <= knots[k + 1]:
+        return k
+    if k < last and knots[k + 1] <= t <= knots[k + 2]:
+        return k + 1
+    return min(max(np.searchsorted(knots, t) - 1, 0), last)
+
+
+@njit(nogil=True, cache=True, fastmath={"contract"})
+def turned(cosine, sine, angle, turn):  # type: ignore[no-untyped-def]
+    """Cosine and sine of ``angle + turn`` from those of ``angle``.
+
+    Between two states of a POS angles hardly change: a short series, exact to the last digits of a
+    double up to `SHORT`, takes a third of the time of the functions.
+    """
+    if not -SHORT <= turn <= SHORT:
+        return np.cos(angle + turn), np.sin(angle + turn)
+    q = turn * turn
+    s = turn * (1 - q * (1 / 6) * (1 - q * (1 / 20) * (1 - q * (1 / 42) * (1 - q * (1 / 72)))))
+    c = 1 - q * (1 / 2) * (1 - q * (1 / 12) * (1 - q * (1 / 30) * (1 - q * (1 / 56))))
+    return cosine * c - sine * s, sine * c + cosine * s
+
+
+@njit(nogil=True, cache=True, fastmath={"contract"})
+def georeferenced(points_lidar, time, latency, knots, states, rotation, lever_arm, points_local):  # type: ignore[no-untyped-def]
+    """Scanner frame to local frame; False where a time lies outside the trajectory.
+
+    ``states`` are position and attitude at ``knots``, shape (m, 6).
+    """
+    k, known = 0, -1
+    for i in range(len(time)):
+        t = time[i] + latency
+        k = interval(t, knots, k)
+        if k < 0:
+            return False
+        low, high = states[k], states[k + 1]
+        if k != known:
+            known = k
+            cos_r, sin_r = np.cos(low[3]), np.sin(low[3])
+            cos_p, sin_p = np.cos(low[4]), np.sin(low[4])
+            cos_h, sin_h = np.cos(low[5]), np.sin(low[5])
+        u = (t - knots[k]) / (knots[k + 1] - knots[k])
+        x, y, z = points_lidar[i, 0], points_lidar[i, 1], points_lidar[i, 2]
+        bx = rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z + lever_arm[0]
+        by = rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z + lever_arm[1]
+        bz = rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z + lever_arm[2]
+        # Rx(roll), Ry(pitch), Rz(-heading), one after the other
+        c, s = turned(cos_r, sin_r, low[3], u * (high[3] - low[3]))
+        by, bz = c * by - s * bz, s * by + c * bz
+        c, s = turned(cos_p, sin_p, low[4], u * (high[4] - low[4]))
+        bx, bz = c * bx + s * bz, -s * bx + c * bz
+        c, s = turned(cos_h, sin_h, low[5], u * (high[5] - low[5]))
+        bx, by = c * bx + s * by, -s * bx + c * by
+        points_local[i, 0] = low[0] + u * (high[0] - low[0]) + bx
+        points_local[i, 1] = low[1] + u * (high[1] - low[1]) + by
+        points_local[i, 2] = low[2] + u * (high[2] - low[2]) + bz
+    return True
+
+
+@njit(nogil=True, cache=True, fastmath={"contract"})
+def scanned(points_local, time, latency, knots, states, rotation, lever_arm, points_lidar):  # type: ignore[no-untyped-def]
+    """The inverse of `georeferenced`; both arrays may be the same one."""
+    k, known = 0, -1
+    for i in range(len(time)):
+        t = time[i] + latency
+        k = interval(t, knots, k)
+        if k < 0:
+            return False
+        low, high = states[k], states[k + 1]
+        if k != known:
+            known = k
+            cos_r, sin_r = np.cos(low[3]), np.sin(low[3])
+            cos_p, sin_p = np.cos(low[4]), np.sin(low[4])
+            cos_h, sin_h = np.cos(low[5]), np.sin(low[5])
+        u = (t - knots[k]) / (knots[k + 1] - knots[k])
+        bx = points_local[i, 0] - (low[0] + u * (high[0] - low[0]))
+        by = points_local[i, 1] - (low[1] + u * (high[1] - low[1]))
+        bz = points_local[i, 2] - (low[2] + u * (high[2] - low[2]))
+        # The turns of `georeferenced` backwards, in the other order
+        c, s = turned(cos_h, sin_h, low[5], u * (high[5] - low[5]))
+        bx, by = c * bx - s * by, s * bx + c * by
+        c, s = turned(cos_p, sin_p, low[4], u * (high[4] - low[4]))
+        bx, bz = c * bx - s * bz, s * bx + c * bz
+        c, s = turned(cos_r, sin_r, low[3], u * (high[3] - low[3]))
+        by, bz = c * by + s * bz, -s * by + c * bz
+        bx, by, bz = bx - lever_arm[0], by - lever_arm[1], bz - lever_arm[2]
+        points_lidar[i, 0] = rotation[0, 0] * bx + rotation[1, 0] * by + rotation[2, 0] * bz
+        points_lidar[i, 1] = rotation[0, 1] * bx + rotation[1, 1] * by + rotation[2, 1] * bz
+        points_lidar[i, 2] = rotation[0, 2] * bx + rotation[1, 2] * by + rotation[2, 2] * bz
+    return True
+
+
+@njit(nogil=True, cache=True, fastmath={"contract"})
+def cubic(c, x, y, z):  # type: ignore[no-untyped-def]
+    """A polynomial of third degree; the order of ``c`` is that of `lispac.survey.smooth_map`."""
+    return (
+        c[0]
+        + z * (c[1] + z * (c[2] + z * c[3]))
+        + y * (c[4] + z * (c[5] + z * c[6]) + y * (c[7] + z * c[8] + y * c[9]))
+        + x
+        * (
+            c[10]
+            + z * (c[11] + z * c[12])
+            + y * (c[13] + z * c[14] + y * c[15])
+            + x * (c[16] + z * c[17] + y * c[18] + x * c[19])
+        )
+    )
+
+
+@njit(nogil=True, cache=True, fastmath={"contract"})
+def evaluated(points, root, children, leaf_of, boxes, coefficients, missed):  # type: ignore[no-untyped-def]
+    """Put points through the polynomial of the cell that holds each, in place.
+
+    ``root`` is low x, low y, low z, side, high z; ``children`` of shape (nodes, 4) are -1 for a
+    leaf, whose number ``leaf_of`` gives, or -1 where only the exact way will do. Boxes of shape
+    (leaves, 6) are the middle and one over half the size. A point without a cell is left as it is
+    and marked in ``missed``; their number is returned.
+    """
+    count = 0
+    leaf = -1
+    low_x = high_x = low_y = high_y = 0.0
+    for i in range(len(points)):
+        x, y, z = points[i, 0], points[i, 1], points[i, 2]
+        if leaf < 0 or not (low_x <= x < high_x and low_y <= y < high_y):
+            leaf = -1
+            side = root[3]
+            low_x, low_y = root[0], root[1]
+            if low_x <= x < low_x + side and low_y <= y < low_y + side:
+                node = 0
+                while children[node, 0] >= 0:
+                    side *= 0.5
+                    quarter = 0
+                    if x >= low_x + side:
+                        low_x += side
+                        quarter = 1
+                    if y >= low_y + side:
+                        low_y += side
+                        quarter += 2
+                    node = children[node, quarter]
+                leaf = leaf_of[node]
+                high_x, high_y = low_x + side, low_y + side
+        if leaf < 0 or not (root[2] <= z <= root[4]):
+            missed[i] = True
+            count += 1
+            continue
+        box = boxes[leaf]
+        c = coefficients[leaf]
+        sx, sy, sz = (x - box[0]) * box[3], (y - box[1]) * box[4], (z - box[2]) * box[5]
+        points[i, 0] = cubic(c[0], sx, sy, sz)
+        points[i, 1] = cubic(c[1], sx, sy, sz)
+        points[i, 2] = cubic(c[2], sx, sy, sz)
+    return count
+
+
+@njit(nogil=True, cache=True)
+def georeferenced_to_map(  # type: ignore[no-untyped-def]
+    points_lidar, time, latency, knots, states, rotation, lever_arm,
+    root, children, leaf_of, boxes, coefficients, points_map, missed,
+):  # fmt: skip
+    """Scanner frame to map; points marked in ``missed`` are left in the local frame.
+
+    Returns the number of these, or -1 where a time lies outside the trajectory.
+    """
+    count = 0
+    for start in range(0, len(time), TILE):
+        stop = min(start + TILE, len(time))
+        tile = points_map[start:stop]
+        if not georeferenced(
+            points_lidar[start:stop], time[start:stop], latency, knots, states, rotation,
+            lever_arm, tile,
+        ):  # fmt: skip
+            return -1
+        count += evaluated(tile, root, children, leaf_of, boxes, coefficients, missed[start:stop])
+    return count
+
+
+@njit(nogil=True, cache=True)
+def scaled(x, y, z, scales, offsets, points):  # type: ignore[no-untyped-def]
+    """Coordinates from whole steps, digit by digit what laspy makes of them."""
+    for i in range(len(x)):
+        points[i, 0] = x[i] * scales[0] + offsets[0]
+        points[i, 1] = y[i] * scales[1] + offsets[1]
+        points[i, 2] = z[i] * scales[2] + offsets[2]
+
+
+@njit(nogil=True, cache=True)
+def quantised(points, offsets, scales, x, y, z):  # type: ignore[no-untyped-def]
+    """Whole steps of ``scales`` from ``offsets`` into ``x``, ``y``, ``z``; False past 32 bits."""
+    fx, fy, fz = 1 / scales[0], 1 / scales[1], 1 / scales[2]
+    for i in range(len(points)):
+        a = np.rint((points[i, 0] - offsets[0]) * fx)
+        b = np.rint((points[i, 1] - offsets[1]) * fy)
+        c = np.rint((points[i, 2] - offsets[2]) * fz)
+        if not (abs(a) < 2147483647.0 and abs(b) < 2147483647.0 and abs(c) < 2147483647.0):
+            return False
+        x[i], y[i], z[i] = np.int32(a), np.int32(b), np.int32(c)
+    return True
+
+
+@njit(nogil=True, cache=True)
+def bounds(points):  # type: ignore[no-untyped-def]
+    """Low and high corner of points and the largest squared distance from the origin."""
+    low, high, farthest = np.full(3, np.inf), np.full(3, -np.inf), 0.0
+    for i in range(len(points)):
+        square = 0.0
+        for axis in range(3):
+            value = points[i, axis]
+            low[axis] = min(low[axis], value)
+            high[axis] = max(high[axis], value)
+            square += value * value
+        farthest = max(farthest, square)
+    return low, high, farthest

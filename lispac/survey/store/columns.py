@@ -1,0 +1,155 @@
+"""Columns as files in NumPy's own format, written piece by piece and read by mapping."""
+
+import os
+from io import BytesIO
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError
+from lispac.survey.store.fingerprint import joined_crc32
+from lispac.survey.store.layout import Column, flushed
+
+HEADER = 128
+"""Bytes before the numbers, the same whatever their count: it is written last."""
+PIECE = 1 << 24  # bytes read or filled at once
+WINDOW = 1 << 24  # values mapped at once for writing
+
+
+class ColumnFile:
+    """A column being written; how many points it gets is known at the end.
+
+    Used in a ``with`` statement: what is not finished stays without a header and is no column.
+    """
+
+    def __init__(self, folder: Path, file: str, name: str, dtype: str, shape: Any = ()) -> None:
+        self._path, self._name = folder / file, name
+        self._dtype, self._shape = np.dtype(dtype), tuple(shape)
+        self._file = self._path.open("wb")
+        self._file.write(bytes(HEADER))
+        self._count = self._checksum = self._bytes = 0
+
+    def append(self, values: NDArray[Any]) -> None:
+        """Write the values of the next points, shape (n, ...)."""
+        data = np.ascontiguousarray(values, dtype=self._dtype).reshape(-1).view(np.uint8).data
+        self._file.write(data)
+        self._checksum = crc32(data, self._checksum)
+        self._bytes += len(data)
+        self._count += len(values)
+
+    def finish(self) -> Column:
+        """Write the header and bring all of it on the disk."""
+        header = header_of(self._dtype, (self._count, *self._shape))
+        self._file.seek(0)
+        self._file.write(header)
+        flushed(self._file)
+        # The header comes before the rest, whose checksum is known already.
+        checksum = joined_crc32(crc32(header), self._checksum, self._bytes)
+        size = HEADER + self._bytes
+        return Column(
+            self._name, self._dtype.str, self._shape, self._path.name, self._count, size, checksum
+        )  # fmt: skip
+
+    def __enter__(self) -> "ColumnFile":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._file.close()
+
+
+class ScatteredColumn:
+    """A column whose values come in any order; the room for all is taken at the start.
+
+    Room that is taken only while a mapped file is filled would end the program, not raise an
+    error, where the disk is full.
+    """
+
+    def __init__(self, folder: Path, file: str, name: str, dtype: str, count: int) -> None:
+        self._path, self._name, self._dtype = folder / file, name, np.dtype(dtype)
+        self._count = count
+        with self._path.open("wb") as column:
+            column.write(header_of(self._dtype, (count,)))
+            left = count * self._dtype.itemsize
+            while left > 0:
+                left -= column.write(bytes(min(left, PIECE)))
+
+    def put(self, places: NDArray[Any], values: NDArray[Any]) -> None:
+        """Write ``values`` at ``places``, both of shape (n,)."""
+        # Mapped anew each time and in windows: what is mapped counts as memory once touched.
+        windows = places // WINDOW
+        for window in np.unique(windows).tolist():
+            start = window * WINDOW
+            mapped = np.memmap(
+                self._path,
+                self._dtype,
+                "r+",
+                HEADER + start * self._dtype.itemsize,
+                min(WINDOW, self._count - start),
+            )
+            inside = windows == window
+            mapped[places[inside] - start] = values[inside]
+
+    def finish(self) -> Column:
+        """Bring all of it on the disk."""
+        with self._path.open("r+b") as column:
+            os.fsync(column.fileno())
+        size = self._path.stat().st_size
+        return Column(
+            self._name, self._dtype.str, (), self._path.name, self._count, size,
+            checksum_of(self._path),
+        )  # fmt: skip
+
+
+def header_of(dtype: np.dtype[Any], shape: tuple[int, ...]) -> bytes:
+    """The beginning of a file in NumPy's format."""
+    header = BytesIO()
+    description = {
+        "descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False, "shape": shape,
+    }  # fmt: skip
+    np.lib.format.write_array_header_1_0(header, description)
+    content = header.getvalue()
+    assert len(content) == HEADER, "a column of numbers has a header of one fixed size"
+    return content
+
+
+def checksum_of(path: Path) -> int:
+    """CRC-32 of a file."""
+    checksum = 0
+    with path.open("rb") as file:
+        while piece := file.read(PIECE):
+            checksum = crc32(piece, checksum)
+    return checksum
+
+
+def opened(folder: Path, column: Column, count: int) -> NDArray[Any]:
+    """A column's values, mapped: read where they are looked at.
+
+    Raises
+    ------
+    ProjectError
+        Where the file is not what the manifest says.
+    """
+    shape = (count, *column.shape)
+    if not column.file:
+        value = np.array(column.value, dtype=column.dtype)
+        return np.broadcast_to(value, shape)
+    path = folder / column.file
+    try:
+        values: NDArray[Any] = np.load(path, mmap_mode="r", allow_pickle=False)
+        if values.shape != shape or values.dtype != np.dtype(column.dtype):
+            raise ValueError(f"it holds {values.dtype} of shape {values.shape}")
+    except (OSError, ValueError, EOFError) as error:
+        raise ProjectError(
+            f"{path}: this part of an imported line is damaged ({error}); import the line again."
+        ) from error
+    # A plain array over the same memory: the subclass costs in every slice.
+    return np.asarray(values)

@@ -1,0 +1,64 @@
+"""`Scan.fingerprint` of a line that never is in memory as a whole.
+
+The fingerprint runs through all coordinates and then through all times. CRC-32 is linear, so both
+can be taken along with the points and put together at the end.
+"""
+
+from dataclasses import dataclass
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+
+POLYNOMIAL = 0xEDB88320
+
+
+@dataclass(frozen=True)
+class Running:
+    """What is known after some points: their number and two checksums."""
+
+    points: int = 0
+    coordinates: int = 0
+    times: int = 0
+
+    def after(self, points_lidar: NDArray[np.float64], time: NDArray[np.float64]) -> "Running":
+        """Take the next points along: shape (n, 3), metres, and shape (n,), seconds."""
+        return Running(
+            self.points + len(time),
+            crc32(np.ascontiguousarray(points_lidar, dtype=np.float64).data, self.coordinates),
+            crc32(np.ascontiguousarray(time, dtype=np.float64).data, self.times),
+        )
+
+    @property
+    def fingerprint(self) -> str:
+        """As `Scan.fingerprint` of all points so far."""
+        checksum = joined_crc32(self.coordinates, self.times, 8 * self.points)
+        return f"{self.points}-{checksum:08x}"
+
+
+def joined_crc32(first: int, second: int, length: int) -> int:
+    """CRC-32 of two pieces one after the other, the second of ``length`` bytes.
+
+    Appending a zero byte is a linear map of the checksum's bits; its powers come by squaring.
+    """
+    one_bit = [POLYNOMIAL] + [1 << k for k in range(31)]
+    power = _squared(_squared(_squared(one_bit)))  # one byte
+    while length:
+        if length & 1:
+            first = _times(power, first)
+        power = _squared(power)
+        length >>= 1
+    return first ^ second
+
+
+def _times(matrix: list[int], vector: int) -> int:
+    total = 0
+    for column in matrix:
+        if vector & 1:
+            total ^= column
+        vector >>= 1
+    return total
+
+
+def _squared(matrix: list[int]) -> list[int]:
+    return [_times(matrix, column) for column in matrix]

@@ -1,0 +1,283 @@
+"""What lies in the folder of a stored line, and the manifest that makes it count.
+
+A line is a folder: ``store.json``, the manifest, and ``columns-N``, a folder with one file in
+NumPy's own format for each column. The manifest is written last, by a rename: what it does not
+name is not part of the store, whatever an interrupted import has left. While a line is imported its
+blocks of points lie in ``spool``.
+"""
+
+import errno
+import json
+import os
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+from zlib import crc32
+
+from lispac.errors import ProjectError
+
+VERSION = 1
+MANIFEST, SPOOL, COLUMNS, PART = "store.json", "spool", "columns-", ".part"
+
+
+class DamagedStore(ProjectError):
+    """The manifest of a stored line cannot be read; the line has to be imported again."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column.
+
+    Attributes
+    ----------
+    name : str
+        The file's own name of an attribute, or that of one of the store's columns.
+    dtype : str
+        NumPy's name of the type.
+    shape : tuple of int
+        Of one point's value: empty for a number.
+    file : str
+        In the folder of the columns; empty where all points have the same value.
+    count : int
+        Values in the file.
+    size : int, bytes
+    checksum : int
+        CRC-32 of the whole file.
+    value : number or list of numbers
+        What all points have, where there is no file.
+    """
+
+    name: str
+    dtype: str
+    shape: tuple[int, ...] = ()
+    file: str = ""
+    count: int = 0
+    size: int = 0
+    checksum: int = 0
+    value: Any = None
+
+
+@dataclass(frozen=True)
+class Original:
+    """The file a line was imported from, as it was then.
+
+    Attributes
+    ----------
+    path : str
+    size : int, bytes
+    modified : int, nanoseconds
+    fingerprint : str
+        Of samples of its content, see `lispac.survey.store.original`.
+    """
+
+    path: str
+    size: int
+    modified: int
+    fingerprint: str
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """What a stored line holds and what it was made from.
+
+    Attributes
+    ----------
+    line : str
+        Name of the line.
+    points : int
+    left_out : int
+        Points of the file that are not in the store.
+    folder : str
+        Of the columns.
+    columns : tuple of Column
+        The store's own.
+    attributes : tuple of Column
+        What the file has beyond place and time, under its own names.
+    side : float, metres
+        Of a cell.
+    low, high : tuple of 3 floats, metres, local frame
+        Bounds of the placed points.
+    first_time, last_time : float, seconds
+    reach : float, metres
+        Of the farthest point from the scanner.
+    fingerprint : str
+        `Scan.fingerprint` of the points in the order of the file.
+    original : Original
+    made_with : mapping
+        All that the content follows from besides the file: how it was read, the trajectory, and
+        the mounting where it went into the vectors.
+    placed_with : mapping
+        What the order in space follows from: the mounting.
+    assumptions : tuple of str
+    """
+
+    line: str
+    points: int
+    left_out: int
+    folder: str
+    columns: tuple[Column, ...]
+    attributes: tuple[Column, ...]
+    side: float
+    low: tuple[float, float, float]
+    high: tuple[float, float, float]
+    first_time: float
+    last_time: float
+    reach: float
+    fingerprint: str
+    original: Original
+    made_with: Mapping[str, Any] = field(default_factory=dict)
+    placed_with: Mapping[str, Any] = field(default_factory=dict)
+    assumptions: tuple[str, ...] = ()
+
+    @property
+    def files(self) -> tuple[Column, ...]:
+        """All columns that have a file."""
+        return tuple(column for column in (*self.columns, *self.attributes) if column.file)
+
+    @property
+    def bytes(self) -> int:
+        """Size on disk."""
+        return sum(column.size for column in self.files)
+
+
+def write_manifest(folder: Path, manifest: Manifest) -> None:
+    """Write the manifest by a rename: from then on the line is imported."""
+    content = asdict(manifest)
+    text = json.dumps(
+        {"version": VERSION, "checksum": _checksum(content), "store": content}, indent=1
+    )
+    write_text_whole(folder / MANIFEST, text + "\n")
+
+
+def read_manifest(folder: Path) -> Manifest | None:
+    """The manifest of a line's folder; None where there is none.
+
+    Raises
+    ------
+    DamagedStore
+        Where it is damaged.
+    ProjectError
+        Where it is of a newer version of the program.
+    """
+    path = folder / MANIFEST
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+        if content["version"] > VERSION:
+            raise ProjectError(f"{path}: made by a newer version of the program; update it.")
+        store = content["store"]
+        if content["checksum"] != _checksum(store):
+            raise ValueError("its checksum does not hold")
+        return Manifest(
+            **{
+                **store,
+                "columns": tuple(_column(column) for column in store["columns"]),
+                "attributes": tuple(_column(column) for column in store["attributes"]),
+                "original": Original(**store["original"]),
+                "low": tuple(store["low"]),
+                "high": tuple(store["high"]),
+                "assumptions": tuple(store["assumptions"]),
+            }
+        )
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise DamagedStore(
+            f"{path}: the imported line is damaged ({error}); import the line again."
+        ) from error
+
+
+def _column(content: Mapping[str, Any]) -> Column:
+    return Column(**{**content, "shape": tuple(content["shape"])})
+
+
+def _checksum(content: Mapping[str, Any]) -> int:
+    return crc32(json.dumps(content, sort_keys=True).encode())
+
+
+def require_sizes(folder: Path, manifest: Manifest) -> None:
+    """Refuse a store of which a file is missing or has another size than it was written with.
+
+    Raises
+    ------
+    ProjectError
+    """
+    for column in manifest.files:
+        path = folder / manifest.folder / column.file
+        size = path.stat().st_size if path.is_file() else -1
+        if size != column.size:
+            found = "is missing" if size < 0 else f"has {size:,} of {column.size:,} bytes"
+            raise ProjectError(
+                f"{path}: this part of the imported line {manifest.line} {found}; "
+                "import the line again."
+            )
+
+
+def write_text_whole(path: Path, text: str) -> None:
+    """Write a small file by a rename, on the disk before the rename counts."""
+    part = path.with_name(path.name + PART)
+    try:
+        with part.open("w", encoding="utf-8") as file:
+            file.write(text)
+            flushed(file)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def flushed(file: Any) -> None:
+    """Have what was written on the disk, not in a buffer."""
+    file.flush()
+    os.fsync(file.fileno())
+
+
+def remove_leftovers(folder: Path, keep: str = "") -> None:
+    """Remove what interrupted imports left, but not the columns ``keep`` nor complete blocks."""
+    for path in folder.glob(f"{COLUMNS}*"):
+        if path.name != keep:
+            shutil.rmtree(path, ignore_errors=True)
+    for path in (*folder.glob(f"*{PART}"), *(folder / SPOOL).glob(f"*{PART}")):
+        path.unlink(missing_ok=True)
+
+
+@contextmanager
+def plainly_written(
+    folder: Path, needed: Callable[[], int | None] = lambda: None
+) -> Iterator[None]:
+    """Turn what the system says against writing into one sentence.
+
+    Parameters
+    ----------
+    needed : callable
+        Gives the bytes that the import is expected to take, where that is known by then.
+
+    Raises
+    ------
+    ProjectError
+    """
+    try:
+        yield
+    except OSError as error:
+        size = needed()
+        room = f" (about {size / 1e9:.1f} GB while importing)" if size else ""
+        if error.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise ProjectError(
+                f"{folder}: the disk is full; make room{room} or move the project to a larger "
+                "disk, then import the line again."
+            ) from error
+        if error.errno == errno.EFBIG:
+            raise ProjectError(
+                f"{folder}: files cannot grow as large as this line needs{room}; move the project "
+                "to a disk that takes large files, then import the line again."
+            ) from error
+        if error.errno is None:
+            raise ProjectError(
+                f"{folder}: what the import has written cannot be read back ({error}); check the "
+                "disk, then import the line again."
+            ) from error
+        raise ProjectError(
+            f"{folder}: the line cannot be written here ({error.strerror or error}); choose a "
+            "project folder that can be written, then import the line again."
+        ) from error

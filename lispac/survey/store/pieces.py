@@ -1,0 +1,202 @@
+"""Points as they come from a file, and the blocks of fixed size that they are gathered into."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, ProjectError
+from lispac.survey.store.fingerprint import Running
+from lispac.survey.store.layout import Column
+
+Array = NDArray[np.float64]
+Place = Callable[[Array, Array], Array]
+"""Points in the LiDAR frame, shape (n, 3), metres, and their times to points in the local frame."""
+
+BLOCK = 1_000_000
+"""Points: so many are placed, sorted and spooled at once, however the file's reader parts them."""
+MOST = 2**32 - 1
+"""Points of a line: their numbers take 32 bits."""
+OWN = (
+    Column("xyz", "<f4", (3,)),
+    Column("time", "<f8"),
+    Column("number", "<u4"),
+    Column("before", "<u4"),
+)
+"""What every point has: its place seen from the scanner, its time, its number in the line, and how
+many points before it in the file are left out."""
+
+Values = dict[str, NDArray[Any]]
+"""Values of some points by field: the names of `OWN`, and those that `fields` gives attributes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """Some points of a line in the order of its file.
+
+    Attributes
+    ----------
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+    time : ndarray of shape (n,), seconds, in the trajectory's time base
+    index : ndarray of shape (n,), int64
+        Of each point in its file, counted from 0; what is left out has a place too.
+    extra : mapping of str to ndarray of shape (n, ...)
+    read : int
+        Points of the file up to here, with those left out.
+    total : int or None
+        Points of the file, where it says so.
+    """
+
+    points_lidar: Array
+    time: Array
+    index: NDArray[np.int64]
+    extra: Mapping[str, NDArray[Any]]
+    read: int
+    total: int | None = None
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def rows(self, start: int, stop: int) -> "Piece":
+        """A part of it."""
+        part = slice(start, stop)
+        extra = {name: values[part] for name, values in self.extra.items()}
+        return Piece(
+            self.points_lidar[part], self.time[part], self.index[part], extra, self.read, self.total
+        )
+
+
+@dataclass(eq=False)
+class Block:
+    """Points being gathered until there are `BLOCK` of them, or no more."""
+
+    first: int
+    columns: tuple[Column, ...]
+    running: Running
+    points_lidar: Array = field(default_factory=lambda: np.empty((BLOCK, 3)))
+    time: Array = field(default_factory=lambda: np.empty(BLOCK))
+    count: int = 0
+    next_index: int = 0
+    """Index in the file behind the last point."""
+
+    def __post_init__(self) -> None:
+        own = {column.name: column for column in OWN}
+        self._values = {
+            field: np.empty((BLOCK, *column.shape), column.dtype)
+            for field, column in (own | fields(self.columns)).items()
+        }
+
+    def add(self, piece: Piece) -> None:
+        """Take points of a piece that have room here."""
+        rows = slice(self.count, self.count + len(piece))
+        self.points_lidar[rows], self.time[rows] = piece.points_lidar, piece.time
+        numbers = np.arange(len(piece)) + (self.first + self.count)
+        values = self._values
+        values["xyz"][rows], values["time"][rows] = piece.points_lidar, piece.time
+        values["number"][rows], values["before"][rows] = numbers, piece.index - numbers
+        for field_name, column in fields(self.columns).items():
+            values[field_name][rows] = piece.extra[column.name]
+        self.running = self.running.after(piece.points_lidar, piece.time)
+        self.count = rows.stop
+        self.next_index = int(piece.index[-1]) + 1
+
+    @property
+    def values(self) -> Values:
+        """Of the points so far."""
+        return {field: values[: self.count] for field, values in self._values.items()}
+
+    @property
+    def room(self) -> int:
+        """Points that it can still take."""
+        return BLOCK - self.count
+
+
+def fields(attributes: tuple[Column, ...]) -> dict[str, Column]:
+    """Names under which the attributes of a file go with those of `OWN`."""
+    return {f"attribute{k}": column for k, column in enumerate(attributes)}
+
+
+def columns_of(piece: Piece, source: str) -> tuple[Column, ...]:
+    """The attributes of a file, by a piece of it.
+
+    Raises
+    ------
+    InputError
+        Where one is neither a number nor some numbers.
+    """
+    columns = []
+    for name, values in piece.extra.items():
+        if values.dtype.kind not in "biuf" or len(values) != len(piece):
+            raise InputError(
+                f"{source}: the attribute {name} is not a number for every point and cannot be "
+                "imported; export the line without it."
+            )
+        dtype = values.dtype.newbyteorder("<")
+        columns.append(Column(name, dtype.str, values.shape[1:]))
+    return tuple(columns)
+
+
+def require_alike(piece: Piece, columns: tuple[Column, ...], source: str) -> None:
+    """Refuse points with other attributes than those before them.
+
+    Raises
+    ------
+    InputError
+    """
+    found = columns_of(piece, source)
+    if set(found) != set(columns):
+        names = {c.name for c in found} ^ {c.name for c in columns}
+        what = f" ({', '.join(sorted(names))})" if names else ""
+        raise InputError(
+            f"{source}: from point {piece.index[0] + 1:,} on the points have other "
+            f"attributes than before{what}; import these as lines of their own."
+        )
+
+
+def blocks_of(
+    pieces: Iterator[Piece], first: int, running: Running, source: str
+) -> Iterator[tuple[Block | None, Piece]]:
+    """Gather pieces into blocks; a piece that fills none comes with None.
+
+    Parameters
+    ----------
+    first : int
+        Number of the first point in the line: a multiple of `BLOCK`.
+
+    Raises
+    ------
+    InputError
+        Where attributes change within the line.
+    ProjectError
+        Where a line has more points than can be numbered.
+    """
+    block: Block | None = None
+    columns: tuple[Column, ...] | None = None
+    last: Piece | None = None
+    for piece in pieces:
+        last, start = piece, 0
+        if len(piece):
+            if columns is None:
+                columns = columns_of(piece, source)
+            require_alike(piece, columns, source)
+            if piece.index[-1] >= MOST:
+                raise ProjectError(
+                    f"{source}: a line cannot have more than {MOST:,} points; split the file."
+                )
+        filled = False
+        while start < len(piece):
+            assert columns is not None
+            if block is None:
+                block = Block(first, columns, running)
+            stop = min(len(piece), start + block.room)
+            block.add(piece.rows(start, stop))
+            start = stop
+            if not block.room:
+                yield block, piece
+                first, running, block, filled = first + block.count, block.running, None, True
+        if not filled:
+            yield None, piece
+    if block is not None and last is not None:
+        yield block, last

@@ -1,0 +1,261 @@
+"""A stored line: its columns as arrays that are read where they are looked at."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError
+from lispac.survey.store.cells import Keys, is_in_sample, octaves_near
+from lispac.survey.store.columns import checksum_of, opened
+from lispac.survey.store.layout import (
+    SPOOL,
+    Manifest,
+    read_manifest,
+    require_sizes,
+)
+from lispac.survey.store.original import is_unchanged
+from lispac.survey.store.pieces import Place
+from lispac.survey.store.runs import Runs, gathered, joined_runs, kept_within, rows_of
+
+Array = NDArray[np.float64]
+
+ROUNDING = 2.0**-23
+"""Of the distance from the scanner: a point has moved by less since it was put into its cell."""
+
+
+@dataclass(frozen=True, eq=False)
+class Coarse:
+    """A fair sample of a line for the first picture.
+
+    Attributes
+    ----------
+    rows : ndarray of shape (n,)
+        In the line, increasing.
+    points_local : ndarray of shape (n, 3), metres, local frame
+        Placed with the mounting that the line is ordered by.
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+    time : ndarray of shape (n,), seconds
+    intensity : ndarray of shape (n,) or None
+    """
+
+    rows: NDArray[Any]
+    points_local: Array
+    points_lidar: NDArray[np.float32]
+    time: Array
+    intensity: NDArray[Any] | None
+
+
+@dataclass(frozen=True, eq=False)
+class StoredLine:
+    """One line on disk, with what `lispac.survey.scan.Scan` has.
+
+    Rows are in the order of space. `numbers` turns them into the order of the file, which is what
+    picks are kept in, and `rows` turns them back.
+
+    Attributes
+    ----------
+    folder : Path
+    manifest : Manifest
+    """
+
+    folder: Path
+    manifest: Manifest
+
+    def __len__(self) -> int:
+        return self.manifest.points
+
+    @property
+    def name(self) -> str:
+        """Name of the line."""
+        return self.manifest.line
+
+    @property
+    def fingerprint(self) -> str:
+        """That of the points as read from the file, in its order: the one picks are kept with."""
+        return self.manifest.fingerprint
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What the reader took for granted, in words."""
+        return self.manifest.assumptions
+
+    @cached_property
+    def points_lidar(self) -> NDArray[np.float32]:
+        """All points, shape (n, 3), metres, LiDAR frame."""
+        return self._own("xyz")
+
+    @cached_property
+    def time(self) -> Array:
+        """Times, shape (n,), seconds, in the trajectory's time base."""
+        return self._own("time")
+
+    @cached_property
+    def extra(self) -> Mapping[str, NDArray[Any]]:
+        """Attributes of the file under its own names, shape (n, ...) each."""
+        folder = self.folder / self.manifest.folder
+        return {c.name: opened(folder, c, len(self)) for c in self.manifest.attributes}
+
+    @property
+    def intensity(self) -> NDArray[Any] | None:
+        """Intensities in the file's own type, shape (n,), if it has any."""
+        return self.extra.get("intensity")
+
+    @cached_property
+    def coarse(self) -> Coarse:
+        """At most a million points of the line."""
+        intensity = None
+        if "coarse_intensity" in self._columns:
+            intensity = self._own("coarse_intensity")
+        elif self.intensity is not None:  # the same for all points
+            intensity = self.intensity[: len(self._own("coarse_row"))]
+        return Coarse(
+            self._own("coarse_row"),
+            self._own("coarse_local"),
+            self._own("coarse_xyz"),
+            self._own("coarse_time"),
+            intensity,
+        )
+
+    def numbers(self, rows: NDArray[Any]) -> NDArray[np.int64]:
+        """Places in the line as read, in the order of the file, of the points in ``rows``."""
+        return self._own("number")[rows].astype(np.int64)
+
+    def rows(self, numbers: NDArray[Any]) -> NDArray[np.int64]:
+        """The inverse of `numbers`."""
+        return self._own("row")[numbers].astype(np.int64)
+
+    def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
+        """Places in the original file, which also holds the points that are left out."""
+        numbers = self.numbers(rows)
+        if "before" in self._columns:
+            numbers += self._own("before")[rows]
+        return numbers
+
+    def near(self, centre: Array, radius: float, *, margin: float = 0.0, halvings: int = 0) -> Runs:
+        """Runs of rows that hold all points within a sphere, and others about it.
+
+        Parameters
+        ----------
+        centre : ndarray of shape (3,), metres, local frame
+        radius : float, metres
+        margin : float, metres
+            How far points may have moved since they were ordered: with another boresight, say.
+        halvings : int
+            Of the points: 1 gives a fair sample of half of them, 2 of a quarter, and so on.
+
+        Returns
+        -------
+        ndarray of shape (k, 2)
+            First row and the one behind the last, increasing.
+        """
+        centre = np.asarray(centre, dtype=np.float64)
+        reach = radius + margin + ROUNDING * self.manifest.reach
+        found = octaves_near(self._octaves, self.manifest.side, centre, float(reach))
+        if halvings:
+            every = rows_of(found)
+            every = every[is_in_sample(self._octaves[every], halvings)]
+            found = np.column_stack([every, every + 1])
+        return joined_runs(self._starts, found)
+
+    def within(
+        self, centre: Array, radius: float, place: Place, *, margin: float = 0.0
+    ) -> tuple[NDArray[np.int64], Array]:
+        """The points within a sphere, placed anew.
+
+        Parameters
+        ----------
+        place : callable
+            Puts points into the local frame.
+        centre, radius, margin
+            See `near`.
+
+        Returns
+        -------
+        rows : ndarray of shape (n,), increasing
+        points_local : ndarray of shape (n, 3), metres, local frame
+        """
+        runs = self.near(centre, radius, margin=margin)
+        points_local = place(
+            gathered(self.points_lidar, runs).astype(np.float64), gathered(self.time, runs)
+        )
+        centre = np.asarray(centre, dtype=np.float64)
+        rows, inside = kept_within(points_local, runs, centre, float(radius))
+        return rows, inside
+
+    def require_sound(self, progress: Callable[[float], None] = lambda done: None) -> None:
+        """Read all of it and compare the checksums.
+
+        Raises
+        ------
+        ProjectError
+        """
+        done = 0
+        for column in self.manifest.files:
+            path = self.folder / self.manifest.folder / column.file
+            _require_checksum(path, column.checksum)
+            done += column.size
+            progress(done / self.manifest.bytes)
+
+    def is_of(self, path: Path) -> bool:
+        """Whether the file at ``path`` is still the one that was imported (`OSError`)."""
+        return is_unchanged(self.manifest.original, path)
+
+    @cached_property
+    def _columns(self) -> Mapping[str, Any]:
+        return {column.name: column for column in self.manifest.columns}
+
+    def _own(self, name: str) -> NDArray[Any]:
+        column = self._columns[name]
+        return opened(self.folder / self.manifest.folder, column, column.count)
+
+    @cached_property
+    def _octaves(self) -> Keys:
+        return np.array(self._own("octaves"))
+
+    @cached_property
+    def _starts(self) -> Keys:
+        return np.array(self._own("starts"))
+
+
+def open_store(folder: Path, line: str) -> StoredLine:
+    """Open an imported line: its manifest, the sizes of all its files, and its order are checked.
+
+    Raises
+    ------
+    ProjectError
+        Where it is not imported, its import was interrupted, or it is damaged; says what to do.
+    """
+    manifest = read_manifest(folder)
+    if manifest is None:
+        if (folder / SPOOL).is_dir():
+            raise ProjectError(
+                f"{line}: its import was interrupted; import it again, it goes on where it stood."
+            )
+        raise ProjectError(f"{line}: this line is not imported yet; import it.")
+    if manifest.line != line:
+        raise ProjectError(f"{folder}: this is the line {manifest.line}, not {line}; import it.")
+    require_sizes(folder, manifest)
+    for column in manifest.columns:
+        if column.name in ("octaves", "starts"):
+            _require_checksum(folder / manifest.folder / column.file, column.checksum)
+    return StoredLine(folder, manifest)
+
+
+def _require_checksum(path: Path, checksum: int) -> None:
+    try:
+        sound = checksum_of(path) == checksum
+    except OSError as error:
+        raise ProjectError(
+            f"{path}: this part of an imported line cannot be read ({error.strerror or error}); "
+            "check the disk, or import the line again."
+        ) from error
+    if not sound:
+        raise ProjectError(
+            f"{path}: this part of an imported line has changed since (its checksum does not "
+            "hold); import the line again."
+        )

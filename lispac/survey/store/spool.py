@@ -1,0 +1,242 @@
+"""Blocks of points on their way into a store, sorted each by itself.
+
+A block is two files, the keys it is sorted by and the columns one after the other, without those
+that all its points share, and a third file with what it amounts to, which is written last: blocks
+without it do not count. After an interruption reading goes on behind the last block that counts, if
+the file and all else are the same.
+"""
+
+import json
+import shutil
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+from math import prod
+from pathlib import Path
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.store.cells import Keys, choose_side, extent, order_keys, sorting
+from lispac.survey.store.columns import checksum_of
+from lispac.survey.store.fingerprint import Running
+from lispac.survey.store.layout import PART, SPOOL, Column, write_text_whole
+from lispac.survey.store.pieces import BLOCK, OWN, Block, Place, Values, fields
+
+RECIPE, COMPLETE = "recipe.json", "complete.json"
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class Spooled:
+    """What a block amounts to.
+
+    Attributes
+    ----------
+    number : int
+        Of the block, from 0.
+    count : int
+        Points in it.
+    next_index : int
+        Index in the file behind its last point.
+    running : Running
+        Checksums up to its end.
+    side : float, metres
+        Of the cells it is sorted by.
+    low, high : list of 3 floats, metres, local frame
+    times : list of 2 floats, seconds
+        First and last.
+    reach : float, metres
+    columns : tuple of Column
+        Attributes of the file; with the value where all points of the block share it.
+    checksums : list of 2 int
+        Of keys and columns.
+    """
+
+    number: int
+    count: int
+    next_index: int
+    running: Running
+    side: float
+    low: list[float]
+    high: list[float]
+    times: list[float]
+    reach: float
+    columns: tuple[Column, ...]
+    checksums: list[int]
+
+
+class Spool:
+    """The blocks of one line.
+
+    Parameters
+    ----------
+    folder : Path
+        Of the line.
+    recipe : mapping
+        All that the blocks follow from; those made from anything else are removed.
+    """
+
+    def __init__(self, folder: Path, recipe: Mapping[str, Any]) -> None:
+        self.folder = folder / SPOOL
+        self.blocks: list[Spooled] = []
+        content = json.dumps({"version": VERSION, "block": BLOCK, **recipe}, indent=1)
+        try:
+            known = (self.folder / RECIPE).read_text(encoding="utf-8")
+        except (OSError, ValueError):
+            known = ""
+        if known != content:
+            self.remove()
+            self.folder.mkdir(parents=True)
+            write_text_whole(self.folder / RECIPE, content)
+        self._find_blocks()
+
+    @property
+    def points(self) -> int:
+        """Points in all blocks."""
+        return sum(block.count for block in self.blocks)
+
+    @property
+    def next_index(self) -> int:
+        """Where in the file to go on."""
+        return self.blocks[-1].next_index if self.blocks else 0
+
+    @property
+    def running(self) -> Running:
+        """Checksums of all blocks."""
+        return self.blocks[-1].running if self.blocks else Running()
+
+    @property
+    def read(self) -> int | None:
+        """Points of the whole file where it is read to its end, None where it is not."""
+        try:
+            content = json.loads((self.folder / COMPLETE).read_text(encoding="utf-8"))
+            return int(content["read"]) if content["points"] == self.points else None
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+
+    def complete(self, read: int) -> None:
+        """Say that the file is read to its end; ``read`` counts what is left out too."""
+        content = {"read": read, "points": self.points}
+        write_text_whole(self.folder / COMPLETE, json.dumps(content))
+
+    def add(self, block: Block, place: Place) -> None:
+        """Place, sort and write a block."""
+        points_lidar, time = block.points_lidar[: block.count], block.time[: block.count]
+        points_local = place(points_lidar, time)
+        side = self.blocks[0].side if self.blocks else choose_side(points_local)
+        low, high, reach = extent(points_lidar, points_local)
+        values = block.values
+        keys = order_keys(points_local, values["number"], side)
+        order = sorting(keys)
+        number = len(self.blocks)
+        columns = tuple(
+            _shared(column, values[field]) for field, column in fields(block.columns).items()
+        )
+        checksums = [
+            self._write(number, "keys", [keys[order]]),
+            self._write(
+                number,
+                "columns",
+                (values[field].take(order, axis=0) for field in _written(columns)),
+            ),
+        ]
+        spooled = Spooled(
+            number,
+            block.count,
+            block.next_index,
+            block.running,
+            side,
+            low.tolist(),
+            high.tolist(),
+            [float(time.min()), float(time.max())],
+            float(reach),
+            columns,
+            checksums,
+        )
+        write_text_whole(self._path(number, "json"), json.dumps(asdict(spooled)))
+        self.blocks.append(spooled)
+
+    def keys(self, number: int) -> Keys:
+        """Sorted keys of a block."""
+        return np.fromfile(self._path(number, "keys"), np.uint64)
+
+    def slice_of(self, number: int, start: int, stop: int) -> tuple[Keys, Values]:
+        """Keys and values of a part of a block; without the columns that the block shares."""
+        block, count = self.blocks[number], stop - start
+        keys = np.fromfile(self._path(number, "keys"), np.uint64, count, offset=8 * start)
+        values, at = {}, 0
+        with self._path(number, "columns").open("rb") as file:
+            for field, column in _written(block.columns).items():
+                kind = np.dtype((column.dtype, column.shape))
+                file.seek(at + start * kind.itemsize)
+                some = np.fromfile(file, column.dtype, count * prod(column.shape))
+                values[field] = some.reshape(-1, *column.shape)
+                at += block.count * kind.itemsize
+        if any(len(some) != count for some in (keys, *values.values())):
+            raise OSError(f"block {number} of the import is cut short")
+        return keys, values
+
+    def remove(self) -> None:
+        """Remove all of it."""
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.blocks = []
+
+    def _find_blocks(self) -> None:
+        while (found := self._sound(len(self.blocks))) is not None:
+            self.blocks.append(found)
+        kept = {self._path(block.number, kind).name for block in self.blocks for kind in KINDS}
+        kept |= {RECIPE, COMPLETE}
+        for path in self.folder.iterdir():
+            if path.name not in kept:
+                path.unlink()
+
+    def _sound(self, number: int) -> Spooled | None:
+        """A block of an earlier import, if it is whole: read again, so that no part is missing."""
+        try:
+            content = json.loads(self._path(number, "json").read_text(encoding="utf-8"))
+            sums = [checksum_of(self._path(number, kind)) for kind in ("keys", "columns")]
+            if sums != content["checksums"]:
+                return None
+            columns = tuple(Column(**{**c, "shape": tuple(c["shape"])}) for c in content["columns"])
+            return Spooled(
+                **{**content, "running": Running(**content["running"]), "columns": columns}
+            )
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+
+    def _write(self, number: int, kind: str, columns: Iterable[NDArray[Any]]) -> int:
+        """Write a file of a block; gives its checksum."""
+        path, checksum = self._path(number, kind), 0
+        part = path.with_name(path.name + PART)
+        with part.open("wb") as file:
+            for values in columns:
+                data = values.reshape(-1).view(np.uint8).data
+                file.write(data)
+                checksum = crc32(data, checksum)
+        part.replace(path)
+        return checksum
+
+    def _path(self, number: int, kind: str) -> Path:
+        return self.folder / f"block-{number:05d}.{kind}"
+
+
+SOME = 1000
+KINDS = ("keys", "columns", "json")
+
+
+def _written(columns: tuple[Column, ...]) -> dict[str, Column]:
+    """Columns that a block has on disk, by field."""
+    own = {column.name: column for column in OWN}
+    return own | {f: column for f, column in fields(columns).items() if column.value is None}
+
+
+def _shared(column: Column, values: NDArray[Any]) -> Column:
+    """The column, with its value where all points have the same one."""
+    bits = values.view(f"u{values.itemsize}").reshape(len(values), -1)
+    # By their bits, so that -0 stays -0; what is no number cannot stand in the manifest.
+    for some in (bits[:SOME], bits):  # mostly the first ones differ
+        if (some != bits[0]).any() or not np.isfinite(values[0]).all():
+            return Column(column.name, column.dtype, column.shape)
+    return Column(column.name, column.dtype, column.shape, value=values[0].tolist())

@@ -1,0 +1,249 @@
+"""Importing a line: read and spooled block by block, then written in order, then declared.
+
+At no time is more in memory than a few blocks. Whatever interrupts the work, the folder holds
+either the store that was there before, or the new one, or none; blocks that are complete are used
+again by the next import of the same file.
+"""
+
+import shutil
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lispac.errors import LispacError, ProjectError
+from lispac.progress import Progress, no_progress, part
+from lispac.survey.store.ahead import read_ahead
+from lispac.survey.store.layout import (
+    COLUMNS,
+    MANIFEST,
+    SPOOL,
+    Column,
+    DamagedStore,
+    Manifest,
+    Original,
+    plainly_written,
+    read_manifest,
+    remove_leftovers,
+    write_manifest,
+)
+from lispac.survey.store.lock import LOCK, locked
+from lispac.survey.store.ordering import write_columns
+from lispac.survey.store.pace import Pace
+from lispac.survey.store.pieces import Piece, Place, blocks_of
+from lispac.survey.store.spool import Spool
+
+READING_SHARE = 0.6
+"""Part of the time that reading takes, for the progress."""
+BYTES_PER_POINT = 100
+"""Room an import takes for a point of LAS with all its attributes: block and columns together."""
+
+Pieces = Callable[[int], Iterator[Piece]]
+"""Gives the points of a file from an index on."""
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """All that a stored line follows from.
+
+    Attributes
+    ----------
+    line : str
+        Name of the line.
+    original : Original
+        The file.
+    made_with, placed_with : dict of plain values
+        See `Manifest`.
+    """
+
+    line: str
+    original: Original
+    made_with: dict[str, Any]
+    placed_with: dict[str, Any]
+
+
+def write_store(
+    folder: Path,
+    recipe: Recipe,
+    pieces: Pieces,
+    place: Place,
+    assumptions: Callable[[int], tuple[str, ...]] = lambda left_out: (),
+    *,
+    progress: Progress = no_progress,
+) -> Manifest:
+    """Import a line into its folder; an earlier import of it stays until this one is complete.
+
+    Parameters
+    ----------
+    folder : Path
+        Of the line.
+    pieces : callable
+        Gives the points of the file from an index on. It has to give the same points every time.
+    place : callable
+        Puts points into the local frame for the order in space.
+    assumptions : callable
+        From the number of points left out to what was taken for granted, in words.
+
+    Raises
+    ------
+    ProjectError
+        Where the folder cannot be written, the disk is full, or another import of the line runs.
+    InputError
+        Where the file cannot be read.
+    """
+    made = _made_folders(folder)
+    try:
+        with plainly_written(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+            with locked(folder):
+                current = _current(folder)
+                remove_leftovers(folder, keep=current)
+                return _import(folder, recipe, pieces, place, assumptions, current, progress)
+    except LispacError:
+        _remove_empty(made)
+        raise
+
+
+def _import(
+    folder: Path,
+    recipe: Recipe,
+    pieces: Pieces,
+    place: Place,
+    assumptions: Callable[[int], tuple[str, ...]],
+    current: str,
+    progress: Progress,
+) -> Manifest:
+    spool: Spool | None = None
+    new = folder / f"{COLUMNS}{int(current.removeprefix(COLUMNS) or 0) + 1}"
+    expected = _Expected()
+    try:
+        with plainly_written(folder, expected.bytes):
+            spool = Spool(folder, asdict(recipe))
+            read = _fill(spool, recipe, pieces, place, expected, part(progress, 0.0, READING_SHARE))
+            new.mkdir()
+            own, attributes = write_columns(
+                spool, new, place, recipe.line, progress=part(progress, READING_SHARE, 1.0)
+            )
+            manifest = _manifest(spool, recipe, new.name, own, attributes, read, assumptions)
+            write_manifest(folder, manifest)
+    except BaseException as error:
+        if _current(folder) != new.name:  # stopped after the manifest: the line is imported
+            shutil.rmtree(new, ignore_errors=True)
+        # A file that cannot be read and a disk that is full get nothing from a half kept for later.
+        if spool is not None and isinstance(error, LispacError):
+            spool.remove()
+        raise
+    spool.remove()
+    remove_leftovers(folder, keep=new.name)
+    return manifest
+
+
+def _manifest(
+    spool: Spool,
+    recipe: Recipe,
+    folder: str,
+    own: tuple[Column, ...],
+    attributes: tuple[Column, ...],
+    read: int,
+    assumptions: Callable[[int], tuple[str, ...]],
+) -> Manifest:
+    blocks, left_out = spool.blocks, read - spool.points
+    low = np.min([block.low for block in blocks], axis=0).tolist()
+    high = np.max([block.high for block in blocks], axis=0).tolist()
+    return Manifest(
+        line=recipe.line,
+        points=spool.points,
+        left_out=left_out,
+        folder=folder,
+        columns=own,
+        attributes=attributes,
+        side=blocks[0].side,
+        low=(low[0], low[1], low[2]),
+        high=(high[0], high[1], high[2]),
+        first_time=min(block.times[0] for block in blocks),
+        last_time=max(block.times[1] for block in blocks),
+        reach=max(block.reach for block in blocks),
+        fingerprint=spool.running.fingerprint,
+        original=recipe.original,
+        made_with=recipe.made_with,
+        placed_with=recipe.placed_with,
+        assumptions=assumptions(left_out),
+    )
+
+
+def _fill(
+    spool: Spool,
+    recipe: Recipe,
+    pieces: Pieces,
+    place: Place,
+    expected: "_Expected",
+    progress: Progress,
+) -> int:
+    """Spool what is not spooled yet; gives the number of points of the file."""
+    if spool.read is not None:
+        return spool.read
+    read, pace = spool.next_index, None
+    source = pieces(spool.next_index)
+    gathered = blocks_of(source, spool.points, spool.running, recipe.original.path)
+    with closing(read_ahead(gathered)) as ahead:
+        for block, piece in ahead:
+            if pace is None:
+                pace = Pace(f"Reading {recipe.line}", piece.total, spool.next_index)
+                expected.points = piece.total
+            read = piece.read
+            progress(read / piece.total if piece.total else 0.0, pace.words(read))
+            if block is not None:
+                spool.add(block, place)
+    if not spool.points:
+        raise ProjectError(f"{recipe.original.path}: there is no point in it; leave the line out.")
+    spool.complete(read)
+    return read
+
+
+def tidy(folder: Path, manifest: Manifest) -> None:
+    """Remove what is not part of a complete store, where nobody is importing the line."""
+    parts = {MANIFEST, LOCK, manifest.folder}
+    try:
+        if all(path.name in parts for path in folder.iterdir()):
+            return
+        with locked(folder):
+            remove_leftovers(folder, keep=manifest.folder)
+            shutil.rmtree(folder / SPOOL, ignore_errors=True)
+    except (OSError, ProjectError):
+        return  # it may be read without being written
+
+
+class _Expected:
+    """What an import will take on the disk, once the file has said how many points it has."""
+
+    points: int | None = None
+
+    def bytes(self) -> int | None:
+        """None where it has not."""
+        return None if self.points is None else self.points * BYTES_PER_POINT
+
+
+def _current(folder: Path) -> str:
+    """Folder of the columns that count; one that is damaged does not."""
+    try:
+        manifest = read_manifest(folder)
+    except DamagedStore:
+        (folder / MANIFEST).unlink(missing_ok=True)
+        return ""
+    return "" if manifest is None else manifest.folder
+
+
+def _made_folders(folder: Path) -> list[Path]:
+    """Those of the folder and the one above that are not there yet."""
+    return [path for path in (folder, folder.parent) if not path.exists()]
+
+
+def _remove_empty(folders: list[Path]) -> None:
+    for path in folders:
+        try:
+            path.rmdir()
+        except OSError:  # it holds something, or was never made
+            return

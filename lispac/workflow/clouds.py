@@ -1,0 +1,196 @@
+"""Lines on the map as LAS or LAZ: georeferenced chunk by chunk, with all their attributes.
+
+Reading, georeferencing and writing run side by side; memory holds a few chunks whatever the
+line's length.
+"""
+
+import os
+from collections import deque
+from collections.abc import Callable, Iterable
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from laspy import ScaleAwarePointRecord
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.las_export import Cloud, Pattern, cloud_file
+from lispac.io.registry import PointChunk
+from lispac.progress import Progress, no_progress
+from lispac.survey.mapping import PointMapper
+from lispac.survey.recovery import Recovery, require_within_reach
+from lispac.survey.store.pace import Pace
+
+Array = NDArray[np.float64]
+
+IN_FLIGHT = 3
+"""Chunks between reading and writing."""
+
+
+@dataclass(frozen=True)
+class Written:
+    """What became of a line.
+
+    Attributes
+    ----------
+    path : Path
+    points : int
+        Written.
+    outside, in_gaps : int
+        Left out, for want of a pose: outside the trajectory's time, or in a gap of it (or where
+        it is too steep to be interpolated).
+    notes : tuple of str
+        What else there is to know, in words.
+    """
+
+    path: Path
+    points: int
+    outside: int = 0
+    in_gaps: int = 0
+    notes: tuple[str, ...] = ()
+
+    @property
+    def sentence(self) -> str:
+        """What was left out, in words; empty where nothing was."""
+        parts = []
+        if self.outside:
+            parts.append(f"{self.outside:,} points outside the trajectory's time")
+        if self.in_gaps:
+            parts.append(
+                f"{self.in_gaps:,} points in gaps of the trajectory or where its pitch is beyond "
+                "80 deg"
+            )
+        if not parts:
+            return ""
+        whole = self.points + self.outside + self.in_gaps
+        return f"{self.path.name}: {' and '.join(parts)}, of {whole:,}, are left out"
+
+
+@dataclass(frozen=True, eq=False)
+class _Placed:
+    records: ScaleAwarePointRecord
+    outside: int
+    in_gaps: int
+
+
+def write_cloud(
+    chunks: Iterable[PointChunk],
+    temporary: Path,
+    path: Path,
+    mapping: PointMapper,
+    pattern: Callable[[PointChunk], Pattern],
+    *,
+    time_shift: float = 0.0,
+    recovery: Recovery | None = None,
+    compressed: bool = True,
+    progress: Progress = no_progress,
+) -> Written:
+    """Georeference the chunks of one line and write them.
+
+    Parameters
+    ----------
+    chunks : iterable of PointChunk
+        In the LiDAR frame, from a file or a store; times as the source has them.
+    temporary, path : Path
+        Where it is written now, and the name it will have.
+    mapping : PointMapper
+        To the coordinate system wanted, with the mounting wanted.
+    pattern : callable
+        The first chunk to what the records look like.
+    time_shift : float, seconds
+        Added to the times to bring them into the trajectory's time base; written are those of the
+        source.
+    recovery : Recovery, optional
+        What made the chunks, where they are georeferenced already.
+
+    Raises
+    ------
+    InputError
+        Where no point has a pose, a point lies outside the coordinate system, or the file cannot
+        be written.
+    """
+    source = iter(chunks)
+    first = next(source, None)
+    if first is None:
+        raise InputError(f"{path.stem}: this line holds no points; leave it out.")
+    chosen = pattern(first)
+    place = _Placing(mapping, time_shift, recovery)
+    pace, total = Pace(f"Writing {path.name}", first.total), first.total
+    outside = in_gaps = 0
+    with cloud_file(
+        temporary, chosen, mapping.system, mapping.centre, compressed=compressed, shown=path
+    ) as cloud:
+        workers = ThreadPoolExecutor(os.cpu_count(), "place")
+        writer = ThreadPoolExecutor(1, "write")
+        waiting: deque[Future[_Placed]] = deque()
+
+        def finish() -> None:
+            nonlocal outside, in_gaps
+            done = waiting.popleft().result()
+            outside, in_gaps = outside + done.outside, in_gaps + done.in_gaps
+            count = cloud.count + outside + in_gaps
+            # A text file does not say how many points are to come.
+            progress(min(count / total, 1.0) if total else 0.5, pace.words(count))
+
+        try:
+            chunk: PointChunk | None = first
+            del first
+            while chunk is not None:
+                placed = workers.submit(place, cloud, chunk)
+                waiting.append(writer.submit(_write, cloud, placed))
+                if len(waiting) > IN_FLIGHT:
+                    finish()
+                chunk = next(source, None)
+            while waiting:
+                finish()
+        finally:
+            # What is under way ends before the file is closed; what is not begins no more.
+            workers.shutdown(cancel_futures=True)
+            writer.shutdown(cancel_futures=True)
+        count = cloud.count
+    if not count:
+        known = mapping.trajectory.time
+        raise InputError(
+            f"{path.stem}: none of its {outside + in_gaps:,} points lies within the trajectory "
+            f"({known[0]:.1f} to {known[-1]:.1f} s); check the date and the time base, or leave "
+            "the line out."
+        )
+    return Written(path, count, outside, in_gaps, chosen.notes)
+
+
+def _write(cloud: Cloud, placed: "Future[_Placed]") -> _Placed:
+    done = placed.result()
+    if len(done.records):
+        cloud.write(done.records)
+    return done
+
+
+@dataclass(frozen=True, eq=False)
+class _Placing:
+    """What a worker does to a chunk."""
+
+    mapping: PointMapper
+    time_shift: float
+    recovery: Recovery | None
+
+    def __call__(self, cloud: Cloud, chunk: PointChunk) -> _Placed:
+        moved = chunk.time + self.time_shift if self.time_shift else chunk.time
+        trajectory, latency = self.mapping.trajectory, self.mapping.mounting.latency
+        usable = trajectory.covers(moved + latency)
+        if self.recovery is not None:
+            usable &= self.recovery.usable(moved)
+        lost = len(usable) - int(np.count_nonzero(usable))
+        outside = 0
+        if lost:
+            first, last = trajectory.time[[0, -1]] - latency
+            outside = min(lost, int(np.count_nonzero(~((moved >= first) & (moved <= last)))))
+        xyz, stamps, chosen = chunk.xyz, chunk.time, None
+        if lost:
+            xyz, stamps, moved, chosen = xyz[usable], stamps[usable], moved[usable], usable
+        if self.recovery is not None:
+            xyz = self.recovery.mapping.to_scanner(xyz, moved, threads=1)
+            require_within_reach(xyz, self.recovery)
+        points = self.mapping.to_map(xyz, moved, threads=1)
+        return _Placed(cloud.records(points, stamps, chunk.extra, chosen), outside, lost - outside)

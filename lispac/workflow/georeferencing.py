@@ -1,0 +1,264 @@
+"""All lines of a project on the map, one LAS or LAZ file each."""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from lispac.errors import InputError, ProjectError
+from lispac.io.files import require_file, written_whole
+from lispac.io.formats import format_of
+from lispac.io.las_export import Pattern, pattern_of_columns, pattern_of_las
+from lispac.io.points import CHUNK, system_of
+from lispac.io.registry import Choice, Format, PointChunk
+from lispac.progress import Progress, no_progress, part
+from lispac.project import LineSource, Project
+from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.mapping import PointMapper
+from lispac.survey.recovery import Recovery
+from lispac.survey.store.reading import StoredLine
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.clouds import Written, write_cloud
+from lispac.workflow.importing import line_folder, stored_line, trajectory_of
+from lispac.workflow.reading import LAS_ENDINGS
+
+Which = Literal["prior", "estimated"]
+Ending = Literal["laz", "las"]
+LOCAL = "local"
+"""Asks for the local frame instead of a coordinate system."""
+
+
+@dataclass(frozen=True, eq=False)
+class Chunks:
+    """A line as it comes in, chunk by chunk, from its file.
+
+    Attributes
+    ----------
+    line : LineSource
+    format : Format
+    choice : mapping
+        How the file is read, settled.
+    system : CoordinateSystem or None
+        Of a cloud that is georeferenced already; None for points in the LiDAR frame.
+    """
+
+    line: LineSource
+    format: Format
+    choice: Choice
+    system: CoordinateSystem | None
+
+    @classmethod
+    def of(cls, line: LineSource) -> "Chunks":
+        """How a line of a project is read."""
+        given = dict(line.reading.options)
+        if line.reading.format:
+            format = format_of(line.reading.format)
+        elif line.path.suffix.lower() in LAS_ENDINGS:
+            format = format_of("las")
+        else:
+            format = format_of("text")
+            given = {"columns": " ".join(name.strip().lower() for name in line.columns)}
+        choice = format.settled(given)
+        return cls(line, format, choice, system_of(choice, line.path))
+
+    def __iter__(self) -> Iterator[PointChunk]:
+        chunks = self.format.read(self.line.path, self.choice)
+        assert isinstance(chunks, Iterable)
+        yield from chunks
+
+    def pattern(self, first: PointChunk) -> Pattern:
+        """What the records of its cloud look like."""
+        if self.format.key == "las" and self.line.path.exists():
+            return pattern_of_las(self.line.path)
+        return pattern_of_columns(first, standard_time=self.choice["time_base"] == "gps-adjusted")
+
+
+def georeference_project(
+    project: Project,
+    output: Path,
+    which: Which = "estimated",
+    *,
+    system: str = "",
+    height: str = "",
+    trajectory_datum: str = "",
+    epoch: float | None = None,
+    lines: Sequence[str] = (),
+    ending: Ending = "laz",
+    sources: Mapping[str, Iterable[PointChunk]] | None = None,
+    progress: Progress = no_progress,
+) -> list[Written]:
+    """Write the lines of a project as LAS or LAZ in a coordinate system.
+
+    All files appear at the end, together: what fails or is stopped leaves nothing.
+
+    Parameters
+    ----------
+    output : Path
+        Folder; made where it does not exist.
+    system : str
+        As `lispac.survey.crs.coordinate_system` takes it, or ``local``; empty for that of the
+        lines where they are georeferenced.
+    height, trajectory_datum, epoch
+        As `lispac.survey.crs.coordinate_system`.
+    lines : sequence of str
+        Names; all where not given.
+    sources : mapping of str to iterable of PointChunk, optional
+        Where lines are read from instead of their files, by the line's name. Their points are in
+        the LiDAR frame, their times as in the file. A line whose file is gone comes from its store.
+
+    Raises
+    ------
+    InputError
+        Where the coordinate system is not known or not given, a file cannot be read, or the disk
+        is full.
+    ProjectError
+        Where there is no such line, or nothing has been estimated.
+    """
+    mounting = project.mounting(which)
+    chosen = [Chunks.of(line) for line in _lines(project, lines)]
+    trajectory = trajectory_of(project)
+    target = _target(chosen, trajectory, system, height, trajectory_datum, epoch)
+    paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
+    _require_other_files(project, paths)
+    way = PointMapper(target, trajectory, mounting)
+    stores = {} if sources is None else dict(sources)
+    for chunks in chosen:
+        if not chunks.line.path.exists() and chunks.line.name not in stores:
+            stored = stored_line(project, chunks.line, trajectory)
+            stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading.time_shift)
+    sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
+    written: list[Written] = []
+    made = _missing_folders(output)
+    try:
+        with ExitStack() as stack:
+            for k, (chunks, path) in enumerate(zip(chosen, paths, strict=True)):
+                start, stop = sum(sizes[:k]) / sum(sizes), sum(sizes[: k + 1]) / sum(sizes)
+                step = part(progress, start, stop)
+                step(0.0, f"Writing {path.name}")
+                own = stores.get(chunks.line.name)
+                recovery = None
+                if chunks.system is not None and own is None:
+                    recovery = Recovery(
+                        chunks.system, trajectory, project.mounting("prior"), chunks.line.path
+                    )
+                done = write_cloud(
+                    chunks if own is None else own,
+                    stack.enter_context(written_whole(path)),
+                    path,
+                    way,
+                    chunks.pattern,
+                    time_shift=chunks.line.reading.time_shift,
+                    recovery=recovery,
+                    compressed=ending == "laz",
+                    progress=step,
+                )
+                written.append(replace(done, notes=(*done.notes, *_said(target))))
+            progress(1.0, "Lines written")
+    except BaseException:
+        for folder in made:
+            if folder.is_dir() and not any(folder.iterdir()):
+                folder.rmdir()
+        raise
+    return written
+
+
+def utm_zone(trajectory: LocalTrajectory) -> str:
+    """EPSG code of the UTM zone (WGS 84) of a trajectory's origin."""
+    longitude = (math.degrees(trajectory.frame.longitude) + 180) % 360
+    zone = min(int(longitude // 6) + 1, 60)
+    return f"EPSG:{32600 + zone if trajectory.frame.latitude >= 0 else 32700 + zone}"
+
+
+def chosen_system(
+    text: str, trajectory: LocalTrajectory, height: str = "", trajectory_datum: str = "",
+    epoch: float | None = None,
+) -> CoordinateSystem | None:  # fmt: skip
+    """The coordinate system asked for; None for the local frame.
+
+    Raises
+    ------
+    InputError
+        Where there is none, or it is not known.
+    """
+    if text == LOCAL:
+        return None
+    if not text:
+        raise InputError(
+            "No coordinate system is given and the lines name none; give its EPSG code "
+            f"({utm_zone(trajectory)} is the UTM zone of the trajectory), or {LOCAL} for the "
+            "local frame (North, West, Up)."
+        )
+    return coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
+
+
+def _target(
+    chosen: Sequence[Chunks], trajectory: LocalTrajectory, system: str, height: str,
+    trajectory_datum: str, epoch: float | None,
+) -> CoordinateSystem | None:  # fmt: skip
+    if not system and not height and not trajectory_datum:
+        own = {c.system.written.to_wkt(): c.system for c in chosen if c.system is not None}
+        if len(own) > 1:
+            raise InputError(
+                "The lines are in different coordinate systems "
+                f"({', '.join(found.name for found in own.values())}); say which one to write."
+            )
+        if own:
+            return next(iter(own.values()))
+    return chosen_system(system, trajectory, height, trajectory_datum, epoch)
+
+
+def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:
+    known = {line.name: line for line in project.lines}
+    for name in names:
+        if name not in known:
+            raise ProjectError(
+                f"{project.name}: there is no line {name}; the lines are {', '.join(known)}."
+            )
+    found = [line for name, line in known.items() if not names or name in names]
+    for line in found:
+        if line.path.exists() or not line_folder(project, line).is_dir():
+            require_file(line.path, "line")
+    return found
+
+
+def stored_chunks(stored: StoredLine, time_shift: float = 0.0) -> Iterator[PointChunk]:
+    """An imported line chunk by chunk, in the order of space.
+
+    Parameters
+    ----------
+    time_shift : float, seconds
+        Taken off again, so that times are as in the file (to the last digit of a double).
+    """
+    for start in range(0, len(stored), CHUNK):
+        rows = slice(start, start + CHUNK)
+        time = np.array(stored.time[rows])
+        yield PointChunk(
+            np.asarray(stored.points_lidar[rows], dtype=np.float64),
+            time - time_shift if time_shift else time,
+            {name: np.asarray(values[rows]) for name, values in stored.extra.items()},
+            len(stored),
+        )
+
+
+def _said(target: CoordinateSystem | None) -> tuple[str, ...]:
+    if target is None:
+        return ("coordinates are metres North, West, Up in the local frame",)
+    return target.assumptions
+
+
+def _require_other_files(project: Project, paths: Sequence[Path]) -> None:
+    """Refuse to write over what the project is made from."""
+    own = [line.path for line in project.lines] + [project.trajectory]
+    for path in paths:
+        if any(path.exists() and other.exists() and path.samefile(other) for other in own):
+            raise InputError(f"{path}: this is a file of the survey itself; choose another folder.")
+
+
+def _missing_folders(folder: Path) -> list[Path]:
+    """The folders that will be made, the innermost first."""
+    folder = Path(folder)
+    return [place for place in (folder, *folder.parents) if not place.exists()]

@@ -1,0 +1,392 @@
+"""Importing the lines of a project: each becomes a store beside ``project.json``."""
+
+import hashlib
+import json
+import os
+import re
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, ProjectError
+from lispac.geometry.frames import LocalFrame
+from lispac.io.files import require_file
+from lispac.io.registry import PointChunk
+from lispac.io.values import encoded
+from lispac.progress import Progress, no_progress, part
+from lispac.project import LineSource, Project
+from lispac.survey.georeferencing import Mounting, kernel_arguments, outside
+from lispac.survey.kernels import georeferenced
+from lispac.survey.recovery import recovered
+from lispac.survey.store.layout import Original
+from lispac.survey.store.original import original_of
+from lispac.survey.store.pieces import Piece, Place
+from lispac.survey.store.reading import StoredLine, open_store
+from lispac.survey.store.writing import Recipe, tidy, write_store
+from lispac.survey.time_base import matches, sentence
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.reading import line_stream, read_trajectory
+
+Array = NDArray[np.float64]
+
+FOLDER = "lines"
+INDEX = "\0index"
+"""Goes with the points of a chunk through whatever leaves some of them out; no file has it."""
+PLACED = 1 << 16  # points per turn of a thread
+LOOKED_AT = 100
+"""Times of each chunk that are kept to say what they look like."""
+
+
+@dataclass(frozen=True, eq=False)
+class Imported:
+    """One imported line.
+
+    Attributes
+    ----------
+    stored : StoredLine
+    seconds : float
+        That the import took; 0 where the line was imported already.
+    """
+
+    stored: StoredLine
+    seconds: float
+
+
+def import_lines(
+    project: Project,
+    names: Sequence[str] = (),
+    *,
+    again: bool = False,
+    progress: Progress = no_progress,
+) -> list[Imported]:
+    """Import lines of a project; those that are imported as they are now stay.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the lines; none means all of them.
+    again : bool
+        Import what is imported already, too.
+
+    Raises
+    ------
+    InputError
+        Where a file cannot be read or does not fit the trajectory.
+    ProjectError
+        Where there is no such line, or its store cannot be written.
+    """
+    known = {line.name: line for line in project.lines}
+    for name in names:
+        if name not in known:
+            raise ProjectError(f"{project.name}: there is no line named {name}.")
+    lines = [known[name] for name in (names or known)]
+    progress(0.0, f"Reading {project.trajectory.name}")
+    trajectory = trajectory_of(project)
+    total = sum(require_file(line.path, "line").stat().st_size for line in lines) or 1
+    imported, done = [], 0
+    for line in lines:
+        size = line.path.stat().st_size
+        step = part(progress, done / total, (done + size) / total)
+        imported.append(import_line(project, line, trajectory, again=again, progress=step))
+        done += size
+    return imported
+
+
+def import_line(
+    project: Project,
+    line: LineSource,
+    trajectory: LocalTrajectory,
+    *,
+    again: bool = False,
+    progress: Progress = no_progress,
+) -> Imported:
+    """Import one line; where that was interrupted before, it goes on from there.
+
+    Raises
+    ------
+    InputError, ProjectError
+        As `import_lines`.
+    """
+    require_file(line.path, "line")
+    if not again:
+        try:
+            return Imported(stored_line(project, line, trajectory), 0.0)
+        except ProjectError:
+            pass  # not there, damaged or made from something else: it is made now
+    mounting = project.mounting("prior")
+    started = time.monotonic()
+    original = original_of(line.path)
+    source = _Source(line, trajectory, mounting, original)
+    recipe = Recipe(
+        line.name,
+        original,
+        _made_with(line, trajectory, mounting),
+        {"mounting": mounting.values.tolist()},
+    )
+    folder = line_folder(project, line)
+    write_store(
+        folder,
+        recipe,
+        source.pieces,
+        placing(trajectory, mounting),
+        source.assumptions,
+        progress=progress,
+    )
+    return Imported(open_store(folder, line.name), time.monotonic() - started)
+
+
+def stored_line(project: Project, line: LineSource, trajectory: LocalTrajectory) -> StoredLine:
+    """Open an imported line that is still what the project says.
+
+    Raises
+    ------
+    ProjectError
+        Where the line is not imported, its import was interrupted, it is damaged, or its file or
+        what it was made with has changed since.
+    """
+    stored = open_store(line_folder(project, line), line.name)
+    made_with = _made_with(line, trajectory, project.mounting("prior"))
+    changed = [
+        CHANGES[name] for name, value in made_with.items()
+        if stored.manifest.made_with.get(name) != value
+    ]  # fmt: skip
+    if changed:
+        raise ProjectError(
+            f"{line.name}: {' and '.join(changed)} changed since it was imported; import it again."
+        )
+    try:
+        same = stored.is_of(line.path)
+    except OSError:
+        same = True  # the store needs its file no more
+    if not same:
+        raise ProjectError(
+            f"{line.name}: {line.path} has changed since it was imported; import it again."
+        )
+    tidy(stored.folder, stored.manifest)
+    return stored
+
+
+def line_folder(project: Project, line: LineSource) -> Path:
+    """Folder of a line's store in the folder of the project."""
+    plain = re.sub(r"[^A-Za-z0-9_-]", "_", line.name)
+    alike = [n for n in project.lines if n.name != line.name and n.name.lower() == plain.lower()]
+    if plain != line.name or alike or plain.lower() in RESERVED:
+        plain += f"-{hashlib.sha256(line.name.encode()).hexdigest()[:8]}"
+    return project.folder / FOLDER / plain
+
+
+RESERVED = {"con", "prn", "aux", "nul", *(f"{p}{k}" for p in ("com", "lpt") for k in range(10))}
+"""Names that Windows gives to nothing but devices."""
+
+
+def trajectory_of(project: Project) -> LocalTrajectory:
+    """The trajectory of a project in its local frame.
+
+    Raises
+    ------
+    InputError
+    """
+    raw = read_trajectory(project.trajectory, project.trajectory_reading)
+    frame = raw.mean_frame()
+    if project.settings.origin_deg_m is not None:
+        latitude, longitude, height = project.settings.origin_deg_m
+        frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
+    return LocalTrajectory.of(raw, frame, project.settings.longest_gap)
+
+
+def placing(trajectory: LocalTrajectory, mounting: Mounting) -> Place:
+    """What puts points of a line into the local frame, again and again.
+
+    As `georeference`, but what it takes of the trajectory is made ready once, and a few hundred
+    thousand points, a region of a line, already go to all cores.
+    """
+    passage = kernel_arguments(trajectory, mounting)
+
+    def place(points_lidar: Array, time: Array) -> Array:
+        points_lidar = np.ascontiguousarray(mounting.corrected(points_lidar), dtype=np.float64)
+        points_local = np.empty_like(points_lidar)
+
+        def run(start: int) -> bool:
+            rows = slice(start, start + PLACED)
+            return bool(georeferenced(points_lidar[rows], time[rows], *passage, points_local[rows]))
+
+        starts = range(0, len(time), PLACED)
+        if len(starts) <= 1:
+            sound = [run(start) for start in starts]
+        else:
+            with ThreadPoolExecutor(os.cpu_count()) as pool:
+                sound = list(pool.map(run, starts))
+        if not all(sound):
+            raise outside(time + mounting.latency, trajectory)
+        return points_local
+
+    return place
+
+
+def farthest_move(stored: StoredLine, trajectory: LocalTrajectory, mounting: Mounting) -> float:
+    """How far points may be from where they were ordered, metres: the margin of a region.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        With which the line is placed now.
+    """
+    then = Mounting.of_values(np.array(stored.manifest.placed_with["mounting"]))
+    ranges = abs(mounting.range_offset - then.range_offset)
+    reach = stored.manifest.reach + abs(mounting.range_offset) + abs(then.range_offset)
+    turn = mounting.rotation_body_lidar - then.rotation_body_lidar
+    moved = float(np.linalg.norm(turn, 2)) * reach + ranges
+    moved += abs(mounting.scan_angle_offset - then.scan_angle_offset) * reach
+    moved += float(np.linalg.norm(mounting.lever_arm - then.lever_arm))
+    late = abs(mounting.latency - then.latency)
+    if late:
+        steps = np.diff(trajectory.time)[:, None]
+        speed = np.linalg.norm(np.diff(trajectory.position, axis=0) / steps, axis=1).max()
+        rate = np.abs(np.diff(trajectory.attitude, axis=0) / steps).sum(axis=1).max()
+        arm = reach + float(np.linalg.norm(mounting.lever_arm))
+        moved += late * float(speed + rate * arm)
+    return moved
+
+
+CHANGES = {
+    "reading": "how its file is read",
+    "columns": "the names of its columns",
+    "trajectory": "the trajectory, its origin or its longest gap",
+    "recovered_with": "the prior mounting that brings it back to the scanner",
+    "latency": "the latency",
+}
+
+
+def _made_with(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting) -> dict[str, Any]:
+    """What the content of a store follows from besides the file, as plain values."""
+    on_map = line_stream(line, trajectory, mounting).recovery is not None
+    return {
+        "reading": json.loads(json.dumps(encoded(line.reading))),  # as it comes back
+        "columns": list(line.columns),
+        "trajectory": _fingerprint(trajectory),
+        "recovered_with": mounting.values.tolist() if on_map else None,
+        "latency": mounting.latency,
+    }
+
+
+def _fingerprint(trajectory: LocalTrajectory) -> str:
+    frame = trajectory.frame
+    digest = hashlib.sha256(f"{frame} {trajectory.longest_gap}".encode())
+    for values in (trajectory.time, trajectory.position, trajectory.attitude):
+        digest.update(np.ascontiguousarray(values).data)
+    return digest.hexdigest()[:32]
+
+
+class _Source:
+    """The points of a line's file that have a pose, from any of them on."""
+
+    def __init__(
+        self,
+        line: LineSource,
+        trajectory: LocalTrajectory,
+        mounting: Mounting,
+        original: Original,
+    ) -> None:
+        self._line, self._trajectory, self._mounting = line, trajectory, mounting
+        self._original = original
+
+    def assumptions(self, left_out: int) -> tuple[str, ...]:
+        """What was taken for granted and what is left out, in words."""
+        words = line_stream(self._line, self._trajectory, self._mounting).assumptions
+        if left_out:
+            words += (
+                f"{self._line.path.name}: {left_out:,} points outside the trajectory's time, or in "
+                f"a gap of it longer than {self._trajectory.longest_gap:g} s, are left out",
+            )
+        return words
+
+    def pieces(self, first: int) -> Iterator[Piece]:
+        """Give the points from index ``first`` of the file on.
+
+        Raises
+        ------
+        InputError
+            Where the file cannot be read, changes meanwhile, or none of its points has a pose.
+        """
+        line, trajectory = self._line, self._trajectory
+        stream = line_stream(line, trajectory, self._mounting)
+        latency, kept = self._mounting.latency, first
+        looked: list[Array] = []
+        for chunk, read in _from(stream.chunks, first):
+            # Copied: a view would keep the whole chunk.
+            looked.append(chunk.time[:: max(1, len(chunk.time) // LOOKED_AT)].copy())
+            usable = _usable(chunk.time, latency, trajectory)
+            if usable is not None:
+                chunk = _rows(chunk, usable)
+            if stream.recovery is not None:
+                ((chunk, _),) = recovered([chunk], stream.recovery)
+            kept += len(chunk.time)
+            extra = dict(chunk.extra)
+            index = extra.pop(INDEX)
+            yield Piece(chunk.xyz, chunk.time, index, extra, read, chunk.total)
+        self._require_unchanged()
+        if not kept:
+            raise self._outside(np.concatenate(looked) if looked else np.zeros(0))
+
+    def _require_unchanged(self) -> None:
+        path, then = self._line.path, self._original
+        try:
+            now = path.stat()
+        except OSError as error:
+            raise InputError(
+                f"{path}: the file went away while it was imported; bring it back and import it "
+                "again."
+            ) from error
+        if (now.st_size, now.st_mtime_ns) != (then.size, then.modified):
+            raise InputError(
+                f"{path}: the file changed while it was imported; import it again when nothing "
+                "writes to it."
+            )
+
+    def _outside(self, times: Array) -> InputError:
+        path, known = self._line.path, self._trajectory.time
+        if not len(times):
+            return InputError(f"{path}: this line holds no points; leave it out.")
+        told = sentence(matches(times, known))
+        return InputError(
+            f"{path}: its points ({times.min():.1f} to {times.max():.1f} s) lie outside the "
+            f"trajectory ({known[0]:.1f} to {known[-1]:.1f} s); check the date and the time "
+            f"base, or leave the line out. {told}"
+        )
+
+
+def _usable(time: Array, latency: float, trajectory: LocalTrajectory) -> NDArray[np.bool_] | None:
+    """Which points have a pose, as read and with the latency; None where all of them have."""
+    if not len(time):
+        return None
+    ends = np.array([time.min(), time.max()])
+    if not trajectory.has_gaps and trajectory.covers(np.append(ends, ends + latency)).all():
+        return None
+    usable = trajectory.covers(time)
+    if latency:
+        usable &= trajectory.covers(time + latency)
+    return usable
+
+
+def _from(chunks: Iterator[PointChunk], first: int) -> Iterator[tuple[PointChunk, int]]:
+    """Chunks from a point on, each with the places of its points in the file, and how many there
+    were up to its end."""
+    read = 0
+    for chunk in chunks:
+        start, read = read, read + len(chunk.time)
+        if read <= first:
+            continue
+        index = np.arange(start, read)
+        chunk = replace(chunk, extra={**chunk.extra, INDEX: index})
+        yield (_rows(chunk, index >= first) if start < first else chunk), read
+
+
+def _rows(chunk: PointChunk, chosen: NDArray[np.bool_]) -> PointChunk:
+    extra = {name: values[chosen] for name, values in chunk.extra.items()}
+    return replace(chunk, xyz=chunk.xyz[chosen], time=chunk.time[chosen], extra=extra)

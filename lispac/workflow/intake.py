@@ -1,0 +1,362 @@
+"""Files on their way into a project: sorted by what they are, checked against each other.
+
+An `Intake` is an immutable value; the window shows it and asks for the next one. What has to be
+read from files is in `intake_entry`, what there is to say about them in `intake_remarks`.
+"""
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Literal
+
+from lispac.io.line_times import LineTimes
+from lispac.io.project_file import FILE_NAME
+from lispac.io.registry import POSSIBLE, Kind
+from lispac.project import LineSource, Settings
+from lispac.survey.source import USUAL, Reading
+from lispac.survey.time_base import TimeBase, plausible
+from lispac.survey.time_quality import Coverage
+from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
+from lispac.workflow.intake_columns import with_meaning
+from lispac.workflow.intake_entry import Entry
+from lispac.workflow.intake_remarks import (
+    Remark,
+    Remedy,
+    best_shift,
+    line_coverage,
+    remarks_of,
+    time_remarks,
+    trajectory_base,
+)
+
+State = Literal["pending", "fine", "doubt", "error", "out"]
+
+MOST_FILES = 500
+"""Files taken from one folder; more are hardly a survey's."""
+
+
+@dataclass(frozen=True)
+class ImportRequest:
+    """What `new_project` is to be called with."""
+
+    folder: Path
+    trajectory: Path
+    accuracy: Path | None
+    lines: tuple[LineSource, ...]
+    settings: Settings
+    trajectory_reading: Reading = USUAL
+    accuracy_reading: Reading = USUAL
+
+
+def project_among(paths: Iterable[Path]) -> Path | None:
+    """The first project among files and folders, which is to be opened rather than imported."""
+    for path in paths:
+        if path.name == FILE_NAME:
+            return path
+        if (path / FILE_NAME).is_file():
+            return path
+    return None
+
+
+def gathered(paths: Iterable[Path]) -> tuple[Path, ...]:
+    """Files as they are, and those that lie directly in folders, without hidden ones."""
+    found: list[Path] = []
+    for path in paths:
+        if path.is_dir():
+            inside = sorted(p for p in path.iterdir() if p.is_file() and p.name[:1] != ".")
+            found += inside[:MOST_FILES]
+        else:
+            found.append(path)
+    return tuple(dict.fromkeys(path.absolute() for path in found))
+
+
+@dataclass(frozen=True, eq=False)
+class Intake:
+    """Files, each with its role, and what the project is to know of the trajectory's gaps.
+
+    Attributes
+    ----------
+    entries : tuple of Entry
+        In the order in which they came.
+    longest_gap : float, seconds
+    """
+
+    entries: tuple[Entry, ...] = ()
+    longest_gap: float = LONGEST_GAP
+
+    # -- edits -------------------------------------------------------------------------------
+
+    def with_files(self, paths: Iterable[Path]) -> "Intake":
+        """Add files that are not in the list yet; they wait to be looked into."""
+        known = {entry.path for entry in self.entries}
+        new = tuple(Entry(path) for path in paths if path not in known)
+        return replace(self, entries=self.entries + new)
+
+    def without(self, path: Path) -> "Intake":
+        """Take a file off the list."""
+        return replace(self, entries=tuple(e for e in self.entries if e.path != path))
+
+    def with_entry(self, entry: Entry) -> "Intake":
+        """Put an entry in the place of the one of the same file."""
+        entries = tuple(entry if e.path == entry.path else e for e in self.entries)
+        return replace(self, entries=entries)
+
+    def with_role(self, path: Path, role: Kind | None) -> "Intake":
+        """Give a file another role, in the surest format of it; it has to be looked into again."""
+        entry = self.entry(path)
+        if role == entry.role:
+            return self
+        changed = replace(entry, role=role, stated=None, finding=None, remembered=False, shift=0.0)
+        changed = replace(changed, format=next(iter(changed.formats), None))
+        return self.with_entry(replace(changed, pending=role is not None, content=None))
+
+    def with_format(self, path: Path, key: str) -> "Intake":
+        """Read a file in another format; it has to be looked into again."""
+        entry = self.entry(path)
+        chosen = next(format for format in entry.formats if format.key == key)
+        return self.with_entry(
+            replace(entry, format=chosen, stated=None, finding=None, pending=True, remembered=False)
+        )
+
+    def with_option(self, path: Path, name: str, value: str) -> "Intake":
+        """State an option; the file has to be looked into again."""
+        entry = self.entry(path)
+        stated = dict(entry.stated or {}) | {name: value}
+        return self.with_entry(replace(entry, stated=stated, pending=True))
+
+    def with_column(self, path: Path, column: int, meaning: str) -> "Intake":
+        """Say what a column is; the file has to be looked into again."""
+        entry = self.entry(path)
+        tokens = with_meaning(entry.columns, column, meaning)
+        changed = self.with_option(path, "columns", " ".join(tokens))
+        return changed.with_entry(replace(changed.entry(path), remembered=False))
+
+    def with_remedy(self, path: Path, remedy: Remedy) -> "Intake":
+        """Do what a remedy does; where it states an option the file has to be looked into again."""
+        if remedy.longest_gap is not None:
+            return replace(self, longest_gap=remedy.longest_gap)
+        if remedy.shift is not None:
+            return self.with_entry(replace(self.entry(path), shift=remedy.shift))
+        if remedy.role is not None:
+            return self.with_role(path, None if remedy.role == "none" else remedy.role)
+        if remedy.option is not None:
+            return self.with_option(path, *remedy.option)
+        if remedy.found_columns:
+            stated = {k: v for k, v in (self.entry(path).stated or {}).items() if k != "columns"}
+            return self.with_entry(
+                replace(
+                    self.entry(path), stated=stated, remembered=False, pending=True, finding=None
+                )
+            )
+        return self
+
+    def with_shift_for_all(self) -> "Intake":
+        """Apply the best time shift to every line that lies outside the trajectory."""
+        changed = self
+        for entry, shift in self.shifts_offered:
+            changed = changed.with_entry(replace(entry, shift=shift))
+        return changed
+
+    def sorted_out(self, path: Path) -> "Intake":
+        """Settle what a file is where others tell: text that may be a trajectory is a line beside
+        one that certainly is."""
+        entry = self.entry(path)
+        surest = {e.path: e.looks[0].sureness for e in self._of("trajectory") if e.looks}
+        if entry.role != "trajectory" or "points" not in entry.roles or len(surest) < 2:
+            return self
+        if surest[path] <= POSSIBLE and max(surest.values()) > POSSIBLE:
+            return self.with_role(path, "points")
+        return self
+
+    # -- what there is -----------------------------------------------------------------------
+
+    def entry(self, path: Path) -> Entry:
+        """The entry of a file."""
+        return next(entry for entry in self.entries if entry.path == path)
+
+    def _of(self, role: Kind) -> tuple[Entry, ...]:
+        return tuple(entry for entry in self.entries if entry.role == role)
+
+    @property
+    def trajectory(self) -> Entry | None:
+        """The trajectory's entry, the first where there are several."""
+        return next(iter(self._of("trajectory")), None)
+
+    @property
+    def accuracy(self) -> Entry | None:
+        """The accuracy's entry."""
+        return next(iter(self._of("accuracy")), None)
+
+    @property
+    def lines(self) -> tuple[Entry, ...]:
+        """Entries of lines."""
+        return self._of("points")
+
+    @property
+    def track(self) -> Trajectory | None:
+        """The trajectory itself, once it is read."""
+        entry = self.trajectory
+        content = None if entry is None else entry.content
+        return content if isinstance(content, Trajectory) else None
+
+    @property
+    def sigmas(self) -> TrajectoryAccuracy | None:
+        """The accuracies, once they are read."""
+        entry = self.accuracy
+        content = None if entry is None else entry.content
+        return content if isinstance(content, TrajectoryAccuracy) else None
+
+    @property
+    def _base(self) -> TimeBase | None:
+        return trajectory_base(self.trajectory)
+
+    @property
+    def time_base(self) -> TimeBase | None:
+        """The trajectory's, as stated or taken; None where its options do not say."""
+        if self._base is not None:
+            return self._base
+        return next(iter(plausible(self.track.time)), None) if self.track is not None else None
+
+    @cached_property
+    def names(self) -> dict[Path, str]:
+        """A name for each line: its file's, with the folder's in front where two are alike."""
+        stems = [entry.path.stem for entry in self.lines]
+        return {
+            entry.path: (
+                entry.path.stem
+                if stems.count(entry.path.stem) == 1
+                else f"{entry.path.parent.name}_{entry.path.stem}"
+            )
+            for entry in self.lines
+        }
+
+    def coverage(self, entry: Entry) -> Coverage | None:
+        """How the trajectory covers a line; None before both are read."""
+        return None if self.track is None else line_coverage(entry, self.track, self.longest_gap)
+
+    @cached_property
+    def _remarks(self) -> dict[Path, tuple[Remark, ...]]:
+        counts = len(self._of("trajectory")), len(self._of("accuracy"))
+        return {
+            entry.path: remarks_of(entry, self.trajectory, *counts, self.longest_gap)
+            for entry in self.entries
+        }
+
+    def remarks(self, entry: Entry) -> tuple[Remark, ...]:
+        """All there is to say about a file, the worst first."""
+        return self._remarks[entry.path]
+
+    def time_remarks(self, entry: Entry) -> tuple[Remark, ...]:
+        """What there is to say about a line's times against the trajectory."""
+        if self.track is None or entry.role != "points":
+            return ()
+        return tuple(time_remarks(entry, self.track, self.longest_gap, self._base))
+
+    def state(self, entry: Entry) -> State:
+        """How a file stands."""
+        if entry.pending:
+            return "pending"
+        if entry.role is None:
+            return "out"
+        levels = [remark.level for remark in self.remarks(entry)]
+        return "error" if "error" in levels else "doubt" if "doubt" in levels else "fine"
+
+    @cached_property
+    def shifts_offered(self) -> tuple[tuple[Entry, float], ...]:
+        """Lines outside the trajectory, each with the time shift that brings it in."""
+        track = self.track
+        if track is None:
+            return ()
+        found = []
+        for entry in self.lines:
+            covered = self.coverage(entry)
+            if covered is None or covered.usable or not isinstance(entry.content, LineTimes):
+                continue
+            best = best_shift(entry, track, self._base)
+            if best is not None and best.shift != entry.shift:
+                found.append((entry, best.shift))
+        return tuple(found)
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def problem(self, folder: str) -> str:
+        """Why a project cannot be made of this; empty where it can."""
+        return self.files_problem() or folder_problem(folder)
+
+    def files_problem(self) -> str:
+        """What is wrong with the files; empty where nothing is."""
+        if not self.entries:
+            return "Add the survey's files: drop them here, or press Add files."
+        if any(entry.pending for entry in self.entries):
+            return "The files are being looked into."
+        wrong = [entry for entry in self.entries if self.state(entry) == "error"]
+        if wrong:
+            more = len(wrong) - 1
+            others = (
+                f" ({more} more file{'s have' if more > 1 else ' has'} errors.)" if more else ""
+            )
+            first = self.remarks(wrong[0])[0].text.split(". ")[0].rstrip(".")
+            return f"{wrong[0].path.name}: {first}.{others}"
+        if self.trajectory is None:
+            return "No file is the trajectory yet: add the SBET, or a text export of it."
+        if not self.lines:
+            return "No file is a line yet: add the scan file of at least one."
+        names = list(self.names.values())
+        twice = [name for name in names if names.count(name) > 1]
+        return f"Two lines are named {twice[0]}; rename a file." if twice else ""
+
+    def request(self, folder: Path, settings: Settings) -> ImportRequest:
+        """What the project is to be made of; there must be no `problem`."""
+        trajectory, accuracy = self.trajectory, self.accuracy
+        assert trajectory is not None
+        return ImportRequest(
+            folder=folder,
+            trajectory=trajectory.path,
+            accuracy=None if accuracy is None else accuracy.path,
+            lines=tuple(
+                LineSource(self.names[entry.path], entry.path, (), entry.reading)
+                for entry in self.lines
+            ),
+            settings=replace(settings, longest_gap=self.longest_gap),
+            trajectory_reading=trajectory.reading,
+            accuracy_reading=USUAL if accuracy is None else accuracy.reading,
+        )
+
+    @property
+    def mappings(self) -> dict[str, str]:
+        """Columns chosen here, by the layout of their files, to be remembered."""
+        return {
+            entry.layout: " ".join(entry.columns)
+            for entry in self.entries
+            if entry.role is not None and "columns" in (entry.stated or {}) and entry.layout
+        }
+
+
+def folder_problem(folder: str) -> str:
+    """Why a project cannot be made there; empty where it can."""
+    if not folder.strip():
+        return "Choose a folder for the project."
+    place = Path(folder.strip()).expanduser()
+    if (place / FILE_NAME).exists():
+        return "There is a project in this folder already; choose another."
+    if place.is_file():
+        return "This is a file; choose a folder for the project."
+    there = next((p for p in (place, *place.parents) if p.exists()), None)
+    if there is None or not os.access(there, os.W_OK):
+        return f"{there or place} cannot be written; choose another folder."
+    return ""
+
+
+def proposed_folder(intake: Intake) -> Path | None:
+    """A folder for the project beside the data, where that can be written and is free."""
+    used = [entry for entry in (intake.trajectory, *intake.lines) if entry is not None]
+    if not used:
+        return None
+    data = used[0].path.parent
+    for name in ("boresight", *(f"boresight-{k}" for k in range(2, 20))):
+        for place in (data / name, Path.home() / f"{data.name}-{name}"):
+            if not folder_problem(str(place)) and not place.exists():
+                return place
+    return None

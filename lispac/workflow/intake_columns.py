@@ -1,0 +1,96 @@
+"""Columns of text files: what each may mean, what is missing, and layouts that are remembered."""
+
+from collections.abc import Sequence
+
+from lispac.io.registry import Finding, Format
+from lispac.io.text_layout import REQUIRED
+from lispac.io.trajectory_columns import ROLES, SIGMAS
+from lispac.workflow.reading import Look
+
+PASSED_OVER = "-"
+_POINTS = (*REQUIRED, "intensity")
+_ORDER = (
+    "time", "date", "latitude", "longitude", "easting", "northing", "height", "sea_height",
+    "roll", "pitch", "heading",
+)  # fmt: skip
+_WORDS = {
+    "time": "Time", "date": "Date", "x": "X", "y": "Y", "z": "Z", "intensity": "Intensity",
+    "latitude": "Latitude", "longitude": "Longitude", "easting": "Easting",
+    "northing": "Northing", "height": "Height (ellipsoid)", "sea_height": "Height (sea level)",
+    "roll": "Roll", "pitch": "Pitch", "heading": "Heading", PASSED_OVER: "Pass over",
+}  # fmt: skip
+
+
+def has_columns(format: Format) -> bool:
+    """Whether the user may say what each column is."""
+    return any(option.name == "columns" for option in format.options)
+
+
+def meanings(format: Format) -> tuple[str, ...]:
+    """What a column may be, in the words of the option; passing over comes first."""
+    if format.kind == "points":
+        return (PASSED_OVER, *_POINTS)
+    return (PASSED_OVER, *(role for role in _ORDER if role in set(ROLES.values())))
+
+
+def word_of(meaning: str) -> str:
+    """A meaning as the window shows it; a name of the file's own as it is."""
+    return _WORDS.get(meaning, meaning)
+
+
+def column_tokens(format: Format, finding: Finding | None, stated: str) -> tuple[str, ...]:
+    """The meaning of each column of the preview, from the left."""
+    if finding is None or not finding.rows:
+        return tuple(stated.split())
+    width = max(len(row) for row in finding.rows)
+    named = stated or str(finding.choice.get("columns", ""))
+    tokens = [token.strip() or PASSED_OVER for token in named.replace(",", " ").split()]
+    tokens = tokens[:width] + [PASSED_OVER] * (width - len(tokens))
+    if format.kind == "trajectory":
+        tokens = [token if token in SIGMAS else ROLES.get(token, PASSED_OVER) for token in tokens]
+    return tuple(tokens)
+
+
+def with_meaning(tokens: Sequence[str], column: int, meaning: str) -> tuple[str, ...]:
+    """The tokens with one column's meaning changed; a column that had it before loses it."""
+    changed = [
+        PASSED_OVER if token == meaning and meaning != PASSED_OVER else token for token in tokens
+    ]
+    changed[column] = meaning
+    return tuple(changed)
+
+
+def missing_columns(format: Format, tokens: Sequence[str]) -> str:
+    """What no column is and has to be, in words; empty where all is there."""
+    if not has_columns(format) or not tokens:
+        return ""
+    has = set(tokens)
+    if format.kind == "points":
+        missing = [word_of(name).lower() for name in REQUIRED if name not in has]
+    else:
+        missing = [name for name in ("time", "roll", "pitch", "heading") if name not in has]
+        if not ({"latitude", "longitude"} <= has or {"easting", "northing"} <= has):
+            missing.append("latitude and longitude (or easting and northing)")
+        if not {"height", "sea_height"} & has:
+            missing.append("height")
+    if len(missing) < 2:
+        return "".join(missing)
+    return f"{', '.join(missing[:-1])} or {missing[-1]}"
+
+
+def names_its_columns(look: Look) -> bool:
+    """Whether the file itself says what its columns are."""
+    if look.finding is None:
+        return False
+    if look.format.kind == "points":
+        return bool(look.finding.choice.get("columns"))
+    return not any("No row names the columns" in doubt for doubt in look.finding.doubts)
+
+
+def layout_of(look: Look) -> str:
+    """A key for files of text laid out alike: format, number of columns and their own names."""
+    if not has_columns(look.format) or look.finding is None or not look.finding.rows:
+        return ""
+    rows = look.finding.rows
+    named = " ".join(rows[0]) if names_its_columns(look) else ""
+    return f"{look.format.key}/{max(len(row) for row in rows)}/{named}"

@@ -1,0 +1,259 @@
+"""One file on its way into a project: what it seems to be, how it is to be read, what is in it.
+
+An entry is an immutable value; `examined` and `examined_again` make the next one and are meant for
+the worker, since they read.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import Cancelled, InputError, LispacError
+from lispac.io.line_times import LineTimes, line_times
+from lispac.io.registry import POSSIBLE, Finding, Format, Kind
+from lispac.progress import Progress, no_progress
+from lispac.survey.crs import coordinate_system
+from lispac.survey.source import Reading
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.workflow.intake_columns import (
+    column_tokens,
+    has_columns,
+    layout_of,
+    missing_columns,
+    names_its_columns,
+)
+from lispac.workflow.reading import Look, looks
+
+Content = Trajectory | TrajectoryAccuracy | LineTimes
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a georeferenced line is.
+
+    Attributes
+    ----------
+    system : str
+        Name of its coordinate system.
+    latitude, longitude : float, radians
+        Of one of its points.
+    error : str
+        Why there is no such place, in a sentence.
+    """
+
+    system: str = ""
+    latitude: float = 0.0
+    longitude: float = 0.0
+    error: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Entry:
+    """A file, and what is to be done with it.
+
+    Attributes
+    ----------
+    looks : tuple of Look
+        What each format that knows the file finds in it, the surest first; empty before the file
+        was looked into and where no format knows it.
+    role : {"trajectory", "accuracy", "points"} or None
+        None leaves the file out.
+    format : Format or None
+    stated : mapping of str to str
+        Options that the user has stated.
+    finding : Finding or None
+        With these options; the last one that could be made where they do not fit the file.
+    content : Trajectory, TrajectoryAccuracy, LineTimes or None
+    error : str
+        Why the file cannot be used, in a sentence.
+    shift : float, seconds
+        Added to the times of a line.
+    place : Place or None
+        Of a georeferenced line.
+    remembered : bool
+        Whether the columns are those chosen for an earlier file laid out alike.
+    """
+
+    path: Path
+    looks: tuple[Look, ...] = ()
+    role: Kind | None = None
+    format: Format | None = None
+    stated: Mapping[str, str] | None = None
+    finding: Finding | None = None
+    content: Content | None = None
+    error: str = ""
+    shift: float = 0.0
+    place: Place | None = None
+    pending: bool = True
+    remembered: bool = False
+
+    @property
+    def formats(self) -> tuple[Format, ...]:
+        """Formats of its role that know the file, the surest first."""
+        return tuple(look.format for look in self.looks if look.format.kind == self.role)
+
+    @property
+    def roles(self) -> tuple[Kind, ...]:
+        """Roles that some format could give it, the surest first."""
+        return tuple(dict.fromkeys(look.format.kind for look in self.looks))
+
+    @property
+    def options(self) -> dict[str, str]:
+        """All options as they stand: stated, else found, else by default."""
+        if self.format is None:
+            return {}
+        found = {} if self.finding is None else dict(self.finding.choice)
+        known = {option.name: option.default for option in self.format.options}
+        settled = known | found | dict(self.stated or {})
+        return {name: str(settled[name]) for name in known}
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """What each column of a text file means, from the left; empty for other files."""
+        if self.format is None or not has_columns(self.format):
+            return ()
+        stated = (self.stated or {}).get("columns", "")
+        return column_tokens(self.format, self.finding, stated)
+
+    @property
+    def reading(self) -> Reading:
+        """How the file is read, for the project: what was stated, with the rest to be found."""
+        stated = {} if self.stated is None else dict(self.stated)
+        if self.format is None or (not stated and self.format in self.formats[:1]):
+            return Reading("", (), self.shift)
+        return Reading(self.format.key, tuple(stated.items()), self.shift)
+
+    @property
+    def layout(self) -> str:
+        """How a text file is laid out, so that the next one like it is known; empty for others."""
+        look = next((look for look in self.looks if look.format is self.format), None)
+        return "" if look is None else layout_of(look)
+
+    @property
+    def georeferenced(self) -> bool:
+        """Whether it is a line on the map."""
+        return self.role == "points" and self.options.get("frame") == "georeferenced"
+
+
+def examined(
+    path: Path, mappings: Mapping[str, str] | None = None, *, progress: Progress = no_progress
+) -> Entry:
+    """Look into a file for the first time.
+
+    Parameters
+    ----------
+    mappings : mapping of str to str
+        Columns chosen for text files before, by their layout.
+    """
+    progress(0.0, f"Looking into {path.name}")
+    try:
+        found = looks(path)
+    except LispacError as error:
+        return Entry(path, error=_without_path(str(error), path), pending=False)
+    # Of equally sure formats those whose files end so come first, then those that can be read.
+    ending = path.suffix.lower()
+    found.sort(
+        key=lambda look: (-look.sureness, ending not in look.format.endings, bool(look.error))
+    )
+    first = found[0]
+    entry = Entry(path, tuple(found), first.format.kind, first.format)
+    if first.sureness <= POSSIBLE and ending not in first.format.endings:
+        said = f"It may be {first.format.name}, but hardly: choose its role if it is."
+        return replace(entry, role=None, format=None, error=said, pending=False)
+    for look in found:
+        columns = (mappings or {}).get(layout_of(look), "")
+        if columns and not names_its_columns(look):
+            entry = replace(
+                entry, role=look.format.kind, format=look.format, remembered=True,
+                stated={"columns": columns},
+            )  # fmt: skip
+            break
+    return examined_again(entry, progress=progress)
+
+
+def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
+    """Look into a file with the role, format and options that the entry has now."""
+    entry = replace(entry, pending=False, error="", content=None, place=None)
+    if entry.role is None or entry.format is None:
+        return entry
+    if entry.finding is None or not entry.stated:
+        entry = _looked(entry, {})
+    assert entry.format is not None
+    missing = missing_columns(entry.format, entry.columns)
+    if missing:
+        return replace(
+            entry,
+            error=f"No column is the {missing} yet; choose in the head of the preview what each "
+            "column is.",
+        )
+    if entry.stated:
+        entry = _looked(entry, dict(entry.stated))
+    if entry.error or entry.finding is None:
+        return entry
+    progress(0.1, f"Reading {entry.path.name}")
+    try:
+        return _filled(entry, progress)
+    except Cancelled:
+        raise
+    except LispacError as error:
+        return replace(entry, error=_without_path(str(error), entry.path))
+
+
+def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
+    assert entry.format is not None
+    known = next((look for look in entry.looks if look.format is entry.format), None)
+    if not stated and known is not None:
+        # Columns shown again as found are those of the first look.
+        error = _without_path(known.error, entry.path)
+        return replace(entry, finding=known.finding, error=error)
+    try:
+        return replace(entry, finding=entry.format.look(entry.path, stated))
+    except LispacError as error:
+        kept = entry.finding or (None if known is None else known.finding)
+        return replace(entry, finding=kept, error=_without_path(str(error), entry.path))
+
+
+def _filled(entry: Entry, progress: Progress) -> Entry:
+    assert entry.format is not None
+    if entry.role == "points":
+        if entry.georeferenced:
+            # A line's times do not hang on its coordinate system, so they are read either way.
+            times = line_times(entry.path, entry.format, entry.options, progress=progress)
+            return replace(entry, content=times, place=_place(entry.options, times))
+        return replace(
+            entry, content=line_times(entry.path, entry.format, entry.options, progress=progress)
+        )
+    content = entry.format.read(entry.path, entry.options)
+    assert isinstance(content, Trajectory | TrajectoryAccuracy)
+    return replace(entry, content=content)
+
+
+def _place(options: Mapping[str, str], times: LineTimes) -> Place:
+    try:
+        epoch = options.get("epoch", "").strip()
+        system = coordinate_system(
+            options.get("crs", ""),
+            height=options.get("height", ""),
+            height_unit=options.get("height_unit", ""),
+            trajectory_datum=options.get("trajectory_datum", ""),
+            epoch=float(epoch) if epoch else None,
+        )
+        latitude, longitude, _ = system.to_geodetic(times.place[None, :])
+    except InputError as error:
+        return Place(error=str(error))
+    except ValueError:
+        return Place(error=f"{options['epoch']}: not a date as a decimal year; 2024.5, say.")
+    if not np.isfinite([latitude[0], longitude[0]]).all():
+        return Place(system.name, error=f"The points lie outside {system.name}.")
+    return Place(system.name, float(latitude[0]), float(longitude[0]))
+
+
+def _without_path(sentence: str, path: Path) -> str:
+    """A sentence for a row that names the file already."""
+    for name in (f"{path}: ", f"{path}, "):
+        if sentence.startswith(name):
+            rest = sentence[len(name) :]
+            return rest[:1].upper() + rest[1:]
+    return sentence

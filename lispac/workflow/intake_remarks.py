@@ -1,0 +1,365 @@
+"""What there is to say about a file on its way in: a sentence each, and what would mend it."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from lispac.geometry.frames import geodetic_to_ecef
+from lispac.io.line_times import LineTimes
+from lispac.io.registry import Kind
+from lispac.survey.time_base import Match, TimeBase, base_of, matches, rival_matches, sentence
+from lispac.survey.time_quality import Coverage, coverage
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.workflow.intake_entry import Entry
+
+Level = Literal["error", "doubt", "note"]
+
+FARTHEST = 20_000.0
+"""Metres between a line's points and the trajectory; no scanner sees farther."""
+SHARE_NEEDED = 0.5
+"""Part of a line's points that a shift has to bring inside before it is offered."""
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """What a button beside a sentence does to the file.
+
+    Attributes
+    ----------
+    words : str
+        On the button.
+    shift : float or None, seconds
+        Added to the line's times.
+    role : {"trajectory", "accuracy", "points", "none"} or None
+        What the file becomes; none leaves it out.
+    option : (str, str) or None
+        Option and value to state.
+    ask : str
+        Option that the user has to fill in: the window goes to its field.
+    longest_gap : float or None, seconds
+        Of the trajectory that may be bridged.
+    found_columns : bool
+        Takes back the remembered columns.
+    tip : str
+        What stands behind it, for the button's tip.
+    """
+
+    words: str
+    shift: float | None = None
+    role: Kind | Literal["none"] | None = None
+    option: tuple[str, str] | None = None
+    ask: str = ""
+    longest_gap: float | None = None
+    found_columns: bool = False
+    tip: str = ""
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A sentence about a file.
+
+    Attributes
+    ----------
+    level : {"error", "doubt", "note"}
+        An error keeps the project from being made; a note needs no look.
+    """
+
+    level: Level
+    text: str
+    remedies: tuple[Remedy, ...] = ()
+
+
+LEAVE_OUT = Remedy("Leave it out", role="none")
+
+
+def remarks_of(
+    entry: Entry,
+    trajectory: Entry | None,
+    trajectories: int,
+    accuracies: int,
+    longest_gap: float,
+) -> tuple[Remark, ...]:
+    """All there is to say about a file, the worst first.
+
+    Parameters
+    ----------
+    trajectory : Entry or None
+        The first file whose role is the trajectory.
+    trajectories, accuracies : int
+        Files of these roles.
+    longest_gap : float, seconds
+    """
+    if entry.pending:
+        return ()
+    if entry.role is None:
+        return (Remark("note", entry.error),) if entry.error else ()
+    told = _own(entry)
+    if entry.role == "trajectory":
+        if trajectories > 1:
+            told.append(_one_too_many("trajectory"))
+    elif entry.role == "accuracy":
+        if accuracies > 1:
+            told.append(_one_too_many("accuracy"))
+        told += _accuracy_in_time(entry, trajectory)
+    elif trajectory is not None and isinstance(trajectory.content, Trajectory):
+        base = trajectory_base(trajectory)
+        told += time_remarks(entry, trajectory.content, longest_gap, base)
+        told += _place_remarks(entry, trajectory.content)
+    order = {"error": 0, "doubt": 1, "note": 2}
+    return tuple(sorted(told, key=lambda remark: order[remark.level]))
+
+
+def _one_too_many(role: str) -> Remark:
+    return Remark(
+        "error",
+        f"More than one file has the role {role}, and a project has one; leave the others out.",
+        (LEAVE_OUT,),
+    )
+
+
+def _own(entry: Entry) -> list[Remark]:
+    """What the file says by itself."""
+    told: list[Remark] = []
+    if entry.error:
+        told.append(Remark("error", entry.error, (LEAVE_OUT,)))
+    elif entry.place is not None and entry.place.error:
+        ask = Remedy("State the coordinate system", ask="crs")
+        told.append(Remark("error", entry.place.error, (ask, LEAVE_OUT)))
+    if entry.remembered and entry.finding is not None:
+        back = Remedy("Choose anew", found_columns=True)
+        told.append(
+            Remark(
+                "note", "The columns are those chosen for the last file laid out alike.", (back,)
+            )
+        )
+    # The columns that an error asks for need no doubt beside it.
+    said = "" if entry.finding is None else " ".join(entry.finding.doubts)
+    unnamed = "does not name its columns" in said or "columns lack" in said
+    if entry.finding is not None:
+        for doubt in entry.finding.doubts:
+            if entry.error and unnamed and "columns" in doubt:
+                continue
+            told.append(Remark("doubt", doubt, _remedies_of(entry, doubt)))
+    if isinstance(entry.content, LineTimes) and not entry.content.reached_end:
+        told.append(
+            Remark(
+                "note",
+                f"The file is long: the first {len(entry.content.sample):,} times looked at stand "
+                "for it here, the rest is checked when the project is made.",
+            )
+        )
+    return told
+
+
+def _remedies_of(entry: Entry, doubt: str) -> tuple[Remedy, ...]:
+    """What the options of the format offer against a doubt of its reader."""
+    options = entry.options
+    if "look exchanged" in doubt and options.get("order") == "latitude-longitude":
+        return (Remedy("Exchange them", option=("order", "longitude-latitude")),)
+    if "radians are taken" in doubt:
+        name = "position" if "position" in doubt else "attitude"
+        return (Remedy("They are degrees", option=(name, "degrees")),)
+    if "give its EPSG code" in doubt and "crs" in options:
+        return (Remedy("State the coordinate system", ask="crs"),)
+    if "comes from feet" in doubt or "speaks of feet" in doubt:
+        return (
+            Remedy("They are feet", option=("unit", "foot")),
+            Remedy("US survey feet", option=("unit", "us-survey-foot")),
+        )
+    if "taken as EPSG" in doubt and "crs" in options:
+        return (Remedy("Look at the coordinate system", ask="crs"),)
+    if "sign" in doubt and "pitch" in doubt and "pitch" in options:
+        return (Remedy("Look at the signs", ask="pitch"),)
+    if "could also be" in doubt and "time" in options:
+        return (Remedy("Choose the time base", ask="time"),)
+    if "choose the time base" in doubt and "time_base" in options:
+        return (Remedy("Choose the time base", ask="time_base"),)
+    if "check the frame" in doubt and "frame" in options:
+        return (Remedy("Choose the frame", ask="frame"),)
+    return ()
+
+
+def _accuracy_in_time(entry: Entry, trajectory: Entry | None) -> list[Remark]:
+    if trajectory is None or not isinstance(trajectory.content, Trajectory):
+        return []
+    if not isinstance(entry.content, TrajectoryAccuracy):
+        return []
+    own, track = entry.content.time, trajectory.content.time
+    if own[-1] < track[0] or own[0] > track[-1]:
+        return [
+            Remark(
+                "error",
+                f"Its times ({own[0]:,.1f} to {own[-1]:,.1f} s) do not meet those of the "
+                f"trajectory ({track[0]:,.1f} to {track[-1]:,.1f} s); give the file that belongs "
+                "to it, or leave it out and type the accuracies.",
+                (LEAVE_OUT,),
+            )
+        ]
+    before, after = own[0] - track[0], track[-1] - own[-1]
+    if max(before, after) > 2.0:
+        return [
+            Remark(
+                "doubt",
+                f"It covers {own[0]:,.1f} to {own[-1]:,.1f} s, not the whole trajectory; beyond, "
+                "its first and last values are taken.",
+            )
+        ]
+    return []
+
+
+def line_coverage(entry: Entry, trajectory: Trajectory, longest_gap: float) -> Coverage | None:
+    """How the trajectory covers what was looked at of a line, its shift applied."""
+    if not isinstance(entry.content, LineTimes):
+        return None
+    return coverage(entry.content.sample + entry.shift, trajectory.time, longest_gap)
+
+
+def best_shift(entry: Entry, trajectory: Trajectory, base: TimeBase | None) -> Match | None:
+    """The time shift that brings most of a line's points onto the trajectory.
+
+    Parameters
+    ----------
+    base : TimeBase or None
+        The trajectory's, as its options say.
+    """
+    if not isinstance(entry.content, LineTimes):
+        return None
+    found = _fitting(entry.content, trajectory, base)
+    return found[0] if found and found[0].share >= SHARE_NEEDED else None
+
+
+def _fitting(times: LineTimes, track: Trajectory, base: TimeBase | None) -> tuple[Match, ...]:
+    """Ways to bring a line onto the trajectory: in its own base, else in any."""
+    some = times.sample[:: max(1, len(times.sample) // 1000)]
+    if base is not None:
+        found = matches(some, track.time, trajectory_bases=(base,))
+        if found and found[0].share >= SHARE_NEEDED:
+            return found
+    return matches(some, track.time)
+
+
+def trajectory_base(trajectory: Entry | None) -> TimeBase | None:
+    """What a trajectory's times count, as its options say."""
+    key = "" if trajectory is None else trajectory.options.get("time", "")
+    return base_of(key) if key else None
+
+
+def time_remarks(
+    entry: Entry, track: Trajectory, longest_gap: float, base: TimeBase | None
+) -> list[Remark]:
+    """How the trajectory covers a line, where there is something to say."""
+    times, covered = entry.content, line_coverage(entry, track, longest_gap)
+    if covered is None or not isinstance(times, LineTimes):
+        return []
+    told = _shift_remarks(entry, times, track, base)
+    if covered.usable == covered.count:
+        return told
+    if covered.usable == 0 and covered.outside:
+        return [*told, _outside(entry, times, track, base)]
+    remedies = []
+    if covered.in_gaps:
+        widest = max((close - open_ for open_, close in covered.gaps), default=0.0)
+        if widest <= 10 * longest_gap:
+            bridged = float(np.ceil(widest * 10) / 10)
+            remedies.append(Remedy(f"Bridge up to {bridged:g} s", longest_gap=bridged))
+    told.append(
+        Remark("doubt", _not_usable(covered, len(times.sample) == times.count), (*remedies,))
+    )
+    return told
+
+
+def _shift_remarks(
+    entry: Entry, times: LineTimes, track: Trajectory, base: TimeBase | None
+) -> list[Remark]:
+    """What a time shift in use rests on; a doubt where another one fits as well."""
+    if not entry.shift:
+        return []
+    told = f"{entry.shift:+,.3f} s are added to its times"
+    undo = Remedy("Take it back", shift=0.0)
+    found = _fitting(times, track, base)
+    rivals = [] if not found else [
+        match for match in (found[0], *rival_matches(found)[:2])
+        if abs(match.shift - entry.shift) > 1e-6
+    ]  # fmt: skip
+    if not rivals:
+        return [Remark("note", f"{told}.", (undo,))]
+    others = " or ".join(f"{match.shift:+,.3f} s ({match.points.name})" for match in rivals)
+    return [
+        Remark(
+            "doubt",
+            f"{told}. By the times alone {others} would fit as well: make sure which time base "
+            "the scanner wrote.",
+            (*(_adding(match) for match in rivals), undo),
+        )
+    ]
+
+
+def _adding(match: Match) -> Remedy:
+    return Remedy(
+        f"Add {match.shift:+,.0f} s",
+        shift=match.shift,
+        tip=f"Points in {match.points.name}, trajectory in {match.trajectory.name}",
+    )
+
+
+def _not_usable(covered: Coverage, whole: bool) -> str:
+    parts = []
+    if covered.outside:
+        parts.append(f"{_share(covered.share_outside, whole)} lie before or after the trajectory")
+    if covered.in_gaps:
+        gaps = "gaps" if len(covered.gaps) > 1 else "a gap"
+        parts.append(
+            f"{_share(covered.share_in_gaps, whole)} lie in {gaps} of the trajectory longer than "
+            f"{covered.longest_gap:g} s"
+        )
+    said = " and ".join(parts)
+    return f"{said[:1].upper()}{said[1:]}: these points will be left out."
+
+
+def _share(share: float, whole: bool) -> str:
+    about = "" if whole else "about "
+    return f"{about}{100 * share:.{1 if share >= 0.001 else 3}f} % of the points"
+
+
+def _outside(entry: Entry, times: LineTimes, track: Trajectory, base: TimeBase | None) -> Remark:
+    start, end = times.start + entry.shift, times.end + entry.shift
+    span = f"{start:,.1f} to {end:,.1f} s"
+    reach = f"{track.time[0]:,.1f} to {track.time[-1]:,.1f} s"
+    found = _fitting(times, track, base)
+    if found and found[0].share >= SHARE_NEEDED and abs(found[0].shift - entry.shift) > 1e-9:
+        offered = (found[0], *rival_matches(found)[:2])
+        return Remark(
+            "error",
+            f"No point lies within the trajectory (line {span}, trajectory {reach}). "
+            f"{sentence(found)}",
+            (*(_adding(match) for match in offered), LEAVE_OUT),
+        )
+    apart = track.time[0] - end if end < track.time[0] else start - track.time[-1]
+    where = "before it starts" if end < track.time[0] else "after it ends"
+    return Remark(
+        "error",
+        f"No point lies within the trajectory: the line is {span}, the trajectory {reach}, "
+        f"{apart:,.0f} s {where}. No known time base brings them together; give the trajectory of "
+        "the same survey, or leave the line out.",
+        (LEAVE_OUT,),
+    )
+
+
+def _place_remarks(entry: Entry, track: Trajectory) -> list[Remark]:
+    place = entry.place
+    if place is None or place.error:
+        return []
+    points = geodetic_to_ecef(np.array([place.latitude]), np.array([place.longitude]), np.zeros(1))
+    path = geodetic_to_ecef(track.latitude[::50], track.longitude[::50], 0 * track.height[::50])
+    distance = float(np.linalg.norm(path - points, axis=1).min())
+    if distance < FARTHEST:
+        return []
+    return [
+        Remark(
+            "error",
+            f"In {place.system} the points lie {distance / 1000:,.0f} km from the trajectory; "
+            "state the coordinate system that they are in.",
+            (Remedy("State the coordinate system", ask="crs"), LEAVE_OUT),
+        )
+    ]

@@ -1,0 +1,237 @@
+"""The import dialogue through mouse and keyboard: files dropped, chosen and mended."""
+
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QWidget
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.dialogs.import_files.dialog import MOUNTING, TIMELINE, ImportDialog
+from lispac.gui.dialogs.import_files.file_table import ROLE, STATE
+from lispac.gui.dialogs.import_files.timeline import bars_of
+from lispac.gui.settings import AppSettings
+from lispac.workflow.intake_remarks import Remedy
+from lispac.workflow.projects import create_project
+from tests.gui.import_support import drop, raw, rest, shifted, texts
+from tests.gui.support import WAIT_MS, Demo, Key, Left
+
+# -- files in --------------------------------------------------------------------------------------
+
+
+def test_an_empty_dialogue_says_what_to_bring(dialog: ImportDialog) -> None:
+    assert dialog.empty.isVisible()
+    assert not dialog.ok.isEnabled()
+    assert dialog.reason.text().startswith("Add the survey's files")
+
+
+def test_dropped_files_become_a_project(
+    filled: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
+) -> None:
+    assert texts(filled, ROLE) == ["Trajectory", "Accuracy", *["Line"] * 6]
+    assert set(texts(filled, STATE)) <= {"Fine", "1 doubt", "2 doubts"}
+    assert filled.ok.isEnabled(), filled.reason.text()
+    assert "lever arm is zero" in filled.reason.text()
+    assert not filled.mounting.position_sigma.isEnabled()
+
+    filled.folder.selectAll()
+    qtbot.keyClicks(filled.folder, str(demo.project.folder))
+    assert not filled.ok.isEnabled()
+    assert "project in this folder already" in filled.reason.text()
+    filled.folder.selectAll()
+    qtbot.keyClicks(filled.folder, str(tmp_path / "made"))
+
+    filled.tabs.setCurrentIndex(MOUNTING)
+    field = filled.mounting.lever_arm.fields[2]
+    field.selectAll()
+    qtbot.keyClicks(field, "2.173")
+    assert filled.reason.text() == ""
+    qtbot.mouseClick(filled.ok, Left)
+    assert filled.result() == ImportDialog.DialogCode.Accepted
+    asked = filled.request()
+    made = create_project(
+        asked.folder, trajectory=asked.trajectory, lines=asked.lines,
+        settings=asked.settings, accuracy=asked.accuracy,
+    )  # fmt: skip
+    assert [line.name for line in made.lines] == [line.name for line in demo.project.lines]
+    assert made.settings.lever_arm == (0.0, 0.0, 2.173)
+
+
+def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
+    dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
+) -> None:
+    (tmp_path / "field").mkdir()
+    (tmp_path / "field" / "letter.txt").write_text("Dear surveyor, these are the files.\n")
+    (tmp_path / "field" / "notes.doc").write_bytes(b"\xd0\xcf\x11\xe0" + bytes(500))
+    shifted(demo.project.lines[0].path, tmp_path / "field" / "L1.laz", 0.0)
+    drop(dialog, [tmp_path / "field"])
+    rest(qtbot, dialog)
+    assert texts(dialog, ROLE) == ["Line", "Leave out", "Leave out"]
+    assert texts(dialog, STATE)[1:] == ["Not known", "Left out"]
+    dialog.table.selectRow(1)
+    shown = [label.text() for label in dialog.file_page.remarks.findChildren(QWidget)
+             if hasattr(label, "text")]  # fmt: skip
+    assert any(text.startswith("No format knows this file") for text in shown)
+    assert "is the trajectory yet" in dialog.reason.text()
+
+
+def test_looking_can_be_stopped_and_taken_up_again(
+    dialog: ImportDialog, qtbot: QtBot, demo: Demo
+) -> None:
+    drop(dialog, raw(demo))
+    qtbot.waitUntil(lambda: any(e.pending for e in dialog.intake.entries), timeout=WAIT_MS)
+    assert dialog.stop.isVisible()
+    qtbot.mouseClick(dialog.stop, Left)
+    rest(qtbot, dialog)
+    assert "Not known" in texts(dialog, STATE)
+    assert not dialog.ok.isEnabled()
+    qtbot.mouseClick(dialog.again, Left)
+    rest(qtbot, dialog)
+    assert "Not known" not in texts(dialog, STATE)
+    assert dialog.ok.isEnabled(), dialog.reason.text()
+
+
+def test_roles_are_chosen_and_files_removed_by_keys(filled: ImportDialog, qtbot: QtBot) -> None:
+    combo = filled.table.cellWidget(7, ROLE)
+    assert isinstance(combo, QComboBox)
+    combo.setFocus()
+    qtbot.keyClicks(combo, "Le")
+    rest(qtbot, filled)
+    assert texts(filled, ROLE)[7] == "Leave out"
+    assert len(filled.intake.lines) == 5
+    filled.table.setFocus()
+    filled.table.selectRow(7)
+    qtbot.keyClick(filled.table, Key.Key_Delete)
+    assert filled.table.rowCount() == 7
+
+
+# -- what mends ------------------------------------------------------------------------------------
+
+
+def test_lines_in_another_time_base_are_mended_by_a_button(
+    dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
+) -> None:
+    lines = [line.path for line in demo.project.lines]
+    late = [shifted(lines[k], tmp_path / f"day{k}.laz", -86_400.0) for k in (2, 3)]
+    drop(dialog, [demo.project.trajectory, lines[0], *late])
+    rest(qtbot, dialog)
+    dialog.tabs.setCurrentIndex(TIMELINE)
+    assert dialog.tabs.tabText(TIMELINE) == "Timeline (2 to look at)"
+    bars = bars_of(dialog.intake)
+    assert [bar.sound for bar in bars] == [True, True, False, False]
+    assert bars[2].words == "100.0 % outside"
+    assert not dialog.ok.isEnabled()
+    assert dialog.timeline.all.isVisible()
+    first = dialog.timeline.remarks.buttons[0]
+    assert first.text() == "Add +86,400 s"
+    qtbot.mouseClick(first, Left)
+    rest(qtbot, dialog)
+    assert dialog.intake.entry(late[0]).shift == pytest.approx(86_400)
+    dialog.work.edit(dialog.intake.with_remedy(late[0], Remedy("", shift=0.0)))
+    qtbot.mouseClick(dialog.timeline.all, Left)
+    rest(qtbot, dialog)
+    assert dialog.ok.isEnabled(), dialog.reason.text()
+    request = dialog.request()
+    assert [line.reading.time_shift for line in request.lines] == [0, 86_400, 86_400]
+
+
+def test_a_line_is_left_out_by_its_button_and_the_timeline_goes_by_keys(
+    dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
+) -> None:
+    far = shifted(demo.project.lines[2].path, tmp_path / "far.laz", 9999.9)
+    other = shifted(demo.project.lines[1].path, tmp_path / "other.laz", 7777.7)
+    drop(dialog, [demo.project.trajectory, demo.project.lines[0].path, far, other])
+    rest(qtbot, dialog)
+    dialog.tabs.setCurrentIndex(TIMELINE)
+    view = dialog.timeline.view
+    view.setFocus()
+    for _ in range(4):
+        qtbot.keyClick(view, Key.Key_Down)
+    assert dialog.table.current == other
+    assert "after" in view.accessibleDescription() or "outside" in view.accessibleDescription()
+    for left_out in (other, far):  # the last button is the last line's
+        button = dialog.timeline.remarks.buttons[-1]
+        assert button.text() == "Leave it out"
+        qtbot.mouseClick(button, Left)
+        rest(qtbot, dialog)
+        assert dialog.intake.entry(left_out).role is None
+    assert dialog.ok.isEnabled(), dialog.reason.text()
+
+
+def test_the_longest_gap_is_set_beside_the_timeline(filled: ImportDialog, qtbot: QtBot) -> None:
+    filled.tabs.setCurrentIndex(TIMELINE)
+    gap = filled.timeline.gap
+    assert gap.value() == 1.5
+    gap.setFocus()
+    gap.selectAll()
+    qtbot.keyClicks(gap, "4")
+    qtbot.keyClick(gap, Key.Key_Return)
+    assert filled.isVisible()  # Enter ends the typing, not the dialogue
+    assert filled.request().settings.longest_gap == 4.0
+
+
+def test_columns_are_chosen_over_the_preview_and_remembered(
+    dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
+) -> None:
+    las = laspy.read(demo.project.lines[0].path)
+    rows = np.column_stack([las.gps_time, las.x, las.y, las.z])[:300]
+    text = tmp_path / "line.txt"
+    np.savetxt(text, rows, fmt="%.5f")
+    drop(dialog, [demo.project.trajectory, text])
+    rest(qtbot, dialog)
+    dialog.table.selectRow(1)
+    assert "No column is the time, x, y or z yet" in dialog.reason.text()
+    for column, letter in enumerate("txyz"):
+        combo = dialog.file_page.preview.combos[column]
+        combo.setFocus()
+        QTest.qWait(1)
+        qtbot.keyClicks(combo, letter)
+        rest(qtbot, dialog)
+    assert texts(dialog, STATE)[1] == "Fine", dialog.reason.text()
+    assert dialog.ok.isEnabled(), dialog.reason.text()
+    qtbot.mouseClick(dialog.ok, Left)
+    kept = AppSettings(tmp_path / "settings.ini").column_mappings()
+    assert list(kept.values()) == ["time x y z"]
+
+    np.savetxt(tmp_path / "next.txt", rows[::2], fmt="%.5f")
+    second = ImportDialog(AppSettings(tmp_path / "settings.ini"))
+    second.add([demo.project.trajectory, tmp_path / "next.txt"])
+    rest(qtbot, second)
+    assert second.intake.files_problem() == ""
+    second.done(0)
+    second.deleteLater()
+
+
+def test_a_coordinate_system_is_typed_and_its_name_shown(
+    dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
+) -> None:
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = np.full(3, 1e-3), np.array([613_000.0, 5_039_000.0, 0.0])
+    las = laspy.LasData(header)
+    first = laspy.read(demo.project.lines[0].path)
+    count = 500
+    las.x, las.y = 613_100 + np.arange(count) % 9, 5_039_600 + np.arange(count) % 7
+    las.z, las.gps_time = np.zeros(count), np.asarray(first.gps_time)[:count]
+    las.write(tmp_path / "map.laz")
+    drop(dialog, [demo.project.trajectory, tmp_path / "map.laz"])
+    rest(qtbot, dialog)
+    dialog.table.selectRow(1)
+    rest(qtbot, dialog)
+    button = dialog.file_page.remarks.buttons[0]
+    assert button.text() == "State the coordinate system"
+    qtbot.mouseClick(button, Left)
+    field = dialog.file_page.options.fields["crs"]
+    assert field.hasFocus()
+    qtbot.keyClicks(field, "99999")
+    qtbot.keyClick(field, Key.Key_Return)
+    rest(qtbot, dialog)
+    system = dialog.file_page.options.system
+    assert "not a coordinate system" in system.text()
+    field.selectAll()
+    qtbot.keyClicks(field, "32618")
+    qtbot.keyClick(field, Key.Key_Return)
+    rest(qtbot, dialog)
+    assert system.text() == "This is WGS 84 / UTM zone 18N (EPSG:32618)."
+    assert dict(dialog.intake.lines[0].reading.options)["crs"] == "32618"

@@ -1,0 +1,148 @@
+"""The import dialogue's figures and keys, and how files come to it from the window."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.dialogs.import_files.dialog import QUALITY, ImportDialog
+from lispac.gui.dialogs.import_files.envelope import envelope
+from lispac.gui.dialogs.import_files.timeline import ticks_of
+from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.settings import AppSettings
+from lispac.workflow.projects import open_project
+from tests.gui.import_support import drop, raw
+from tests.gui.support import WAIT_MS, Demo, Driver, Left
+
+Tab = Qt.Key.Key_Tab
+
+# -- quality ---------------------------------------------------------------------------------------
+
+
+def test_quality_figures_are_drawn_when_looked_at(filled: ImportDialog, qtbot: QtBot) -> None:
+    assert filled.quality.canvas is None
+    filled.tabs.setCurrentIndex(QUALITY)
+    qtbot.waitUntil(lambda: filled.quality.canvas is not None, timeout=WAIT_MS)
+    figure = filled.quality.canvas.figure
+    assert [axes.get_ylabel() for axes in figure.axes] == ["Position\nσ, m", "Attitude\nσ, °"]
+    assert figure.axes[-1].get_xlabel() == "GPS seconds of the week"
+    for k, labels in ((1, ["North, m"]), (2, ["Speed\nm/s", "Roll, pitch\n°", "Heading\n°"])):
+        qtbot.mouseClick(filled.quality.choice.button(k), Left)
+        assert [axes.get_ylabel() for axes in figure.axes] == labels
+    points = sum(len(line.get_xdata()) for axes in figure.axes for line in axes.get_lines())
+    assert points < 5 * 2 * 1500 + 100
+
+
+def test_an_envelope_keeps_peaks_and_breaks_at_gaps() -> None:
+    time = np.arange(720_000) / 200.0
+    time[400_000:] += 50
+    values = np.sin(time / 100)
+    values[123_456] = 9.0
+    values[654_321] = -7.0
+    shown_time, shown = envelope(time, values, bins=1000, longest_gap=1.5)
+    assert len(shown) <= 2 * 1001 + 3
+    assert np.nanmax(shown) == 9.0
+    assert np.nanmin(shown) == -7.0
+    assert np.isnan(shown).sum() == 1
+    assert (np.diff(shown_time) >= 0).all()
+    assert (shown_time[0], shown_time[-1]) == (time[0], time[-1])
+    short_time, short = envelope(np.array([0.0, 1, 5, 6]), np.arange(4.0), longest_gap=1.5)
+    np.testing.assert_array_equal(short_time, [0, 1, 5, 5, 6])
+    np.testing.assert_array_equal(short, [0, 1, np.nan, 2, 3])
+
+
+def test_ticks_are_round_and_few() -> None:
+    assert ticks_of(485_987.0, 486_461.0, 6) == [486_000, 486_100, 486_200, 486_300, 486_400]
+    assert len(ticks_of(0.0, 0.9, 4)) <= 5
+
+
+# -- keyboard --------------------------------------------------------------------------------------
+
+
+def test_everything_is_reached_by_the_tab_key(filled: ImportDialog, qtbot: QtBot) -> None:
+    wanted = {
+        "import_add_files", "import_add_folder", "import_remove", "import_files",
+        "new_folder", "new_folder_browse", "new_ok", "option_pitch", "import_preview",
+    }  # fmt: skip
+    filled.table.selectRow(0)
+    filled.add_files.setFocus()
+    met = set()
+    for _ in range(80):
+        focused = QApplication.focusWidget()
+        met.add(focused.objectName())
+        assert focused.accessibleName() or hasattr(focused, "text") or focused.objectName()
+        qtbot.keyClick(focused, Tab)
+    assert wanted <= met, wanted - met
+    assert any(name.startswith("role_") for name in met)
+
+
+# -- from the window -------------------------------------------------------------------------------
+
+
+def test_files_dropped_on_the_window_open_the_dialogue(driver: Driver, demo: Demo) -> None:
+    drop(driver.window, raw(demo))
+    driver.bot.waitUntil(lambda: bool(driver.dialogs.dropped), timeout=WAIT_MS)
+    assert driver.dialogs.dropped == raw(demo)
+
+
+@pytest.mark.parametrize("name", ["project.json", ""])
+def test_a_project_dropped_on_the_window_opens(driver: Driver, demo_copy: Path, name: str) -> None:
+    drop(driver.window, [demo_copy / name if name else demo_copy])
+    driver.bot.waitUntil(lambda: driver.window.document.project is not None, timeout=WAIT_MS)
+    driver.rest()
+    assert driver.project.folder == demo_copy
+    assert driver.dialogs.dropped == []
+
+
+class RealImport(Dialogs):
+    """Asks by the real dialogue, which a timer then drives."""
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__()
+        self.folder = folder
+
+    def new_project(self, settings, paths=()):
+        timer = QTimer(self.parent)
+        timer.timeout.connect(self._drive)
+        timer.start(50)
+        try:
+            return super().new_project(settings, paths)
+        finally:
+            timer.stop()
+            timer.deleteLater()
+
+    def _drive(self) -> None:
+        dialog = QApplication.activeModalWidget()
+        if isinstance(dialog, ImportDialog) and not dialog.work.busy:
+            dialog.folder.setText(str(self.folder))
+            dialog.folder.textEdited.emit(str(self.folder))
+            if dialog.ok.isEnabled():
+                QTest.mouseClick(dialog.ok, Left)
+
+
+def test_dropped_files_are_a_project_in_the_window_at_the_end(
+    driver: Driver, demo: Demo, tmp_path: Path
+) -> None:
+    dialogs = RealImport(tmp_path / "made")
+    dialogs.parent = driver.window
+    driver.window.life._dialogs = dialogs
+    drop(driver.window, raw(demo))
+    driver.bot.waitUntil(lambda: driver.window.document.project is not None, timeout=WAIT_MS)
+    driver.rest()
+    assert driver.project.folder == tmp_path / "made"
+    assert driver.dialogs.errors == []
+    assert len(open_project(tmp_path / "made").lines) == 6
+
+
+def test_what_the_dialogue_remembers_is_read_back(tmp_path: Path) -> None:
+    settings = AppSettings(tmp_path / "s.ini")
+    assert settings.column_mappings() == {}
+    settings.keep_column_mappings({"text/4/": "time x y z"})
+    settings.keep_column_mappings({"text/5/": "x y z time -"})
+    settings.sync()
+    read = AppSettings(tmp_path / "s.ini").column_mappings()
+    assert read == {"text/4/": "time x y z", "text/5/": "x y z time -"}

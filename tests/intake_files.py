@@ -1,0 +1,69 @@
+"""Small surveys on their way in, and the intake driven in one thread."""
+
+from pathlib import Path
+
+import laspy
+import numpy as np
+from pyproj import CRS
+
+from lispac.workflow.intake import Intake, gathered
+from lispac.workflow.intake_entry import Entry, examined, examined_again
+from tests.trajectory_files import vessel, write_records
+
+START = 486_000.0
+LEVER = (0.2, -0.1, 1.5)
+
+
+def taken_in(intake: Intake, *paths: Path, mappings: dict[str, str] | None = None) -> Intake:
+    """As the window does it, in one thread."""
+    intake = intake.with_files(gathered(paths))
+    while waiting := [entry for entry in intake.entries if entry.pending]:
+        entry = waiting[0]
+        found = examined_again(entry) if entry.looks else examined(entry.path, mappings)
+        intake = intake.with_entry(found).sorted_out(entry.path)
+    return intake
+
+
+def write_line(path: Path, times: np.ndarray, points: np.ndarray | None = None, crs: str = ""):
+    """A line as another program writes it: laspy alone."""
+    points = fan(len(times)) if points is None else points
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = np.full(3, 1e-4), np.floor(points.mean(axis=0))
+    if crs:
+        header.add_crs(CRS.from_user_input(crs))
+    header.global_encoding.gps_time_type = laspy.header.GpsTimeType.WEEK_TIME
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = points.T
+    las.gps_time = times
+    las.write(path)
+    return path
+
+
+def fan(count: int) -> np.ndarray:
+    """Points 5 to 20 m to the side of the scanner."""
+    k = np.arange(count)
+    return np.stack([0.0 * k, 5 + 15 * (k % 100) / 100, -2 + 4 * (k % 37) / 37], axis=1)
+
+
+def write_survey(folder: Path) -> Path:
+    """A trajectory of 40 s, its accuracies, two lines, and a letter."""
+    write_records(folder / "pos.sbet", vessel(2000))
+    accuracy = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
+    accuracy[:, 0] = START + np.arange(41)
+    write_records(folder / "smrmsg.out", accuracy)
+    write_line(folder / "L1.laz", START + np.linspace(2, 12, 3000))
+    write_line(folder / "L2.las", START + np.linspace(15, 25, 3000))
+    (folder / "letter.md").write_text("Dear surveyor, these are the files.\n")
+    (folder / ".hidden").write_text("x")
+    (folder / "deeper").mkdir()
+    (folder / "deeper" / "L9.txt").write_text("1 2 3 4\n")
+    return folder
+
+
+def named(intake: Intake, name: str) -> Entry:
+    """The entry of a file of that name."""
+    return next(entry for entry in intake.entries if entry.path.name == name)
+
+
+def said(intake: Intake, name: str) -> str:
+    return " ".join(remark.text for remark in intake.remarks(named(intake, name)))

@@ -1,0 +1,122 @@
+"""Lines for the tests of the store, and ways to stop an import."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import Cancelled
+from lispac.progress import Progress
+from lispac.survey.store import columns, merging, ordering, pieces, spool
+from lispac.survey.store.layout import Manifest, Original
+from lispac.survey.store.pieces import Piece
+from lispac.survey.store.reading import StoredLine, open_store
+from lispac.survey.store.writing import Recipe, write_store
+
+ORIGINAL = Original("a.las", 1, 2, "c")
+RECIPE = Recipe("L1", ORIGINAL, {}, {})
+
+
+def place(xyz: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """A vessel that goes straight ahead, 1 m a second."""
+    local = np.array(xyz)
+    local[:, 0] += time
+    return local
+
+
+@dataclass(eq=False)
+class Line:
+    """A wall and a quay along the vessel's way, some points of the file left out."""
+
+    count: int
+    seed: int = 3
+    stray: bool = False
+    xyz: np.ndarray = field(default=None)  # type: ignore[assignment]
+
+    def __post_init__(self) -> None:
+        rng = np.random.default_rng(self.seed)
+        n = self.count
+        self.time = np.linspace(0.0, 20.0, n)
+        if self.xyz is None:
+            self.xyz = np.column_stack(
+                [rng.normal(0, 0.01, n), rng.uniform(5, 20, n), rng.uniform(0, 3, n)]
+            )
+            self.xyz[1::2, 1] = 20 + rng.normal(0, 0.01, n // 2)
+            self.xyz[1::2, 2] = rng.uniform(3, 12, n // 2)
+            if self.stray:  # beyond the cells
+                self.xyz[::50] *= rng.uniform(1, 5000, (len(self.xyz[::50]), 1))
+        # Every tenth point after a hundred has no pose.
+        self.index = np.arange(n) + np.maximum(0, np.arange(n) - 100) // 9
+        self.extra = {
+            "intensity": rng.integers(0, 65536, n).astype(np.uint16),
+            "return_number": np.ones(n, np.uint8),
+            "flight": (np.arange(n) // 2500).astype(np.int64) - 2**62,  # one in a block, or two
+            "rgb": rng.integers(0, 256, (n, 3)).astype(np.uint8),
+            "colour mode": np.full((n, 2), -0.5),
+            "Größe/δ": np.where(rng.random(n) < 0.1, np.nan, rng.normal(0, 1, n)).astype("<f4"),
+            "synthetic": rng.random(n) < 0.5,
+        }
+
+    def __len__(self) -> int:
+        return self.count
+
+    def pieces(self, size: int) -> "Source":
+        """Its points, some at a time."""
+        return Source(self, size)
+
+
+class Source:
+    """Gives the points of a line from an index on, and knows which were asked for."""
+
+    def __init__(self, line: Line, size: int) -> None:
+        self._line, self._size, self.asked = line, size, []
+
+    def __call__(self, first: int) -> Iterator[Piece]:
+        """The points from an index of the file on."""
+        self.asked.append(first)
+        line, end = self._line, int(self._line.index[-1]) + 1
+        for start in range(first, end, self._size):
+            read = min(end, start + self._size)
+            rows = slice(*np.searchsorted(line.index, [start, read]))
+            extra = {name: values[rows] for name, values in line.extra.items()}
+            yield Piece(line.xyz[rows], line.time[rows], line.index[rows], extra, read, end)
+
+
+def stop_at(call: int) -> Progress:
+    """A progress that cancels at its call of that number, from 0."""
+    calls = 0
+
+    def progress(fraction: float, message: str = "") -> None:
+        nonlocal calls
+        if calls == call:
+            raise Cancelled
+        calls += 1
+
+    return progress
+
+
+LINE = Line(6_300)
+
+
+def stored(folder: Path, line: Line = LINE, size: int = 900) -> StoredLine:
+    """The line, imported in pieces of a size."""
+    write_store(folder, RECIPE, line.pieces(size), place)
+    return open_store(folder, "L1")
+
+
+def files_of(manifest: Manifest) -> dict[str, int]:
+    """Checksum of every file."""
+    return {column.file: column.checksum for column in manifest.files}
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Blocks, buckets and coarse level so small that a few thousand points are a big line."""
+    for module in (pieces, spool):
+        monkeypatch.setattr(module, "BLOCK", 1000)
+    monkeypatch.setattr(merging, "BUCKET", 700)
+    monkeypatch.setattr(merging, "STEP", 16)
+    monkeypatch.setattr(ordering, "COARSE", 1500)
+    monkeypatch.setattr(columns, "WINDOW", 2048)

@@ -1,0 +1,273 @@
+"""The lines of a project on the map: there and back, what is counted, and what is left behind."""
+
+import json
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import Cancelled, InputError, ProjectError
+from lispac.io.las_chunks import LAS
+from lispac.io.las_crs import stated_system
+from lispac.io.points import system_of
+from lispac.io.project_file import write_project
+from lispac.io.sbet import write_sbet
+from lispac.project import LineSource, Project, Reading, Settings
+from lispac.survey.crs import coordinate_system
+from lispac.survey.mapping import PointMapper
+from lispac.survey.recovery import Recovery, recovered
+from lispac.survey.trajectory import Trajectory
+from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.importing import import_lines, trajectory_of
+from tests.cloud_files import (
+    MOUNTING,
+    sweep,
+    track,
+    written_las,
+)
+from tests.point_files import COUNT
+from tests.point_files import cloud as open3d_cloud
+
+UTM = "EPSG:32619"
+SMALL = 3000
+
+
+def states() -> Trajectory:
+    local = track()
+    latitude, longitude, height = local.frame.to_geodetic(local.position)
+    return Trajectory(local.time, latitude, longitude, height, local.attitude)
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Project:
+    """Two lines in the scanner frame: LAS with a time shift, PLY."""
+    write_sbet(tmp_path / "sbet.out", states())
+    points, time = sweep(track(), SMALL)
+    written_las(tmp_path / "raw.laz", 6, points, time - 18.0)
+    open3d_cloud(tmp_path / "other.ply")
+    shifted = Reading("las", (), 18.0)
+    return Project(
+        tmp_path / "project", tmp_path / "sbet.out",
+        (
+            LineSource("L1", tmp_path / "raw.laz", (), shifted),
+            LineSource("L2", tmp_path / "other.ply", (), Reading("ply", (("time_field", "time"),))),
+        ),
+        Settings(
+            tuple(MOUNTING.lever_arm), tuple(np.degrees(MOUNTING.boresight)), None,
+            range_offset=MOUNTING.range_offset,
+            scan_angle_offset_deg=float(np.degrees(MOUNTING.scan_angle_offset)),
+            latency=MOUNTING.latency,
+        ),
+    )  # fmt: skip
+
+
+def test_a_project_goes_to_the_map_and_comes_back(
+    project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Scanner frame, UTM LAZ, scanner frame: within 0.2 mm."""
+    done = georeference_project(project, tmp_path / "out", "prior", system=UTM)
+    assert [item.path.name for item in done] == ["L1_prior.laz", "L2_prior.laz"]
+    assert [item.points for item in done] == [SMALL, COUNT]
+    trajectory = trajectory_of(project)
+    raw = laspy.read(tmp_path / "raw.laz")
+    written = laspy.read(done[0].path)
+    np.testing.assert_array_equal(written.gps_time, raw.gps_time)  # the original ones
+    choice = LAS.look(done[0].path, {}).choice
+    system = system_of(LAS.settled(choice))
+    assert system is not None
+    chunks = (replace(c, time=c.time + 18.0) for c in LAS.read(done[0].path, choice))
+    recovery = Recovery(system, trajectory, project.mounting("prior"))
+    back = np.concatenate([part.xyz for part, _ in recovered(chunks, recovery)])
+    worst = np.linalg.norm(back - raw.xyz, axis=1).max()
+    with capsys.disabled():
+        print(f"\nscanner, UTM LAZ, scanner: within {1e3 * worst:.4f} mm")
+    assert worst < 2e-4
+    ply = laspy.read(done[1].path)
+    assert "ring" in ply.point_format.extra_dimension_names
+
+
+def test_a_line_whose_file_is_gone_comes_from_its_store(project: Project, tmp_path: Path) -> None:
+    project.folder.mkdir()
+    import_lines(project, ["L1"])
+    raw = laspy.read(tmp_path / "raw.laz")
+    (tmp_path / "raw.laz").unlink()
+    (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
+    assert done.points == SMALL
+    written = laspy.read(done.path)
+    order, own = np.argsort(written.gps_time), np.argsort(raw.gps_time)
+    np.testing.assert_allclose(
+        np.array(written.gps_time)[order], np.array(raw.gps_time)[own], rtol=0, atol=1e-9
+    )
+    mapper = PointMapper(coordinate_system(UTM), trajectory_of(project), project.mounting("prior"))
+    expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)[own]
+    np.testing.assert_allclose(written.xyz[order], expected, rtol=0, atol=1e-4)
+    for name in raw.point_format.dimension_names:
+        if name not in ("X", "Y", "Z", "gps_time", "normal"):
+            np.testing.assert_array_equal(np.array(written[name])[order], np.array(raw[name])[own])
+    for k in range(3):  # without the file's header a column of three is three columns
+        np.testing.assert_array_equal(
+            np.array(written[f"normal_{k + 1}"])[order], np.array(raw["normal"])[own, k]
+        )
+    (tmp_path / "other.ply").unlink()
+    with pytest.raises(InputError, match="no such line file"):
+        georeference_project(project, tmp_path / "new", "prior", system=UTM)
+
+
+def test_another_boresight_on_a_cloud_that_is_georeferenced(
+    project: Project, tmp_path: Path
+) -> None:
+    """A UTM cloud made with the prior, written again with the estimated boresight: its own system
+    by default, as if it had been made from the scanner frame."""
+    (first,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
+    choice = LAS.look(first.path, {}).choice
+    reading = Reading("las", tuple((k, str(v)) for k, v in choice.items()), 18.0)
+    better = replace(
+        project, lines=(LineSource("again", first.path, (), reading),),
+    )  # fmt: skip
+    turned = MOUNTING.with_boresight(MOUNTING.boresight + np.radians([0.3, -0.2, 0.5]))
+
+    class Estimated(Project):
+        def mounting(self, which):
+            return turned if which == "estimated" else super().mounting(which)
+
+    better = Estimated(**{name: getattr(better, name) for name in better.__dataclass_fields__})
+    (done,) = georeference_project(better, tmp_path / "new", "estimated")
+    raw, new = laspy.read(tmp_path / "raw.laz"), laspy.read(done.path)
+    assert stated_system(new.header).text == UTM
+    mapper = PointMapper(coordinate_system(UTM), trajectory_of(project), turned)
+    expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)
+    assert np.linalg.norm(new.xyz - expected, axis=1).max() < 2.5e-4
+    np.testing.assert_array_equal(new["amplitude"], raw["amplitude"])
+
+
+def test_points_without_a_pose_are_counted_and_left_out(project: Project, tmp_path: Path) -> None:
+    times = states().time
+    raw = laspy.read(tmp_path / "raw.laz")
+    raw.gps_time[:40] = times[0] - 100
+    raw.gps_time[40:60] = times[-1] + 100
+    raw.write(tmp_path / "raw.laz")
+    known = states()
+    kept = (known.time < 400_020) | (known.time > 400_023)
+    torn = Trajectory(known.time[kept], known.latitude[kept], known.longitude[kept],
+                      known.height[kept], known.attitude[kept])  # fmt: skip
+    write_sbet(tmp_path / "sbet.out", torn)
+    (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
+    time = np.array(raw.gps_time)[60:] + 18.0 + MOUNTING.latency
+    holes = torn.time[torn.time < 400_020.01].max(), torn.time[torn.time > 400_022.99].min()
+    in_gap = np.count_nonzero((time > holes[0]) & (time < holes[1]))
+    assert (done.outside, done.in_gaps) == (60, in_gap)
+    assert in_gap > 0
+    assert done.sentence == (
+        f"L1_prior.laz: 60 points outside the trajectory's time and {in_gap} points in gaps of the "
+        f"trajectory or where its pitch is beyond 80 deg, of {SMALL:,}, are left out"
+    )
+    left = laspy.read(done.path)
+    assert len(left) == done.points == SMALL - 60 - in_gap
+    keep = (time <= holes[0]) | (time >= holes[1])
+    np.testing.assert_array_equal(left.intensity, np.array(raw.intensity)[60:][keep])
+
+
+def test_no_system_given(project: Project, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="EPSG:32619 is the UTM zone of the trajectory"):
+        georeference_project(project, tmp_path / "out", "prior")
+    with pytest.raises(InputError, match="not a coordinate system known"):
+        georeference_project(project, tmp_path / "out", "prior", system="EPSG:999999")
+    with pytest.raises(ProjectError, match="no line L7; the lines are L1, L2"):
+        georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L7"])
+    with pytest.raises(ProjectError, match="no estimated boresight"):
+        georeference_project(project, tmp_path / "out", system=UTM)
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_local_frame(project: Project, tmp_path: Path) -> None:
+    (done,) = georeference_project(
+        project, tmp_path / "out", "prior", system="local", lines=["L1"], ending="las"
+    )
+    las = laspy.read(done.path)
+    assert las.header.parse_crs() is None
+    raw = laspy.read(tmp_path / "raw.laz")
+    mapper = PointMapper(None, trajectory_of(project), project.mounting("prior"))
+    expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)
+    np.testing.assert_allclose(las.xyz, expected, rtol=0, atol=0.51e-4)
+
+
+def test_the_raw_files_are_not_written_over(project: Project, tmp_path: Path) -> None:
+    (tmp_path / "raw.laz").rename(tmp_path / "L1_prior.laz")
+    line = replace(project.lines[0], path=tmp_path / "L1_prior.laz")
+    with pytest.raises(InputError, match="a file of the survey itself"):
+        georeference_project(replace(project, lines=(line,)), tmp_path, "prior", system=UTM)
+
+
+@pytest.mark.parametrize("when", [1, 2, 3])
+def test_cancel_leaves_nothing(project: Project, tmp_path: Path, when: int) -> None:
+    calls = 0
+
+    def stop(fraction: float, message: str = "") -> None:
+        nonlocal calls
+        calls += 1
+        if calls > when:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        georeference_project(project, tmp_path / "a" / "out", "prior", system=UTM, progress=stop)
+    assert not (tmp_path / "a").exists()
+
+
+def test_what_was_there_stays_when_something_fails(project: Project, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "L1_prior.laz").write_bytes(b"older")
+    (tmp_path / "other.ply").write_bytes(b"ply\nbroken")
+    with pytest.raises(InputError, match=r"other\.ply"):
+        georeference_project(project, out, "prior", system=UTM)
+    assert [path.name for path in out.iterdir()] == ["L1_prior.laz"]
+    assert (out / "L1_prior.laz").read_bytes() == b"older"
+
+
+@pytest.fixture
+def small_disk() -> Iterator[None]:
+    """No file may grow beyond 40 kB, as on a disk that is full."""
+    resource = pytest.importorskip("resource")  # not on Windows
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, before[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+@pytest.mark.parametrize("ending", ["las", "laz"])
+def test_a_full_disk_leaves_nothing(
+    project: Project, tmp_path: Path, small_disk: None, ending: str
+) -> None:
+    with pytest.raises(InputError, match=f"L1_prior.{ending}: cannot be written .* make room"):
+        georeference_project(project, tmp_path / "out", "prior", system=UTM, ending=ending)
+    assert not (tmp_path / "out").exists()
+
+
+def test_from_the_command_line(
+    project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    raw = laspy.read(tmp_path / "raw.laz")
+    raw.gps_time[:5] = 0.0
+    raw.write(tmp_path / "raw.laz")
+    write_project(project)
+    words = ["georeference", str(project.folder), "--output", str(tmp_path / "out"),
+             "--boresight", "prior"]  # fmt: skip
+    assert main(words) == 1
+    assert "EPSG:32619 is the UTM zone of the trajectory" in capsys.readouterr().err
+    assert main([*words, "--crs", UTM, "--lines", "L1", "--format", "las", "--json"]) == 0
+    out, err = capsys.readouterr()
+    (line,) = json.loads(out)["lines"]
+    assert line == {
+        "file": str(tmp_path / "out" / "L1_prior.las"), "points": SMALL - 5, "outside": 5,
+        "in_gaps": 0,
+    }  # fmt: skip
+    assert f"L1_prior.las: 5 points outside the trajectory's time, of {SMALL:,}, are left" in err
+    assert "taken above the ellipsoid" in err
+    assert main([*words, "--crs", "local"]) == 0
+    out, err = capsys.readouterr()
+    assert out.split("\n")[1] == f"{tmp_path / 'out' / 'L2_prior.laz'}  {COUNT} points"
+    assert "North, West, Up" in err

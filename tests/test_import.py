@@ -1,0 +1,341 @@
+"""Importing the lines of a project: the same points as from the files, whatever happens between."""
+
+import json
+import os
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import Cancelled, InputError, ProjectError
+from lispac.io.las import write_points
+from lispac.project import LineSource, Project, Reading, Settings
+from lispac.survey.crs import coordinate_system
+from lispac.survey.georeferencing import Mounting, georeference
+from lispac.survey.store import pieces, spool
+from lispac.survey.store.original import original_of
+from lispac.survey.store.reading import StoredLine
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.importing import (
+    _Source,
+    farthest_move,
+    import_line,
+    import_lines,
+    line_folder,
+    placing,
+    stored_line,
+    trajectory_of,
+)
+from lispac.workflow.projects import create_project, open_project
+from lispac.workflow.reading import read_line
+from lispac.workflow.survey import Survey, load_survey
+from tests.store_lines import stop_at
+
+
+@pytest.fixture(scope="module")
+def survey(calibrated: tuple[Project, Survey]) -> Survey:
+    """What is in memory without a store."""
+    return calibrated[1]
+
+
+@pytest.fixture
+def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
+    """A project of two lines of the built-in survey, nothing picked."""
+    source = calibrated[0]
+    return create_project(
+        tmp_path / "project", trajectory=source.trajectory, lines=source.lines[:2],
+        settings=replace(source.settings, boresight_deg=(0.4, -1.0, 0.3)),
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def trajectory(calibrated: tuple[Project, Survey]) -> LocalTrajectory:
+    """Of the built-in survey."""
+    return trajectory_of(calibrated[0])
+
+
+def in_file_order(stored: StoredLine) -> np.ndarray:
+    """Rows in the order of the file."""
+    return stored.rows(np.arange(len(stored)))
+
+
+def test_imported_lines_are_those_read_from_the_files(project: Project) -> None:
+    survey = load_survey(project)
+    imported = import_lines(project)
+    assert [item.stored.name for item in imported] == list(survey.lines)
+    for item in imported:
+        stored, scan = item.stored, survey.scans[item.stored.name]
+        rows = in_file_order(stored)
+        assert stored.fingerprint == scan.fingerprint
+        assert stored.assumptions == scan.assumptions
+        np.testing.assert_array_equal(stored.time[rows], scan.time)
+        np.testing.assert_allclose(stored.points_lidar[rows], scan.points_lidar, atol=8e-6)
+        np.testing.assert_array_equal(stored.intensity[rows], scan.intensity)
+        assert "return_number" in stored.extra
+        assert stored.folder.parent == project.folder / "lines"
+
+
+def test_region_of_an_imported_line(project: Project) -> None:
+    survey = load_survey(project)
+    (item,) = import_lines(project, ["L1_000"])
+    stored, cloud = item.stored, survey.clouds["L1_000"]
+    place = placing(survey.trajectory, project.mounting("prior"))
+    for k in (0, 100_000, 200_000):
+        centre = cloud[k] + 0.3
+        rows, local = stored.within(centre, 1.5, place, margin=1e-4)
+        away = np.linalg.norm(cloud - centre, axis=1)
+        # What lies on the rim to the rounding of the coordinates may fall on either side.
+        inner, outer = np.flatnonzero(away < 1.5 - 2e-5), np.flatnonzero(away < 1.5 + 2e-5)
+        numbers = np.sort(stored.numbers(rows))
+        assert np.isin(inner, numbers).all()
+        assert np.isin(numbers, outer).all()
+        np.testing.assert_allclose(local, cloud[stored.numbers(rows)], atol=2e-5)
+    assert len(inner) > 100
+
+
+def test_no_point_moves_farther_than_the_margin(project: Project, trajectory) -> None:
+    (item,) = import_lines(project, ["L1_000"])
+    rows = slice(None, None, 50)
+    points = item.stored.points_lidar[rows].astype(float)
+    time = np.array(item.stored.time[rows])
+    prior = project.mounting("prior")
+    before = placing(trajectory, prior)(points, time)
+    rng = np.random.default_rng(5)
+    shares = []
+    for k in range(30):
+        step = rng.normal(0, 1, 9) * [0.05, 0.05, 0.05, 0.1, 0.1, 0.1, 0.05, 0.02, 0.01]
+        step[rng.random(9) < 0.5 * (k % 2)] = 0
+        mounting = Mounting.of_values(prior.values + step)
+        moved = np.linalg.norm(placing(trajectory, mounting)(points, time) - before, axis=1).max()
+        margin = farthest_move(item.stored, trajectory, mounting)
+        assert moved <= margin + 1e-9
+        shares.append(moved / margin if margin else 1.0)
+    assert np.median(shares) > 0.3, "not larger than need be"
+    assert farthest_move(item.stored, trajectory, prior) < 1e-12
+
+
+def test_placing_is_georeferencing(survey: Survey, project: Project) -> None:
+    scan = survey.scans["L1_000"]
+    mounting = replace(
+        project.mounting("prior"), range_offset=0.02, scan_angle_offset=0.01, latency=0.003
+    )
+    wanted = georeference(scan.points_lidar, scan.time, survey.trajectory, mounting)
+    found = placing(survey.trajectory, mounting)(scan.points_lidar, scan.time)
+    np.testing.assert_array_equal(found, wanted)
+    with pytest.raises(InputError, match="outside the trajectory"):
+        placing(survey.trajectory, mounting)(scan.points_lidar, scan.time + 1e6)
+
+
+def test_second_import_does_nothing(project: Project) -> None:
+    first, _ = import_lines(project)
+    # As after a kill between the manifest and the tidying up.
+    (first.stored.folder / "spool").mkdir()
+    (first.stored.folder / "spool" / "block-00000.keys").write_bytes(b"left")
+    (first.stored.folder / "columns-9").mkdir()
+    assert [item.seconds for item in import_lines(project)] == [0.0, 0.0]
+    assert {path.name for path in first.stored.folder.iterdir()} == {"columns-1", "store.json"}
+    again = import_lines(project, ["L2_180"], again=True)
+    assert again[0].seconds > 0
+
+
+@pytest.mark.parametrize("when", [1, 3, 4])
+def test_cancelled_import_goes_on(project: Project, trajectory, monkeypatch, when: int) -> None:
+    for module in (pieces, spool):
+        monkeypatch.setattr(module, "BLOCK", 100_000)
+    line = project.lines[0]
+    whole = import_line(project, line, trajectory).stored.manifest
+    shutil.rmtree(project.folder / "lines")
+    with pytest.raises(Cancelled):
+        import_line(project, line, trajectory, progress=stop_at(when))
+    with pytest.raises(ProjectError, match="interrupted; import it again"):
+        stored_line(project, line, trajectory)
+    again = import_line(project, line, trajectory).stored.manifest
+    assert [c.checksum for c in again.files] == [c.checksum for c in whole.files]
+
+
+def test_interrupted_command_says_how_to_go_on(project: Project, monkeypatch, capsys) -> None:
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(spool.Spool, "complete", stop)
+    assert main(["import", str(project.folder)]) == 1
+    told = capsys.readouterr().err
+    assert "import again to go on from there" in told
+    assert "stopped" in told
+    monkeypatch.undo()
+    assert main(["import", str(project.folder), "--check", "--json"]) == 0
+    lines = json.loads(capsys.readouterr().out)["lines"]
+    assert {name: line["points"] for name, line in lines.items()} == {
+        "L1_000": 288_210, "L2_180": 284_469,
+    }  # fmt: skip
+
+
+def test_command_prints_points_and_size(project: Project, capsys) -> None:
+    assert main(["import", str(project.folder), "--lines", "L1_000"]) == 0
+    out = capsys.readouterr().out
+    assert "L1_000" in out
+    assert "288,210 points" in out
+    assert main(["import", str(project.folder), "--lines", "L1_000"]) == 0
+    assert "imported already" in capsys.readouterr().out
+    assert main(["import", str(project.folder), "--lines", "L9"]) == 1
+    assert "there is no line named L9" in capsys.readouterr().err
+
+
+def test_progress_tells_rate_and_time_left(project: Project, trajectory, monkeypatch) -> None:
+    monkeypatch.setattr("lispac.survey.store.pace.SETTLED", 0.0)
+    told: list[tuple[float, str]] = []
+    import_line(project, project.lines[0], trajectory, progress=lambda f, m="": told.append((f, m)))
+    assert any("M points/s" in words and "left" in words for _, words in told)
+    fractions = [fraction for fraction, _ in told]
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1.0
+
+
+def write_line(path: Path, scan, shift: float = 0.0) -> LineSource:
+    """A scan as a raw line of its own."""
+    write_points(path, scan.points_lidar, scan.time + shift, scan.intensity)
+    return LineSource(path.stem, path)
+
+
+def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, trajectory) -> None:
+    own = write_line(project.folder / "own.laz", survey.scans["L1_000"])
+    project = replace(project, lines=(own,))
+    import_line(project, own, trajectory)
+    status = own.path.stat()
+    os.utime(own.path, ns=(status.st_atime_ns, status.st_mtime_ns + 10**9))
+    stored_line(project, own, trajectory)  # copied, with the same content
+
+    slower = replace(own, reading=Reading(time_shift=0.5))
+    with pytest.raises(ProjectError, match=r"own: how its file is read changed .*import it again"):
+        stored_line(project, slower, trajectory)
+    with pytest.raises(ProjectError, match="the trajectory, its origin or its longest gap changed"):
+        stored_line(project, own, replace(trajectory, position=trajectory.position + 1))
+    late = replace(project, settings=replace(project.settings, latency=0.01))
+    with pytest.raises(ProjectError, match="the latency changed"):
+        stored_line(late, own, trajectory)
+    turned = replace(project, settings=replace(project.settings, boresight_deg=(5.0, 0, 0)))
+    stored_line(turned, own, trajectory)  # only the order hangs on it
+
+    write_line(own.path, survey.scans["L2_180"])
+    with pytest.raises(ProjectError, match=r"own\.laz has changed since it was imported"):
+        stored_line(project, own, trajectory)
+    assert len(import_line(project, own, trajectory).stored) == len(survey.scans["L2_180"])
+    own.path.unlink()
+    stored_line(project, own, trajectory)  # the store does without its file
+    with pytest.raises(InputError, match="no such line file"):
+        import_lines(project)
+
+
+def test_points_without_a_pose_are_left_out_and_counted(
+    survey: Survey, project, trajectory
+) -> None:
+    """Before the trajectory and in a gap of it that is longer than the set time."""
+    scan = survey.scans["L1_000"]
+    start = np.quantile(scan.time, 0.3)
+    gap = (trajectory.time > start + 2) & (trajectory.time < start + 4)
+    kept = (trajectory.time > start) & ~gap
+    short = LocalTrajectory(
+        trajectory.frame, trajectory.time[kept], trajectory.position[kept],
+        trajectory.attitude[kept],
+    )  # fmt: skip
+    stored = import_line(project, project.lines[0], short).stored
+    inside = short.covers(scan.time)
+    assert 0 < stored.manifest.left_out == np.count_nonzero(~inside)
+    rows = in_file_order(stored)
+    np.testing.assert_array_equal(stored.time[rows], scan.time[inside])
+    np.testing.assert_array_equal(stored.indices_in_file(rows), np.flatnonzero(inside))
+    assert f"{stored.manifest.left_out:,} points outside" in stored.assumptions[-1]
+
+
+def test_line_outside_the_trajectory_leaves_nothing(survey: Survey, project, trajectory) -> None:
+    early = write_line(project.folder / "early.laz", survey.scans["L1_000"], -7200.0)
+    before = sorted(project.folder.rglob("*"))
+    with pytest.raises(InputError, match="lie outside the trajectory"):
+        import_line(replace(project, lines=(early,)), early, trajectory)
+    assert sorted(project.folder.rglob("*")) == before
+
+
+def test_damaged_file_leaves_nothing(survey: Survey, project, trajectory) -> None:
+    own = write_line(project.folder / "own.las", survey.scans["L1_000"])
+    os.truncate(own.path, own.path.stat().st_size // 2)
+    before = sorted(project.folder.rglob("*"))
+    with pytest.raises(InputError, match=r"own\.las"):
+        import_line(replace(project, lines=(own,)), own, trajectory)
+    assert sorted(project.folder.rglob("*")) == before
+
+
+@pytest.mark.parametrize("change", ["changed", "went away"])
+def test_file_that_changes_meanwhile(survey: Survey, project, trajectory, change: str) -> None:
+    own = write_line(project.folder / "own.las", survey.scans["L1_000"])
+    original = original_of(own.path)
+    source = _Source(own, trajectory, project.mounting("prior"), original).pieces(0)
+    assert len(next(source)) == len(survey.scans["L1_000"])
+    if change == "changed":
+        os.utime(own.path, ns=(0, original.modified + 1))
+    else:
+        own.path.unlink()
+    with pytest.raises(InputError, match=rf"own\.las: the file {change} while it was imported"):
+        next(source)
+
+
+def test_line_on_the_map_comes_back_to_the_scanner(survey: Survey, project, trajectory) -> None:
+    scan = survey.scans["L1_000"]
+    mounting = project.mounting("prior")
+    system = coordinate_system("EPSG:32619")
+    local = georeference(scan.points_lidar, scan.time, trajectory, mounting)
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    on_map = system.from_local(local, trajectory.frame)
+    header.scales, header.offsets = np.full(3, 1e-4), np.floor(on_map.mean(axis=0))
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = on_map.T
+    las.gps_time = scan.time
+    path = project.folder / "map.laz"
+    las.write(path)
+    options = (("frame", "georeferenced"), ("crs", "EPSG:32619"))
+    line = LineSource("map", path, reading=Reading("las", options))
+    project = replace(project, lines=(line,))
+    stored = import_line(project, line, trajectory).stored
+    rows = in_file_order(stored)
+    assert np.abs(stored.points_lidar[rows] - scan.points_lidar).max() < 2e-4
+    assert stored.fingerprint == read_line(line, trajectory, mounting).fingerprint
+    turned = replace(project, settings=replace(project.settings, boresight_deg=(0.0, 0.0, 0.0)))
+    with pytest.raises(ProjectError, match="prior mounting that brings it back"):
+        stored_line(turned, line, trajectory)
+
+
+def test_text_line_with_named_columns(survey: Survey, project, trajectory) -> None:
+    scan = survey.scans["L1_000"]
+    table = np.column_stack([scan.time, scan.points_lidar, scan.intensity])[:20_000]
+    path = project.folder / "line.txt"
+    np.savetxt(path, table, fmt=["%.9f", "%.4f", "%.4f", "%.4f", "%d"])
+    line = LineSource("line", path, ("time", "x", "y", "z", "intensity"))
+    stored = import_line(replace(project, lines=(line,)), line, trajectory).stored
+    read = read_line(line, trajectory, project.mounting("prior"))
+    assert (stored.fingerprint, len(stored)) == (read.fingerprint, 20_000)
+    np.testing.assert_array_equal(stored.intensity[in_file_order(stored)], read.intensity)
+
+
+def test_folders_of_lines_are_apart_on_every_system(project: Project) -> None:
+    names = ("Wall", "wall", "Kai/Süd", "Kai_S_d", "con", "..", "a b")
+    lines = tuple(LineSource(name, Path("a.las")) for name in names)
+    project = replace(project, lines=lines)
+    folders = [line_folder(project, line) for line in lines]
+    assert len({str(folder).lower() for folder in folders}) == len(names)
+    assert {folder.parent for folder in folders} == {project.folder / "lines"}
+    assert all(folder.name.isascii() for folder in folders)
+
+
+def test_project_with_imported_lines_opens(project: Project) -> None:
+    import_lines(project)
+    assert open_project(project.folder).lines == project.lines
+
+
+def test_settings_of_gap_come_from_the_project(project: Project) -> None:
+    settings = replace(project.settings, longest_gap=0.7)
+    assert isinstance(settings, Settings)
+    assert trajectory_of(replace(project, settings=settings)).longest_gap == 0.7
+    assert isinstance(project.mounting("prior"), Mounting)

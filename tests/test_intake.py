@@ -1,0 +1,256 @@
+"""Files on their way into a project: what they are taken for, and how their times fit."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.io import line_times as times_module
+from lispac.io.formats import format_of
+from lispac.io.line_times import line_times
+from lispac.io.project_file import read_project
+from lispac.project import LineSource, Settings
+from lispac.survey.trajectory import LONGEST_GAP
+from lispac.workflow.intake import Intake, project_among, proposed_folder
+from lispac.workflow.intake_entry import examined
+from lispac.workflow.projects import new_project, open_project
+from lispac.workflow.survey import load_survey
+from tests.intake_files import LEVER, START, fan, named, said, taken_in, write_line, write_survey
+from tests.trajectory_files import vessel, write_records
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The survey's folder."""
+    return write_survey(tmp_path_factory.mktemp("survey"))
+
+
+@pytest.fixture(scope="module")
+def whole(files: Path) -> Intake:
+    return taken_in(Intake(), files)
+
+
+# -- what files are ------------------------------------------------------------------------------
+
+
+def test_files_of_a_folder_are_sorted_by_what_they_are(whole: Intake) -> None:
+    roles = {entry.path.name: entry.role for entry in whole.entries}
+    assert roles == {
+        "pos.sbet": "trajectory", "smrmsg.out": "accuracy", "L1.laz": "points",
+        "L2.las": "points", "letter.md": None,
+    }  # fmt: skip
+    assert whole.problem("") == "Choose a folder for the project."
+    assert whole.time_base is not None
+    assert whole.time_base.key == "gps-week"
+    assert {whole.state(line) for line in whole.lines} == {"fine"}
+    assert whole.state(named(whole, "letter.md")) == "out"
+    assert said(whole, "letter.md").startswith("No format knows this file")
+
+
+def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: Intake) -> None:
+    finding = named(whole, "pos.sbet").finding
+    assert finding is not None
+    assert any("pitch is positive" in text for text in finding.assumptions)
+    assert not set(finding.assumptions) & set(finding.doubts)
+
+
+def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None:
+    assert project_among([files, files / "L1.laz"]) is None
+    (tmp_path / "project.json").write_text("{}")
+    assert project_among([files, tmp_path]) == tmp_path
+    assert project_among([tmp_path / "project.json"]) == tmp_path / "project.json"
+
+
+def test_what_is_missing_is_said_in_order(files: Path, tmp_path: Path) -> None:
+    assert Intake().problem("x").startswith("Add the survey's files")
+    waiting = Intake().with_files([files / "L1.laz"])
+    assert waiting.problem("x") == "The files are being looked into."
+    line = taken_in(Intake(), files / "L1.laz")
+    assert "is the trajectory yet" in line.problem("x")
+    track = taken_in(Intake(), files / "pos.sbet")
+    assert "is a line yet" in track.problem("x")
+    (tmp_path / "project.json").write_text("{}")
+    both = taken_in(line, files / "pos.sbet")
+    assert "already" in both.problem(str(tmp_path))
+    assert "This is a file" in both.problem(str(files / "L1.laz"))
+    assert both.problem(str(tmp_path / "new")) == ""
+    assert proposed_folder(both) == files / "boresight"
+
+
+def test_two_trajectories_are_one_too_many_until_one_is_left_out(
+    whole: Intake, files: Path, tmp_path: Path
+) -> None:
+    second = write_records(tmp_path / "second.sbet", vessel(500))
+    intake = taken_in(whole, second)
+    assert "More than one file has the role trajectory" in intake.problem("x")
+    remedy = intake.remarks(named(intake, "second.sbet"))[0].remedies[0]
+    mended = intake.with_remedy(second, remedy)
+    assert mended.state(mended.entry(second)) == "out"
+    assert mended.trajectory is not None
+    assert mended.trajectory.path == files / "pos.sbet"
+    assert mended.files_problem() == ""
+
+
+def test_text_that_might_be_a_trajectory_is_a_line_beside_a_certain_one(
+    files: Path, tmp_path: Path
+) -> None:
+    rows = np.column_stack([START + np.linspace(3, 9, 200), fan(200), np.ones((200, 4))])
+    text = tmp_path / "points.txt"
+    np.savetxt(text, rows, fmt="%.4f")
+    alone = taken_in(Intake(), text)
+    assert "points" in alone.entries[0].roles
+    beside = taken_in(taken_in(Intake(), files / "pos.sbet"), text)
+    assert beside.entry(text).role == "points"
+
+
+def test_lines_of_one_name_are_named_by_their_folders(files: Path, tmp_path: Path) -> None:
+    paths = []
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        paths.append(write_line(tmp_path / folder / "scan.laz", START + np.linspace(1, 2, 100)))
+    intake = taken_in(Intake(), files / "pos.sbet", *paths)
+    assert list(intake.names.values()) == ["a_scan", "b_scan"]
+    assert intake.files_problem() == ""
+
+
+def test_a_damaged_line_is_an_error_beside_the_others(whole: Intake, files: Path, tmp_path: Path):
+    damaged = tmp_path / "damaged.laz"
+    content = (files / "L1.laz").read_bytes()
+    damaged.write_bytes(content[: len(content) // 2])
+    intake = taken_in(whole, damaged)
+    assert intake.state(intake.entry(damaged)) == "error"
+    assert str(damaged) not in said(intake, "damaged.laz")
+    assert intake.problem("x").startswith("damaged.laz: ")
+    assert intake.with_role(damaged, None).files_problem() == ""
+
+
+# -- times ---------------------------------------------------------------------------------------
+
+
+def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
+    whole: Intake, files: Path, tmp_path: Path
+) -> None:
+    late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
+    intake = taken_in(whole, late)
+    remark = intake.remarks(intake.entry(late))[0]
+    assert remark.level == "error"
+    assert "GPS seconds of the day" in remark.text
+    assert remark.remedies[0].shift == pytest.approx(432_000)
+    assert [entry.path for entry, _ in intake.shifts_offered] == [late]
+    for mended in (intake.with_remedy(late, remark.remedies[0]), intake.with_shift_for_all()):
+        assert mended.files_problem() == ""
+        assert mended.shifts_offered == ()
+        covered = mended.coverage(mended.entry(late))
+        assert covered is not None
+        assert covered.usable == covered.count
+    request = mended.request(tmp_path / "made", Settings(lever_arm=LEVER))
+    project, survey = new_project(
+        request.folder, trajectory=request.trajectory, lines=request.lines,
+        settings=request.settings, accuracy=request.accuracy,
+        trajectory_reading=request.trajectory_reading, accuracy_reading=request.accuracy_reading,
+    )  # fmt: skip
+    assert survey.scans["day"].time.min() == pytest.approx(START + 20)
+    assert len(survey.scans["day"]) == 3000
+    again = load_survey(open_project(project.folder))
+    assert again.scans["day"].time.max() == pytest.approx(START + 30)
+
+
+def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: Intake, tmp_path: Path) -> None:
+    # With 18 s to spare on one side, UTC and GPS seconds of the day both fit.
+    late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
+    intake = taken_in(whole, late)
+    first = intake.remarks(intake.entry(late))[0]
+    assert len({remedy.shift for remedy in first.remedies} - {None}) == 2
+    mended = intake.with_remedy(late, first.remedies[0])
+    assert mended.state(mended.entry(late)) == "doubt"
+    assert "would fit as well" in said(mended, "day.laz")
+    undo = mended.remarks(mended.entry(late))[0].remedies[-1]
+    assert mended.with_remedy(late, undo).state(intake.entry(late)) == "error"
+
+
+def test_a_line_of_another_day_is_refused_with_the_distance(whole: Intake, tmp_path: Path) -> None:
+    other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
+    intake = taken_in(whole, other)
+    remark = intake.remarks(intake.entry(other))[0]
+    assert remark.level == "error"
+    assert "49,960 s after it ends" in remark.text
+    assert [remedy.words for remedy in remark.remedies] == ["Leave it out"]
+
+
+def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
+    files: Path, tmp_path: Path
+) -> None:
+    records = vessel(2000)
+    time = records[:, 0] - START
+    records = records[(time < 17) | (time > 19)]
+    write_records(tmp_path / "gap.sbet", records)
+    late = write_line(tmp_path / "late.laz", START + np.linspace(30, 45, 3000))
+    intake = taken_in(Intake(), tmp_path / "gap.sbet", files / "L2.las", late)
+    assert "of the points lie in a gap of the trajectory longer than 1.5 s" in said(
+        intake, "L2.las"
+    )
+    assert "before or after the trajectory" in said(intake, "late.laz")
+    covered = intake.coverage(named(intake, "L2.las"))
+    assert covered is not None
+    assert covered.share_in_gaps == pytest.approx(0.2, abs=0.01)
+    request = intake.request(tmp_path / "a", Settings(lever_arm=LEVER))
+    _, survey = new_project(
+        request.folder, trajectory=request.trajectory, lines=request.lines,
+        settings=request.settings,
+    )  # fmt: skip
+    notes = " ".join(survey.notes)
+    assert f"{3000 - len(survey.scans['L2']):,} points in a gap of the trajectory" in notes
+    assert f"{3000 - len(survey.scans['late']):,} points outside the trajectory's time" in notes
+
+    remedy = intake.remarks(named(intake, "L2.las"))[0].remedies[0]
+    assert remedy.longest_gap is not None
+    assert remedy.longest_gap == pytest.approx(2.0, abs=0.11)
+    bridged = intake.with_remedy(files / "L2.las", remedy)
+    assert bridged.state(named(bridged, "L2.las")) == "fine"
+    request = bridged.request(tmp_path / "b", Settings(lever_arm=LEVER))
+    project, survey = new_project(
+        request.folder, trajectory=request.trajectory, lines=request.lines,
+        settings=request.settings,
+    )  # fmt: skip
+    assert len(survey.scans["L2"]) == 3000
+    assert read_project(project.folder).settings.longest_gap == remedy.longest_gap
+
+
+def test_a_project_without_the_longest_gap_has_the_usual_one(files: Path, tmp_path: Path) -> None:
+    project, _ = new_project(
+        tmp_path / "p", trajectory=files / "pos.sbet",
+        lines=[LineSource("L1", files / "L1.laz")], settings=Settings(lever_arm=LEVER),
+    )  # fmt: skip
+    path = project.folder / "project.json"
+    content = json.loads(path.read_text())
+    assert content["settings"].pop("longest_gap") == LONGEST_GAP
+    path.write_text(json.dumps(content))
+    assert open_project(project.folder).settings.longest_gap == LONGEST_GAP
+
+
+def test_a_long_line_is_looked_at_here_and_there(
+    files: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = line_times(files / "L1.laz", format_of("las"), {})
+    monkeypatch.setattr(times_module, "READ_WHOLE", 1000)
+    monkeypatch.setattr(times_module, "BLOCK", 50)
+    sampled = line_times(files / "L1.laz", format_of("las"), {})
+    assert not sampled.whole
+    assert whole.whole
+    assert sampled.count == whole.count == 3000
+    assert (sampled.start, sampled.end) == (whole.start, whole.end)
+    assert len(sampled.sample) == 40 * 50
+
+
+def test_a_line_that_takes_long_to_read_is_cut_and_said(
+    files: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(times_module, "LONGEST", -1.0)
+    entry = examined(files / "deeper" / "L9.txt")
+    assert entry.content is None  # its columns are not named yet
+    monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 500)
+    cut = line_times(files / "L1.laz", format_of("las"), {})
+    assert not cut.reached_end
+    assert cut.count == 3000
+    assert cut.end < START + 12

@@ -1,0 +1,153 @@
+"""Columns, coordinate systems and options of files on their way in, and accuracies beside them."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.io.sbet import read_sbet
+from lispac.project import Settings
+from lispac.survey.crs import coordinate_system
+from lispac.survey.georeferencing import Mounting, georeference
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.intake import Intake
+from lispac.workflow.projects import new_project
+from tests.intake_files import LEVER, START, fan, said, taken_in, write_line, write_survey
+from tests.trajectory_files import vessel, write_records
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The survey's folder."""
+    return write_survey(tmp_path_factory.mktemp("survey"))
+
+
+@pytest.fixture(scope="module")
+def whole(files: Path) -> Intake:
+    return taken_in(Intake(), files)
+
+
+# -- columns -------------------------------------------------------------------------------------
+
+
+def write_unnamed(path: Path, seconds: float = 3.0) -> Path:
+    rows = np.column_stack([fan(400), START + np.linspace(seconds, seconds + 5, 400)])
+    np.savetxt(path, rows, fmt="%.6f")
+    return path
+
+
+def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_path: Path) -> None:
+    text = write_unnamed(tmp_path / "one.txt")
+    intake = taken_in(Intake(), files / "pos.sbet", text)
+    assert intake.state(intake.entry(text)) == "error"
+    assert "No column is the time, x, y or z yet" in said(intake, "one.txt")
+    for column, meaning in enumerate(("y", "y", "z", "time")):
+        intake = taken_in(intake.with_column(text, column, meaning))
+    assert "No column is the x yet" in said(intake, "one.txt")
+    assert intake.entry(text).columns == ("-", "y", "z", "time")
+    intake = taken_in(intake.with_column(text, 0, "x"))
+    assert intake.state(intake.entry(text)) == "fine", said(intake, "one.txt")
+    request = intake.request(tmp_path / "p", Settings(lever_arm=LEVER))
+    _, survey = new_project(
+        request.folder, trajectory=request.trajectory, lines=request.lines,
+        settings=request.settings,
+    )  # fmt: skip
+    np.testing.assert_allclose(survey.scans["one"].points_lidar, fan(400), atol=1e-6)
+
+    second = write_unnamed(tmp_path / "two.txt", 20.0)
+    after = taken_in(Intake(), files / "pos.sbet", second, mappings=intake.mappings)
+    assert after.entry(second).remembered
+    assert after.entry(second).columns == ("x", "y", "z", "time")
+    assert after.state(after.entry(second)) == "fine"
+    remedy = after.remarks(after.entry(second))[0].remedies[0]
+    anew = taken_in(after.with_remedy(second, remedy))
+    assert anew.state(anew.entry(second)) == "error"
+
+
+def test_columns_of_another_layout_are_not_taken_over(files: Path, tmp_path: Path) -> None:
+    first = write_unnamed(tmp_path / "one.txt")
+    intake = taken_in(Intake(), first)
+    for column, meaning in enumerate(("x", "y", "z", "time")):
+        intake = taken_in(intake.with_column(first, column, meaning))
+    wider = tmp_path / "wider.txt"
+    np.savetxt(wider, np.column_stack([np.loadtxt(first), np.arange(400) % 50]), fmt="%.6f")
+    assert not taken_in(Intake(), wider, mappings=intake.mappings).entries[0].remembered
+
+
+def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
+    records = vessel(300)
+    rows = np.column_stack(
+        [records[:, 0], np.degrees(records[:, 1:3]), records[:, 3], np.degrees(records[:, 7:10])]
+    )
+    rows = rows[:, [1, 2, 3, 0, 4, 5, 6]]  # time stands fourth
+    path = tmp_path / "track.csv"
+    np.savetxt(path, rows, fmt="%.9f", delimiter=",")
+    intake = taken_in(Intake(), path)
+    assert intake.entry(path).role == "trajectory"
+    order = ("latitude", "longitude", "height", "time", "roll", "pitch", "heading")
+    for column, meaning in enumerate(order):
+        intake = taken_in(intake.with_column(path, column, meaning))
+    assert intake.entry(path).error == ""
+    assert intake.track is not None
+    np.testing.assert_allclose(intake.track.time, records[:, 0])
+
+
+# -- places --------------------------------------------------------------------------------------
+
+
+def test_a_line_on_the_map_needs_its_coordinate_system(
+    whole: Intake, files: Path, tmp_path: Path
+) -> None:
+    raw = read_sbet(files / "pos.sbet")
+    frame = raw.mean_frame()
+    times = START + np.linspace(2, 8, 1500)
+    mounting = Mounting(np.array(LEVER), np.zeros(3))
+    local = georeference(fan(1500), times, LocalTrajectory.of(raw, frame), mounting)
+    points = coordinate_system("EPSG:32618").from_local(local, frame)
+
+    stated = write_line(tmp_path / "stated.laz", times, points, "EPSG:32618")
+    intake = taken_in(whole, stated)
+    place = intake.entry(stated).place
+    assert place is not None
+    assert place.system.startswith("WGS 84 / UTM zone 18N")
+    assert intake.state(intake.entry(stated)) == "fine", said(intake, "stated.laz")
+
+    bare = write_line(tmp_path / "bare.laz", times, points)
+    intake = taken_in(whole, bare)
+    remark = intake.remarks(intake.entry(bare))[0]
+    assert (remark.level, remark.remedies[0].ask) == ("error", "crs")
+    assert intake.coverage(intake.entry(bare)) is not None
+    wrong = taken_in(intake.with_option(bare, "crs", "EPSG:32617"))
+    assert "km from the trajectory" in said(wrong, "bare.laz")
+    nonsense = taken_in(intake.with_option(bare, "crs", "EPSG:1"))
+    assert "not a coordinate system known to PROJ" in said(nonsense, "bare.laz")
+    right = taken_in(wrong.with_option(bare, "crs", "32618"))
+    assert right.files_problem() == ""
+    request = right.request(tmp_path / "p", Settings(lever_arm=LEVER))
+    _, survey = new_project(
+        request.folder, trajectory=request.trajectory, lines=request.lines,
+        settings=request.settings,
+    )  # fmt: skip
+    np.testing.assert_allclose(survey.scans["bare"].points_lidar, fan(1500), atol=1e-3)
+
+
+def test_an_option_that_is_stated_goes_with_the_request(whole: Intake, files: Path) -> None:
+    pos = files / "pos.sbet"
+    usual = whole.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
+    assert usual.format == ""
+    turned = taken_in(whole.with_option(pos, "pitch", "bow-down"))
+    reading = turned.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
+    assert (reading.format, dict(reading.options)) == ("sbet", {"pitch": "bow-down"})
+    assert whole.track is not None
+    assert turned.track is not None
+    np.testing.assert_allclose(turned.track.attitude[:, 1], -whole.track.attitude[:, 1])
+
+
+def test_an_accuracy_of_another_time_is_an_error(whole: Intake, files: Path, tmp_path: Path):
+    other = np.fromfile(files / "smrmsg.out").reshape(-1, 10)
+    other[:, 0] += 5000
+    write_records(tmp_path / "other.out", other)
+    intake = taken_in(whole.without(files / "smrmsg.out"), tmp_path / "other.out")
+    assert "do not meet those of the trajectory" in said(intake, "other.out")
+    assert replace(intake, entries=whole.entries).files_problem() == ""

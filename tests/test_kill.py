@@ -1,0 +1,176 @@
+"""Kill -9 while importing and saving: complete afterwards, or it is said what to redo."""
+
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import ProjectError
+from lispac.io.project_file import read_project, write_project
+from lispac.project import LineSource, PickedSighting, Project, Settings, Target
+from lispac.survey.store import pieces, spool
+from lispac.survey.store.reading import open_store
+from lispac.survey.store.writing import write_store
+from tests.store_lines import RECIPE, Line, place
+
+pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no SIGKILL here")
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+POINTS, BLOCK = 400_000, 20_000
+
+IMPORT = f"""
+import sys
+from pathlib import Path
+from lispac.survey.store import pieces, spool
+pieces.BLOCK = spool.BLOCK = {BLOCK}
+from lispac.survey.store.cells import octaves_near
+from lispac.survey.store.writing import write_store
+from tests.store_lines import RECIPE, Line, place
+line = Line({POINTS})
+print("ready", flush=True)
+write_store(Path(sys.argv[1]), RECIPE, line.pieces(30_000), place)
+print("done", flush=True)
+"""
+
+SAVE = """
+import sys
+from dataclasses import replace
+from pathlib import Path
+import numpy as np
+from lispac.io.project_file import read_project, write_project
+folder = Path(sys.argv[1])
+project = replace(read_project(folder.with_name("pristine")), folder=folder)
+one, *rest = project.targets
+states = []
+for k in (1, 2):
+    moved = [
+        replace(sighting, indices=sighting.indices[::k], rms=k / 1000) for sighting in one.sightings
+    ]
+    states.append(
+        replace(project, targets=(replace(one, sightings=tuple(moved)), *rest))
+    )
+print("ready", flush=True)
+while True:
+    for state in states:
+        write_project(state)
+"""
+
+
+def killed(code: str, argument: Path, seconds: float | None) -> float:
+    """Run code in a process of its own and kill it so long after it is ready.
+
+    Parameters
+    ----------
+    seconds : float or None
+        None lets it end by itself.
+
+    Returns
+    -------
+    float
+        Seconds from being ready to its end.
+    """
+    with subprocess.Popen(
+        [sys.executable, "-c", code, str(argument)], stdout=subprocess.PIPE, text=True,
+        cwd=CHECKOUT, env=os.environ | {"PYTHONPATH": str(CHECKOUT)},
+    ) as process:  # fmt: skip
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        start = time.monotonic()
+        if seconds is None:
+            assert process.stdout.read() == "done\n"
+        else:
+            time.sleep(seconds)
+            process.send_signal(signal.SIGKILL)
+            process.stdout.read()
+        process.wait()
+        return time.monotonic() - start
+
+
+@pytest.mark.parametrize("times", [4, pytest.param(20, marks=pytest.mark.long)])
+def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
+    for module in (pieces, spool):
+        monkeypatch.setattr(module, "BLOCK", BLOCK)
+    line = Line(POINTS)
+    took = killed(IMPORT, tmp_path / "whole", None)
+    whole = open_store(tmp_path / "whole", "L1").manifest
+    moments = random.Random(7)
+    said = {"complete": 0, "interrupted while reading": 0, "while ordering": 0, "not imported": 0}
+    for k in range(times):
+        folder = tmp_path / f"L{k}"
+        # Some in every part of the import, and some about its end.
+        killed(IMPORT, folder, 1.1 * took * (k + moments.random()) / times)
+        ordering = bool(list(folder.glob("columns-*")))
+        try:
+            stored = open_store(folder, "L1")
+        except ProjectError as error:
+            words = str(error)
+            if words.endswith("is not imported yet; import it."):
+                said["not imported"] += 1
+            else:
+                assert words.endswith("import it again, it goes on where it stood.")
+                said["while ordering" if ordering else "interrupted while reading"] += 1
+        else:
+            said["complete"] += 1
+            stored.require_sound()
+        manifest = write_store(folder, RECIPE, line.pieces(30_000), place)
+        assert [c.checksum for c in manifest.files] == [c.checksum for c in whole.files]
+        assert {path.name for path in folder.iterdir()} == {"store.json", manifest.folder}
+        for path in folder.rglob("*.npy"):
+            path.unlink()
+    print(f"\n{times} imports of {took:.2f} s killed: {said}")
+    assert said["interrupted while reading"] + said["while ordering"] > 0
+
+
+def test_kill_while_a_line_is_imported_anew(tmp_path: Path, monkeypatch) -> None:
+    """The store that was there stays until the new one is complete."""
+    for module in (pieces, spool):
+        monkeypatch.setattr(module, "BLOCK", BLOCK)
+    folder = tmp_path / "L1"
+    write_store(folder, RECIPE, Line(30_000, seed=8).pieces(30_000), place)
+    killed(IMPORT, folder, 0.3)
+    stored = open_store(folder, "L1")
+    assert len(stored) in (30_000, POINTS)
+    stored.require_sound()
+
+
+def project_in(folder: Path) -> Project:
+    """A saved project of three lines with two targets."""
+    rng = np.random.default_rng(1)
+    lines = tuple(LineSource(f"L{k}", folder / f"L{k}.las") for k in range(3))
+    targets = tuple(
+        Target(
+            name, "target", (1.0, 2.0, 3.0), 0.01, 0.5,
+            tuple(
+                PickedSighting(line.name, np.sort(rng.integers(0, 10**7, 30_000)), 0.003)
+                for line in lines
+            ),
+        )
+        for name in ("T1", "T2")
+    )  # fmt: skip
+    project = Project(folder, folder / "t.sbet", lines, Settings((0.0, 0.0, 1.0)), targets=targets)
+    write_project(project)
+    return project
+
+
+@pytest.mark.parametrize("times", [4, pytest.param(20, marks=pytest.mark.long)])
+def test_kill_during_save(tmp_path: Path, times: int) -> None:
+    shutil.copytree(project_in(tmp_path / "project").folder, tmp_path / "pristine")
+    indices = project_in(tmp_path / "project").targets[0].sightings[0].indices
+    moments = random.Random(3)
+    seen = []
+    for _ in range(times):
+        killed(SAVE, tmp_path / "project", moments.uniform(0.0, 0.4))
+        found = read_project(tmp_path / "project").target("T1").sightings[0]
+        half = found.rms == 0.002
+        np.testing.assert_array_equal(found.indices, indices[:: 2 if half else 1])
+        seen.append(half)
+    print(f"\n{times} times killed while saving; {sum(seen)} times the one state was left")
+    if times > 10:
+        assert len(set(seen)) == 2
