@@ -386,15 +386,3 @@ def test_damaged_files(tmp_path: Path, key: str, data: st.DataObject) -> None:
         content[start : start + data.draw(st.integers(0, 40))] = new
     (tmp_path / "damaged").write_bytes(bytes(content))
     attempt(format_of(key), tmp_path / "damaged")
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("key", EVERY)
-@settings(
-    max_examples=15_000, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-@given(content=anything)
-def test_any_bytes_at_length(tmp_path: Path, key: str, content: bytes) -> None:
-    path = tmp_path / "any"
-    path.write_bytes(content)
-    attempt(format_of(key), path)

@@ -23,7 +23,7 @@ from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import georeference
 from lispac.survey.mapping import PointMapper
-from lispac.workflow.georeferencing import Which
+from lispac.workflow.georeferencing import Which, require_other_files
 from lispac.workflow.reading import read_trajectory
 from lispac.workflow.survey import Survey
 
@@ -77,6 +77,7 @@ def export_targets(
     mapper = PointMapper(system, survey.trajectory, project.mounting(which))
     targets = _targets(project, names)
     paths = [output / f"{target.name}_{which}.{ending}" for target in targets]
+    require_other_files(project, paths)
     with ExitStack() as stack:
         for k, (target, path) in enumerate(zip(targets, paths, strict=True)):
             progress(k / len(targets), f"Writing {path.name}")
@@ -120,6 +121,7 @@ def export_planes(
     if not targets:
         raise ProjectError(f"{project.name}: there is no planar target to export; pick one first.")
     paths = [output / f"{target.name}_{which}.txt" for target in targets]
+    require_other_files(project, paths)
     with ExitStack() as stack:
         for k, (target, path) in enumerate(zip(targets, paths, strict=True)):
             progress(k / len(targets), f"Writing {path.name}")
@@ -158,6 +160,7 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
     """
     if output.exists() and output.samefile(project.trajectory):
         raise InputError(f"{output}: this is the survey's own trajectory; choose another name.")
+    require_other_files(project, [output])
     trajectory = read_trajectory(project.trajectory, project.trajectory_reading)
     if form == "sbet":
         write_sbet(output, trajectory)

@@ -123,7 +123,7 @@ def georeference_project(
     trajectory = trajectory_of(project)
     target = _target(chosen, trajectory, system, height, trajectory_datum, epoch)
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
-    _require_other_files(project, paths)
+    require_other_files(project, paths)
     way = PointMapper(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
     for chunks in chosen:
@@ -250,12 +250,21 @@ def _said(target: CoordinateSystem | None) -> tuple[str, ...]:
     return target.assumptions
 
 
-def _require_other_files(project: Project, paths: Sequence[Path]) -> None:
-    """Refuse to write over what the project is made from."""
+def require_other_files(project: Project, paths: Sequence[Path]) -> None:
+    """Refuse to write over what the project is made from.
+
+    Raises
+    ------
+    InputError
+    """
     own = [line.path for line in project.lines] + [project.trajectory]
+    if project.accuracy is not None:
+        own.append(project.accuracy)
     for path in paths:
         if any(path.exists() and other.exists() and path.samefile(other) for other in own):
-            raise InputError(f"{path}: this is a file of the survey itself; choose another folder.")
+            raise InputError(
+                f"{path}: this is a file of the survey itself; choose another name or folder."
+            )
 
 
 def _missing_folders(folder: Path) -> list[Path]:

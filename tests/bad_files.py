@@ -1,0 +1,328 @@
+"""What goes wrong with files, one function for each row of the manual's table of bad input.
+
+Each makes its file or situation in a small sound survey and gives the command that meets it.
+"""
+
+import os
+import subprocess
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from tests import point_files
+from tests.intake_files import START, fan, write_line
+from tests.trajectory_files import vessel, write_delph, write_records
+
+Words = list[str]
+COUNT = 3000
+TIMES = START + np.linspace(2, 12, COUNT)
+
+
+@dataclass
+class Scene:
+    """A sound survey in a folder, which a case then spoils.
+
+    Attributes
+    ----------
+    folder : Path
+        Holds ``pos.sbet``, ``L1.las``, and what is written.
+    patch : pytest.MonkeyPatch
+    stack : ExitStack
+        Undoes what a case has done to the system.
+    spoilt : set of str
+        Names of files that the case itself changes while the command runs.
+    """
+
+    folder: Path
+    patch: pytest.MonkeyPatch
+    stack: ExitStack
+    spoilt: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        write_records(self / "pos.sbet", vessel(2000))
+        write_line(self / "L1.las", TIMES)
+
+    def __truediv__(self, name: str) -> Path:
+        return self.folder / name
+
+    def new(
+        self, line: str = "L1.las", *more: str, trajectory: str = "pos.sbet", to: str = "quay"
+    ) -> Words:
+        """The command that makes a project."""
+        return [
+            "new", str(self / to), str(self / line), "--trajectory", str(self / trajectory),
+            "--lever-arm", "0.2", "-0.1", "1.5", "--position-sigma", "0.02", "0.02", "0.03",
+            "--attitude-sigma", "0.01", "0.01", "0.02", *more,
+        ]  # fmt: skip
+
+    def made(self, *words: str, to: str = "quay") -> str:
+        """Make the project; its folder."""
+        assert main(self.new(*words, to=to)) == 0
+        return str(self / to)
+
+    def to_map(self, output: str = "out", *more: str, project: str = "quay") -> Words:
+        """The command that georeferences its lines."""
+        return [
+            "georeference", str(self / project), "--output", str(self / output),
+            "--boresight", "prior", "--format", "las", *(more or ("--crs", "EPSG:32618")),
+        ]  # fmt: skip
+
+    def look(self, name: str) -> Words:
+        """The command that looks into a file."""
+        return ["look", str(self / name)]
+
+    def cut(self, name: str, size: int) -> None:
+        """Keep the first bytes of a file."""
+        os.truncate(self / name, size)
+
+    def disk(self, size: str) -> Path:
+        """A small disk of its own at ``disk``."""
+        place = self / "disk"
+        place.mkdir()
+        if not hasattr(os, "geteuid") or os.geteuid() != 0:
+            pytest.skip("only root may mount a small disk")
+        words = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(place)]
+        if subprocess.run(words, capture_output=True, check=False).returncode:
+            pytest.skip("this system lets nobody mount a small disk")
+        self.stack.callback(subprocess.run, ["umount", str(place)], check=True)
+        return place
+
+    def locked(self, size: str = "1m") -> None:
+        """Let nobody write to ``disk``, root neither."""
+        words = ["mount", "-o", f"remount,ro,size={size}", str(self / "disk")]
+        subprocess.run(words, check=True)
+
+    def filled(self) -> None:
+        """Leave no room on ``disk``."""
+        with (self / "disk" / "other").open("wb", buffering=0) as file:
+            try:
+                while file.write(bytes(512)):
+                    pass
+            except OSError:
+                return
+
+
+Case = Callable[[Scene], Words]
+REFUSED: dict[str, Case] = {}
+"""Name of the row: what is refused with exit code 1 and one sentence."""
+DOUBTED: dict[str, Case] = {}
+"""Name of the row: what can be read, but is doubted by a look or noted by a new project."""
+
+
+def refused(name: str) -> Callable[[Case], Case]:
+    return lambda case: REFUSED.setdefault(name, case)
+
+
+def doubted(name: str) -> Callable[[Case], Case]:
+    return lambda case: DOUBTED.setdefault(name, case)
+
+
+def changed(change: Callable[[np.ndarray], object], count: int = 2000) -> Case:
+    """A trajectory with its records changed."""
+
+    def case(scene: Scene) -> Words:
+        records = vessel(count)
+        change(records)
+        write_records(scene / "pos.sbet", records)
+        return scene.new()
+
+    return case
+
+
+def put(rows: object, columns: object, value: object) -> Callable[[np.ndarray], None]:
+    def change(records: np.ndarray) -> None:
+        records[rows, columns] = value
+
+    return change
+
+
+def las(path: Path, change: Callable[[laspy.LasData], object]) -> None:
+    """Write a LAS file again, changed."""
+    data = laspy.read(path)
+    change(data)
+    data.write(path)
+
+
+def ply(path: Path, values: np.ndarray, kind: str = "double", order: str = "little") -> Path:
+    """x, y, z and time by hand."""
+    head = f"ply\nformat binary_{order}_endian 1.0\nelement vertex {len(values)}\n"
+    head += "".join(f"property {kind} {name}\n" for name in ("x", "y", "z", "time"))
+    size = {"double": "f8", "float": "f4"}[kind]
+    path.write_bytes(f"{head}end_header\n".encode() + values.astype(f"<{size}").tobytes())
+    return path
+
+
+def points() -> np.ndarray:
+    return np.column_stack([fan(COUNT), TIMES])
+
+
+# Cut short, empty, something else.
+
+
+@refused("Trajectory cut short")
+def _(scene: Scene) -> Words:
+    scene.cut("pos.sbet", 200_000)
+    return scene.new()
+
+
+@refused("Line cut short")
+def _(scene: Scene) -> Words:
+    scene.cut("L1.las", 60_000)
+    return scene.new()
+
+
+@refused("Text line cut short")
+def _(scene: Scene) -> Words:
+    path = point_files.text(scene / "L1.csv", head=point_files.CSV_HEAD)
+    path.write_text(path.read_text()[:-20])
+    return scene.new("L1.csv")
+
+
+@refused("Text trajectory cut short")
+def _(scene: Scene) -> Words:
+    path = write_delph(scene / "nav.txt", vessel(200))
+    path.write_text(path.read_text()[:-40])
+    return scene.new(trajectory="nav.txt")
+
+
+@refused("Empty trajectory")
+def _(scene: Scene) -> Words:
+    (scene / "pos.sbet").write_bytes(b"")
+    return scene.new()
+
+
+@refused("Empty line")
+def _(scene: Scene) -> Words:
+    (scene / "L1.las").write_bytes(b"")
+    return scene.new()
+
+
+@refused("Line without points")
+def _(scene: Scene) -> Words:
+    las(scene / "L1.las", lambda data: setattr(data, "points", data.points[:0]))
+    return scene.new()
+
+
+@refused("Wrong magic: a file that only ends in .las")
+def _(scene: Scene) -> Words:
+    data = (scene / "L1.las").read_bytes()
+    (scene / "L1.las").write_bytes(b"XXXX" + data[4:])
+    return scene.new()
+
+
+@refused("A file of no known format")
+def _(scene: Scene) -> Words:
+    (scene / "letter.txt").write_text("Dear all,\nthe survey went well.\n" * 20)
+    return scene.look("letter.txt")
+
+
+@refused("A line without GPS time")
+def _(scene: Scene) -> Words:
+    header = laspy.LasHeader(point_format=0, version="1.2")
+    data = laspy.LasData(header)
+    data.x, data.y, data.z = fan(50).T
+    data.write(scene / "L1.las")
+    return scene.new()
+
+
+@doubted("Trajectory of another byte order")
+def _(scene: Scene) -> Words:
+    write_records(scene / "pos.sbet", vessel(2000), order=">")
+    return scene.look("pos.sbet")
+
+
+@refused("Line of another byte order")
+def _(scene: Scene) -> Words:
+    ply(scene / "L1.ply", points(), order="big")
+    return scene.new("L1.ply")
+
+
+# Numbers that are none.
+
+refused("Not a number in the trajectory")(changed(put(4, 8, np.nan)))
+refused("Infinity in the trajectory")(changed(put(6, 1, np.inf)))
+
+
+@refused("Not a number in a line")
+def _(scene: Scene) -> Words:
+    las(scene / "L1.las", lambda data: data.gps_time.__setitem__(6, np.nan))
+    return scene.new()
+
+
+@refused("Infinity in a line")
+def _(scene: Scene) -> Words:
+    values = points()
+    values[41, 2] = np.inf
+    ply(scene / "L1.ply", values)
+    return scene.new("L1.ply")
+
+
+# Times.
+
+refused("Duplicate time in the trajectory")(changed(put(5, 0, START + 0.08)))
+refused("Backward time in the trajectory")(changed(put(5, 0, START)))
+refused("Non-monotonic SBET: two missions in one file")(
+    changed(lambda records: records.__setitem__((slice(1000, None), 0), records[:1000, 0]))
+)
+refused("Trajectory times that went through 32 bits")(
+    changed(lambda records: records.__setitem__((..., 0), records[:, 0].astype(np.float32)))
+)
+
+
+@refused("Backward time in a text trajectory")
+def _(scene: Scene) -> Words:
+    path = write_delph(scene / "nav.txt", vessel(200))
+    lines = path.read_text().splitlines()
+    lines[-3] = lines[-3].replace(lines[-3].split("\t")[1], "14:00:01.0000")
+    path.write_text("\n".join(lines) + "\n")
+    return scene.new(trajectory="nav.txt")
+
+
+@doubted("Backward times in a line")
+def _(scene: Scene) -> Words:
+    write_line(scene / "L1.las", TIMES[::-1])
+    return scene.look("L1.las")
+
+
+@refused("Line times stored with 32 bits")
+def _(scene: Scene) -> Words:
+    ply(scene / "L1.ply", points(), "float")
+    return scene.new("L1.ply")
+
+
+@doubted("Line times that went through 32 bits")
+def _(scene: Scene) -> Words:
+    write_line(scene / "L1.las", TIMES.astype(np.float32).astype(np.float64))
+    return scene.look("L1.las")
+
+
+@refused("Line before or after the trajectory")
+def _(scene: Scene) -> Words:
+    write_line(scene / "L1.las", TIMES + 5000)
+    return scene.new()
+
+
+@doubted("Line partly outside the trajectory")
+def _(scene: Scene) -> Words:
+    write_line(scene / "L1.las", TIMES - 5)
+    return scene.new()
+
+
+@refused("Mixed time bases: line in time of day, trajectory in time of week")
+def _(scene: Scene) -> Words:
+    write_line(scene / "L1.las", TIMES % 86400)
+    return scene.new()
+
+
+@refused("Mixed time bases: trajectory in adjusted standard GPS time")
+def _(scene: Scene) -> Words:
+    records = vessel(2000)
+    records[:, 0] += 2200 * 604_800 - 1e9
+    write_records(scene / "pos.sbet", records)
+    return scene.new()

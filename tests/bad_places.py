@@ -1,0 +1,221 @@
+"""What goes wrong with units, places, folders, disks, and files that go away: the other rows."""
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import laspy
+import numpy as np
+
+from lispac.io import las_chunks
+from tests.bad_files import COUNT, REFUSED, TIMES, Case, Scene, Words, doubted, refused
+from tests.intake_files import START, fan, write_line
+from tests.trajectory_files import vessel, write_records
+
+# Units, places, coordinate systems.
+
+
+@refused("Degrees for radians")
+def _(scene: Scene) -> Words:
+    records = vessel(2000)
+    angles = [1, 2, 7, 8, 9, 10]
+    records[:, angles] = np.degrees(records[:, angles])
+    write_records(scene / "pos.sbet", records)
+    return scene.new("L1.las", "--trajectory-option", "unit=radians")
+
+
+@doubted("Degrees for radians, looked at")
+def _(scene: Scene) -> Words:
+    REFUSED["Degrees for radians"](scene)
+    return scene.look("pos.sbet")
+
+
+@doubted("Feet for metres in a line")
+def _(scene: Scene) -> Words:
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales = np.full(3, 0.0003048)
+    data = laspy.LasData(header)
+    data.x, data.y, data.z = fan(COUNT).T
+    data.gps_time = TIMES
+    data.write(scene / "L1.las")
+    return scene.look("L1.las")
+
+
+@doubted("Millimetres for metres in a line")
+def _(scene: Scene) -> Words:
+    write_line(scene / "L1.las", TIMES, fan(COUNT) * 1000 / 3)
+    return scene.look("L1.las")
+
+
+def exchanged(scene: Scene, north: float = 0.0) -> None:
+    records = vessel(2000)
+    records[:, [1, 2]] = records[:, [2, 1]]
+    records[:, 1] -= np.radians(north)
+    write_records(scene / "pos.sbet", records)
+
+
+@refused("Swapped latitude and longitude, past the pole")
+def _(scene: Scene) -> Words:
+    exchanged(scene, 50)
+    return scene.new("L1.las", "--trajectory-option", "order=latitude-longitude")
+
+
+@doubted("Swapped latitude and longitude, both on Earth")
+def _(scene: Scene) -> Words:
+    exchanged(scene)
+    return scene.look("pos.sbet")
+
+
+@refused("Swapped latitude and longitude in a text trajectory")
+def _(scene: Scene) -> Words:
+    rows = [f"{START + k / 10:.1f} -123.5 45.5 10 0 0 90" for k in range(300)]
+    (scene / "nav.txt").write_text("\n".join(rows) + "\n")
+    columns = "columns=time latitude longitude height roll pitch heading"
+    return scene.new(
+        "L1.las", "--trajectory-format", "ascii-trajectory", "--trajectory-option", columns,
+        trajectory="nav.txt",
+    )  # fmt: skip
+
+
+@refused("Unknown coordinate system: none in the file")
+def _(scene: Scene) -> Words:
+    write_line(scene / "L1.las", TIMES, fan(COUNT) + [617_200, 5_039_400, 0])
+    return scene.new()
+
+
+@refused("Unknown coordinate system: no such code")
+def _(scene: Scene) -> Words:
+    scene.made()
+    return scene.to_map("out", "--crs", "EPSG:999999")
+
+
+@refused("Wrong coordinate system: points far from the trajectory")
+def _(scene: Scene) -> Words:
+    write_line(scene / "L1.las", TIMES, fan(COUNT) + [617_200, 5_039_400, 0], "EPSG:32619")
+    return scene.new()
+
+
+# Folders and disks.
+
+
+@refused("Read-only folder: new project")
+def _(scene: Scene) -> Words:
+    scene.disk("1m")
+    scene.locked()
+    return scene.new(to="disk/quay")
+
+
+@refused("Read-only folder: import")
+def _(scene: Scene) -> Words:
+    scene.disk("1m")
+    scene.made(to="disk/quay")
+    scene.locked()
+    return ["import", str(scene / "disk/quay")]
+
+
+@refused("Read-only folder: georeferenced cloud")
+def _(scene: Scene) -> Words:
+    scene.made()
+    scene.disk("1m")
+    scene.locked()
+    return scene.to_map("disk/out")
+
+
+@refused("A file where the output folder should be")
+def _(scene: Scene) -> Words:
+    scene.made()
+    return scene.to_map("L1.las/out")
+
+
+@refused("Disk full: new project")
+def _(scene: Scene) -> Words:
+    scene.disk("16k")
+    scene.filled()
+    return scene.new(to="disk/quay")
+
+
+@refused("Disk full: import")
+def _(scene: Scene) -> Words:
+    scene.disk("4m")
+    write_line(scene / "L1.las", START + np.linspace(2, 12, 600_000))
+    scene.made(to="disk/quay")
+    return ["import", str(scene / "disk/quay")]
+
+
+@refused("Disk full: georeferenced cloud")
+def _(scene: Scene) -> Words:
+    scene.made()
+    scene.disk("32k")
+    return scene.to_map("disk/out")
+
+
+@refused("Disk full: exported trajectory")
+def _(scene: Scene) -> Words:
+    scene.disk("32k")
+    output = str(scene / "disk/track.sbet")
+    return ["export", scene.made(), "--what", "trajectory", "--output", output]
+
+
+# Files that go away or change.
+
+
+def removed(name: str, command: Callable[[Scene, str], Words]) -> Case:
+    def case(scene: Scene) -> Words:
+        project = scene.made()
+        (scene / name).unlink()
+        return command(scene, project)
+
+    return case
+
+
+@refused("A file of the survey where the output should go")
+def _(scene: Scene) -> Words:
+    project = scene.made()
+    return ["export", project, "--what", "trajectory", "--output", str(scene / "L1.las")]
+
+
+refused("File missing")(lambda scene: scene.new("L7.las"))
+refused("File removed before the import")(removed("L1.las", lambda _, p: ["import", p]))
+refused("File removed before georeferencing")(removed("L1.las", lambda s, _: s.to_map()))
+refused("File removed before the estimate")(removed("L1.las", lambda _, p: ["estimate", p]))
+refused("Trajectory removed before the import")(removed("pos.sbet", lambda _, p: ["import", p]))
+
+
+def while_read(act: Callable[[Path], object], command: Callable[[Scene, str], Words]) -> Case:
+    """Something happens to the line after its first points have been read."""
+
+    def case(scene: Scene) -> Words:
+        project, sound = scene.made(), las_chunks.require_points
+        scene.spoilt.add("L1.las")
+
+        def spoil(*given: object) -> None:
+            sound(*given)  # type: ignore[arg-type]
+            if (scene / "L1.las").exists():
+                act(scene / "L1.las")
+
+        scene.patch.setattr(las_chunks, "CHUNK", 200)
+        scene.patch.setattr(las_chunks, "require_points", spoil)
+        return command(scene, project)
+
+    return case
+
+
+def shorten(path: Path) -> None:
+    os.truncate(path, 40_000)
+
+
+refused("File removed while it is imported")(while_read(Path.unlink, lambda _, p: ["import", p]))
+refused("File cut while it is imported")(while_read(shorten, lambda _, p: ["import", p]))
+refused("File cut while it is georeferenced")(while_read(shorten, lambda s, _: s.to_map()))
+
+
+REMEDIES = {
+    "Mixed time bases: line in time of day, trajectory in time of week": "--time-shift 432000",
+    "Mixed time bases: trajectory in adjusted standard GPS time": "--time-shift 330560000",
+    "Degrees for radians": "--trajectory-option unit=degrees",
+    "Swapped latitude and longitude, past the pole": (
+        "--trajectory-option order=longitude-latitude"
+    ),
+    "Unknown coordinate system: none in the file": "--line-option crs=EPSG:32618",
+}
+"""Name of a row: what the manual says to add to the command, which then does its work."""

@@ -1,0 +1,94 @@
+"""The manual's table of bad input: each row happens, and the program says that sentence."""
+
+import re
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+
+from lispac.cli.main import main
+from tests.bad_files import DOUBTED, REFUSED, Scene
+from tests.bad_places import REMEDIES
+
+MANUAL = Path(__file__).resolve().parents[1] / "resources" / "manual" / "bad-input.md"
+REMEDY = (
+    r"copy|export|choose|check|give|leave|state|clean|make room|say which|sort|bring|move|add|name"
+)
+
+
+@pytest.fixture
+def scene(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Scene]:
+    """A sound survey."""
+    with ExitStack() as stack:
+        yield Scene(tmp_path, monkeypatch, stack)
+
+
+def held(scene: Scene) -> dict[str, bytes | None]:
+    """Every file and folder, what the case itself changes left out."""
+    return {
+        str(path.relative_to(scene.folder)): path.read_bytes() if path.is_file() else None
+        for path in sorted(scene.folder.rglob("*"))
+        if path.name not in scene.spoilt
+    }
+
+
+def rows() -> dict[str, tuple[str, str, str]]:
+    """Rows of the table: what is wrong to what is said, what to do and what is kept."""
+    found: dict[str, tuple[str, str, str]] = {}
+    for line in MANUAL.read_text(encoding="utf-8").splitlines():
+        cells = [cell.strip().replace(r"\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+        if len(cells) == 4 and not set(cells[0]) <= set("-: ") and cells[0] != "What is wrong":
+            assert cells[0] not in found, cells[0]
+            found[cells[0]] = (cells[1], cells[2], cells[3])
+    return found
+
+
+def test_the_table_has_a_row_for_every_case_and_no_other() -> None:
+    assert set(rows()) == {*REFUSED, *DOUBTED}
+    assert not set(REFUSED) & set(DOUBTED)
+    assert all(all(cells) for cells in rows().values())
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refused(scene: Scene, capsys: pytest.CaptureFixture[str], name: str) -> None:
+    words = REFUSED[name](scene)
+    before = held(scene)
+    capsys.readouterr()
+    assert main(words) == 1
+    out, err = capsys.readouterr()
+    assert out == ""
+    line, rest = err.split("\n")
+    assert rest == ""
+    assert line.startswith("lispac: ")
+    assert line.endswith(".")
+    assert re.search(REMEDY, line)
+    assert held(scene) == before, "something was changed or left"
+    told = line.removeprefix("lispac: ").replace(f"{scene.folder}/", "")
+    assert told == rows()[name][0]
+
+
+@pytest.mark.parametrize("name", DOUBTED)
+def test_doubted(scene: Scene, capsys: pytest.CaptureFixture[str], name: str) -> None:
+    words = DOUBTED[name](scene)
+    before = held(scene)
+    capsys.readouterr()
+    assert main(words) == 0
+    out, err = capsys.readouterr()
+    told = out if words[0] == "look" else err
+    said = re.findall(r"^ *(?:doubt|note): (.*)$", told, re.MULTILINE)
+    assert rows()[name][0] in said
+    after = held(scene)
+    assert before.items() <= after.items()
+    if words[0] == "look":
+        assert after == before
+        assert main(scene.new()) == 0
+        said = re.findall(r"^note: (.*)$", capsys.readouterr().err, re.MULTILINE)
+        assert f"{Path(words[1]).name}: {rows()[name][0]}" in said
+
+
+@pytest.mark.parametrize("name", REMEDIES)
+def test_remedy(scene: Scene, capsys: pytest.CaptureFixture[str], name: str) -> None:
+    assert f"`{REMEDIES[name]}`" in rows()[name][1]
+    words = REFUSED[name](scene)
+    assert main([*words, *REMEDIES[name].split()]) == 0, capsys.readouterr().err
