@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from lispac.errors import InputError
@@ -17,6 +17,7 @@ from lispac.survey.conventions.axes import (
     nearest_axes,
 )
 from lispac.survey.conventions.conversion import (
+    LOCKED,
     Setup,
     angle_jacobian,
     angles_from,
@@ -50,6 +51,7 @@ def test_angles_of_a_product_give_the_product(convention, a, b, c) -> None:
     assert abs(angles[convention.order[1]]) <= np.pi / 2
 
 
+@example(system("phoenix-1-5"), "lidar_to_body", 0.0, 0.0, 1e-10, False)
 @given(every_system, every_direction, small, small, small, st.booleans())
 @settings(max_examples=300, deadline=None)
 def test_there_and_back(convention, direction, roll, pitch, yaw, kept) -> None:
@@ -62,8 +64,10 @@ def test_there_and_back(convention, direction, roll, pitch, yaw, kept) -> None:
     np.testing.assert_allclose(back.lever_arm, LEVER_ARM, atol=1e-15)
     if stated.angles is not None:
         again = mounting_of_angles(setup, stated.angles, stated.lever_arm)
+        # At the pole three angles cannot say more than two turns do; the note says so.
+        exact = LOCKED if "about the same axis" in stated.note else 1e-12
         np.testing.assert_allclose(
-            again.rotation_body_lidar, mounting.rotation_body_lidar, atol=1e-12
+            again.rotation_body_lidar, mounting.rotation_body_lidar, atol=exact
         )
 
 
