@@ -33,6 +33,8 @@ def _print(item: Look) -> None:
     for option in item.format.options:
         among = f" ({', '.join(c for c in option.choices if c)})" if option.choices else ""
         print(f"  option {option.name}={settled[option.name]}{among}: {option.meaning}")
+    for assumption in item.finding.assumptions:
+        print(f"  assumed: {assumption}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:WIDEST]:>{WIDEST}s}" for cell in row[:8]))
     for doubt in item.finding.doubts:
@@ -49,5 +51,6 @@ def _numbers(item: Look) -> dict[str, Any]:
         "error": item.error,
         "facts": dict(finding.facts) if finding else {},
         "options": item.format.settled(finding.choice) if finding else {},
+        "assumptions": list(finding.assumptions) if finding else [],
         "doubts": list(finding.doubts) if finding else [],
     }
