@@ -3,12 +3,21 @@
 import shutil
 from pathlib import Path
 
+import hypothesis
 import pytest
 
 from lispac.project import Project
 from lispac.workflow.demo import run_demo
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey
+
+hypothesis.settings.register_profile("same", derandomize=True)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """The normal run draws the same examples every time; the long one seeks new ones."""
+    if config.option.markexpr == "not long":
+        hypothesis.settings.load_profile("same")
 
 
 @pytest.fixture(scope="session")
