@@ -192,7 +192,7 @@ def _chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleAwarePoi
     while True:
         try:
             points = next(chunks, None)
-        except Exception:
+        except Exception:  # laspy and its decoders raise many kinds; nothing is swallowed
             if path.exists():
                 require_sound_header(path)
             raise
