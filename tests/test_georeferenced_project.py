@@ -22,7 +22,8 @@ from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery, recovered
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import import_lines, trajectory_of
+from lispac.workflow.importing import import_lines
+from lispac.workflow.reading import local_trajectory
 from tests.cloud_files import (
     MOUNTING,
     sweep,
@@ -72,7 +73,7 @@ def test_a_project_goes_to_the_map_and_comes_back(
     done = georeference_project(project, tmp_path / "out", "prior", system=UTM)
     assert [item.path.name for item in done] == ["L1_prior.laz", "L2_prior.laz"]
     assert [item.points for item in done] == [SMALL, COUNT]
-    trajectory = trajectory_of(project)
+    trajectory = local_trajectory(project)[0]
     raw = laspy.read(tmp_path / "raw.laz")
     written = laspy.read(done[0].path)
     np.testing.assert_array_equal(written.gps_time, raw.gps_time)  # the original ones
@@ -102,7 +103,9 @@ def test_a_line_whose_file_is_gone_comes_from_its_store(project: Project, tmp_pa
     np.testing.assert_allclose(
         np.array(written.gps_time)[order], np.array(raw.gps_time)[own], rtol=0, atol=1e-9
     )
-    mapper = PointMapper(coordinate_system(UTM), trajectory_of(project), project.mounting("prior"))
+    mapper = PointMapper(
+        coordinate_system(UTM), local_trajectory(project)[0], project.mounting("prior")
+    )
     expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)[own]
     np.testing.assert_allclose(written.xyz[order], expected, rtol=0, atol=1e-4)
     for name in raw.point_format.dimension_names:
@@ -138,7 +141,7 @@ def test_another_boresight_on_a_cloud_that_is_georeferenced(
     (done,) = georeference_project(better, tmp_path / "new", "estimated")
     raw, new = laspy.read(tmp_path / "raw.laz"), laspy.read(done.path)
     assert stated_system(new.header).text == UTM
-    mapper = PointMapper(coordinate_system(UTM), trajectory_of(project), turned)
+    mapper = PointMapper(coordinate_system(UTM), local_trajectory(project)[0], turned)
     expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)
     assert np.linalg.norm(new.xyz - expected, axis=1).max() < 2.5e-4
     np.testing.assert_array_equal(new["amplitude"], raw["amplitude"])
@@ -190,7 +193,7 @@ def test_the_local_frame(project: Project, tmp_path: Path) -> None:
     las = laspy.read(done.path)
     assert las.header.parse_crs() is None
     raw = laspy.read(tmp_path / "raw.laz")
-    mapper = PointMapper(None, trajectory_of(project), project.mounting("prior"))
+    mapper = PointMapper(None, local_trajectory(project)[0], project.mounting("prior"))
     expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)
     np.testing.assert_allclose(las.xyz, expected, rtol=0, atol=0.51e-4)
 

@@ -15,23 +15,20 @@ from lispac.errors import Cancelled, InputError, ProjectError
 from lispac.io.las import write_points
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
-from lispac.survey.georeferencing import Mounting, georeference
+from lispac.survey.georeferencing import Georeferencer, Mounting, georeference
 from lispac.survey.store import pieces, spool
 from lispac.survey.store.original import original_of
 from lispac.survey.store.reading import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing import (
     _Source,
-    farthest_move,
     import_line,
     import_lines,
     line_folder,
-    placing,
     stored_line,
-    trajectory_of,
 )
 from lispac.workflow.projects import create_project, open_project
-from lispac.workflow.reading import read_line
+from lispac.workflow.reading import local_trajectory, read_line
 from lispac.workflow.survey import Survey, load_survey
 from tests.store_lines import stop_at
 
@@ -55,7 +52,7 @@ def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
 @pytest.fixture(scope="module")
 def trajectory(calibrated: tuple[Project, Survey]) -> LocalTrajectory:
     """Of the built-in survey."""
-    return trajectory_of(calibrated[0])
+    return local_trajectory(calibrated[0])[0]
 
 
 def in_file_order(stored: StoredLine) -> np.ndarray:
@@ -82,8 +79,8 @@ def test_imported_lines_are_those_read_from_the_files(project: Project) -> None:
 def test_region_of_an_imported_line(project: Project) -> None:
     survey = load_survey(project)
     (item,) = import_lines(project, ["L1_000"])
-    stored, cloud = item.stored, survey.clouds["L1_000"]
-    place = placing(survey.trajectory, project.mounting("prior"))
+    stored, cloud = item.stored, survey.clouds["L1_000"].sample
+    place = Georeferencer.of(survey.trajectory, project.mounting("prior"))
     for k in (0, 100_000, 200_000):
         centre = cloud[k] + 0.3
         rows, local = stored.within(centre, 1.5, place, margin=1e-4)
@@ -103,19 +100,20 @@ def test_no_point_moves_farther_than_the_margin(project: Project, trajectory) ->
     points = item.stored.points_lidar[rows].astype(float)
     time = np.array(item.stored.time[rows])
     prior = project.mounting("prior")
-    before = placing(trajectory, prior)(points, time)
+    before = Georeferencer.of(trajectory, prior)(points, time)
     rng = np.random.default_rng(5)
     shares = []
     for k in range(30):
         step = rng.normal(0, 1, 9) * [0.05, 0.05, 0.05, 0.1, 0.1, 0.1, 0.05, 0.02, 0.01]
         step[rng.random(9) < 0.5 * (k % 2)] = 0
         mounting = Mounting.of_values(prior.values + step)
-        moved = np.linalg.norm(placing(trajectory, mounting)(points, time) - before, axis=1).max()
-        margin = farthest_move(item.stored, trajectory, mounting)
+        place = Georeferencer.of(trajectory, mounting)
+        moved = np.linalg.norm(place(points, time) - before, axis=1).max()
+        margin = place.farthest_move(prior, item.stored.manifest.reach)
         assert moved <= margin + 1e-9
         shares.append(moved / margin if margin else 1.0)
     assert np.median(shares) > 0.3, "not larger than need be"
-    assert farthest_move(item.stored, trajectory, prior) < 1e-12
+    assert Georeferencer.of(trajectory, prior).farthest_move(prior, 100.0) == 0
 
 
 def test_placing_is_georeferencing(survey: Survey, project: Project) -> None:
@@ -124,10 +122,10 @@ def test_placing_is_georeferencing(survey: Survey, project: Project) -> None:
         project.mounting("prior"), range_offset=0.02, scan_angle_offset=0.01, latency=0.003
     )
     wanted = georeference(scan.points_lidar, scan.time, survey.trajectory, mounting)
-    found = placing(survey.trajectory, mounting)(scan.points_lidar, scan.time)
+    found = Georeferencer.of(survey.trajectory, mounting)(scan.points_lidar, scan.time)
     np.testing.assert_array_equal(found, wanted)
     with pytest.raises(InputError, match="outside the trajectory"):
-        placing(survey.trajectory, mounting)(scan.points_lidar, scan.time + 1e6)
+        Georeferencer.of(survey.trajectory, mounting)(scan.points_lidar, scan.time + 1e6)
 
 
 def test_second_import_does_nothing(project: Project) -> None:
@@ -337,5 +335,5 @@ def test_project_with_imported_lines_opens(project: Project) -> None:
 def test_settings_of_gap_come_from_the_project(project: Project) -> None:
     settings = replace(project.settings, longest_gap=0.7)
     assert isinstance(settings, Settings)
-    assert trajectory_of(replace(project, settings=settings)).longest_gap == 0.7
+    assert local_trajectory(replace(project, settings=settings))[0].longest_gap == 0.7
     assert isinstance(project.mounting("prior"), Mounting)

@@ -19,6 +19,7 @@ from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow import calibration, export, picking
 from lispac.workflow.demo import demo_seeds
+from lispac.workflow.georeferencing import LOCAL, georeference_project
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
@@ -183,11 +184,11 @@ def test_georeferenced_lines_are_where_the_project_puts_them(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project, survey = calibrated
-    paths = export.georeference_lines(project, survey, tmp_path, "estimated")
-    assert len(paths) == len(survey.lines)
+    written = georeference_project(project, tmp_path, "estimated", system=LOCAL)
+    assert len(written) == len(survey.lines)
     placed = survey.placed(project, "estimated")
-    for path, line in zip(paths, survey.lines, strict=True):
-        np.testing.assert_allclose(laspy.read(path).xyz, placed[line], atol=0.00051)
+    for done, line in zip(written, survey.lines, strict=True):
+        np.testing.assert_allclose(laspy.read(done.path).xyz, placed[line].sample, atol=0.00051)
 
 
 def test_reports_are_written_in_all_three_forms(

@@ -13,10 +13,17 @@ from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
 from lispac.gui.tasks import TaskRunner
-from lispac.gui.viewport.base import Array, Viewport
+from lispac.gui.viewport.base import Viewport
 from lispac.progress import Progress
 from lispac.project import Project
+from lispac.survey.cloud import Cloud
+from lispac.workflow.export_request import ExportRequest
 from lispac.workflow.survey import Survey
+
+WORDS = {
+    "lines": "the lines", "targets": "the targets", "planes": "the plane files",
+    "trajectory": "the trajectory",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -126,14 +133,14 @@ class Computing(QObject):
             self._scene.show("prior")
             return
 
-        def done(clouds: Mapping[str, Array]) -> None:
+        def done(clouds: Mapping[str, Cloud]) -> None:
             if self._document.project is not None and self._document.survey is survey:
                 self._scene.keep_estimated(project.result, clouds)
                 self._scene.show("estimated")
 
         self._runner.run(
             "Placing the lines with the estimated boresight",
-            lambda progress: survey.placed(project, "estimated", progress=progress),
+            lambda progress: survey.shown(project, "estimated", progress=progress),
             done,
             key="placed",
         )
@@ -157,20 +164,26 @@ class Computing(QObject):
 
         self._runner.run("Writing the report", work, self._written)
 
-    def export_lines(self, folder: Path) -> None:
-        """Write the lines with the boresight the view shows."""
+    def export(self, request: ExportRequest) -> None:
+        """Write lines, targets or the trajectory."""
         project, survey = self._ready()
         if project is None or survey is None:
             return
-        which = self._scene.which
 
-        def work(progress: Progress) -> Path:
-            from lispac.workflow.export import georeference_lines
+        def work(progress: Progress) -> tuple[list[Path], tuple[str, ...]]:
+            from lispac.workflow.export_request import export
 
-            georeference_lines(project, survey, folder, which, progress=progress)
-            return folder
+            return export(project, survey, request, progress=progress)
 
-        self._runner.run("Writing the lines", work, self._written)
+        def done(written: tuple[list[Path], tuple[str, ...]]) -> None:
+            paths, notes = written
+            for note in notes:
+                self._controller.noted.emit(note)
+            count = "" if len(paths) == 1 else f" ({len(paths)} files)"
+            self._controller.noted.emit(f"Wrote {request.output}{count}")
+            self.exported.emit(request.output)
+
+        self._runner.run(f"Writing {WORDS[request.what]}", work, done)
 
     def _written(self, path: Path) -> None:
         self._controller.noted.emit(f"Wrote {path}")

@@ -12,10 +12,9 @@ from lispac.gui.document import Document, data_key
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene
 from lispac.gui.tasks import Task, TaskRunner
-from lispac.gui.viewport.base import Array
 from lispac.progress import Progress, part
 from lispac.project import Project, Settings
-from lispac.survey.georeferencing import georeference
+from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
 
 REST_MS = 250
@@ -50,7 +49,7 @@ class _Selection:
 class _Answer:
     estimated: Project
     selection: _Selection
-    clouds: Mapping[str, Array]
+    clouds: Mapping[str, Cloud]
     replaced: Survey | None
     """The survey where the prior mounting moved its points."""
 
@@ -88,7 +87,7 @@ class Estimating(QObject):
 
         def work(progress: Progress) -> _Answer:
             settings.require_sound()
-            placed = _placed_anew(survey, asked) if moved else survey
+            placed = survey.with_prior(asked.mounting("prior")) if moved else survey
             answer = _adjusted(asked, placed, None, cross_check, progress)
             return replace(answer, replaced=placed) if moved else answer
 
@@ -205,15 +204,5 @@ def _adjusted(
     # The checks hold the very result they stand beside.
     estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
     progress(0.95, "Placing the lines with the estimated boresight")
-    clouds = survey.placed(estimated, "estimated", progress=part(progress, 0.95, 1.0))
+    clouds = survey.shown(estimated, "estimated", progress=part(progress, 0.95, 1.0))
     return _Answer(estimated, selection, clouds, None)
-
-
-def _placed_anew(survey: Survey, project: Project) -> Survey:
-    """The same readings placed with another prior mounting."""
-    mounting = project.mounting("prior")
-    clouds = {
-        name: georeference(scan.points_lidar, scan.time, survey.trajectory, mounting)
-        for name, scan in survey.scans.items()
-    }
-    return replace(survey, clouds=clouds)

@@ -1,6 +1,6 @@
 """The life of a project in the window: what is asked before it is opened, computed or left."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QObject
@@ -11,8 +11,10 @@ from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.estimating import Estimating
+from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.project import Settings
+from lispac.workflow.export_request import What
 from lispac.workflow.intake import project_among
 
 
@@ -25,12 +27,13 @@ class ProjectLife(QObject):
         controller: Controller,
         computing: Computing,
         estimating: Estimating,
+        scene: Scene,
         dialogs: Dialogs,
         settings: AppSettings,
     ) -> None:
         super().__init__(controller)
         self._document, self._controller, self._computing = document, controller, computing
-        self._estimating = estimating
+        self._estimating, self._scene = estimating, scene
         self._dialogs, self._settings = dialogs, settings
 
     def may_leave(self) -> bool:
@@ -116,10 +119,19 @@ class ProjectLife(QObject):
             if path is not None:
                 self._computing.export_report(path)
 
-    def export_lines(self) -> None:
-        """Ask where the georeferenced lines go, and write them."""
-        project = self._document.project
-        if project is not None:
-            folder = self._dialogs.lines_folder(project.folder)
-            if folder is not None:
-                self._computing.export_lines(folder)
+    @property
+    def exports(self) -> dict[str, Callable[[], None]]:
+        """What is exported besides the report, by the name of its action."""
+        return {
+            "lines": self.export,
+            "targets": lambda: self.export("targets"),
+            "trajectory": lambda: self.export("trajectory"),
+        }
+
+    def export(self, what: What = "lines") -> None:
+        """Ask how lines, targets or the trajectory are exported, and write them."""
+        project, survey = self._document.project, self._document.survey
+        if project is not None and survey is not None:
+            request = self._dialogs.export(what, self._scene.which, project, survey.trajectory)
+            if request is not None:
+                self._computing.export(request)

@@ -74,8 +74,8 @@ class MainWindow(QMainWindow):
         )
         self.estimating = Estimating(self.document, self.runner, self.scene, self.controller)
         self.life = ProjectLife(
-            self.document, self.controller, self.computing, self.estimating, self.dialogs,
-            self.settings,
+            self.document, self.controller, self.computing, self.estimating, self.scene,
+            self.dialogs, self.settings,
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self._build()
@@ -186,7 +186,7 @@ class MainWindow(QMainWindow):
         self.validate.validate_asked.connect(self.computing.validate)
         self.validate.shown_changed.connect(self.computing.show)
         self.report.report_asked.connect(self.life.export_report)
-        self.report.lines_asked.connect(self.life.export_lines)
+        self.report.lines_asked.connect(self.life.export)
         self.workflow.step_opened.connect(lambda _step: self._refresh())
 
     def _join_actions(self) -> None:
@@ -197,7 +197,7 @@ class MainWindow(QMainWindow):
             "demo": self.life.demo,
             "save": self.controller.save,
             "report": self.life.export_report,
-            "lines": self.life.export_lines,
+            **self.life.exports,
             "quit": self.close,
             "seed_target": lambda: self._seed_as("target"),
             "seed_validation": lambda: self._seed_as("validation"),
@@ -282,7 +282,7 @@ class MainWindow(QMainWindow):
             "open": not busy,
             "demo": not busy,
             "report": statuses[REPORT].ready and not busy,
-            "lines": ready,
+            **dict.fromkeys(self.life.exports, ready),
             "accept": self.controller.candidate is not None,
             "reject": self.controller.candidate is not None,
             "estimate": statuses[ADJUST].ready and not busy,

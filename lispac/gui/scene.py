@@ -6,10 +6,12 @@ from typing import Literal
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
+from lispac.geometry.neighbours import nearest_point
 from lispac.gui import theme
 from lispac.gui.document import Document
 from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Viewport
 from lispac.project import Target, Triple
+from lispac.survey.cloud import Cloud
 
 Which = Literal["prior", "estimated"]
 
@@ -24,17 +26,17 @@ class Scene(QObject):
     def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._viewport = document, viewport
-        self._estimated: tuple[object, Mapping[str, Array]] | None = None
+        self._estimated: tuple[object, Mapping[str, Cloud]] | None = None
         self.which: Which = "prior"
         self.candidate: Target | None = None
         self._fit_next = True
-        self._drawn: Mapping[str, Array] = {}
+        self._drawn: Mapping[str, Cloud] = {}
         document.opened.connect(self._another)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
 
     @property
-    def clouds(self) -> Mapping[str, Array]:
+    def clouds(self) -> Mapping[str, Cloud]:
         """The lines as they are shown."""
         survey = self._document.survey
         if survey is None:
@@ -59,12 +61,12 @@ class Scene(QObject):
         survey = self._document.survey
         if survey is None or self.which == "prior":
             return point.position
-        away = self.clouds[point.line] - np.array(point.position)
-        nearest = int(np.argmin(np.einsum("ij,ij->i", away, away)))
-        north, west, up = (float(v) for v in survey.clouds[point.line][nearest])
+        shown, prior = self.clouds[point.line].sample, survey.clouds[point.line].sample
+        nearest, _ = nearest_point(shown, np.array(point.position))
+        north, west, up = (float(v) for v in prior[nearest])
         return north, west, up
 
-    def keep_estimated(self, result: object, clouds: Mapping[str, Array]) -> None:
+    def keep_estimated(self, result: object, clouds: Mapping[str, Cloud]) -> None:
         """Keep the lines placed with ``result``."""
         self._estimated = (result, clouds)
 
@@ -131,10 +133,11 @@ class Scene(QObject):
         survey = self._document.survey
         if survey is not None:
             # Standard views look from the water, where the vessel was while it scanned.
-            times = np.array([np.median(scan.time) for scan in survey.scans.values()])
+            times = np.array([np.median(cloud.sample_time) for cloud in survey.clouds.values()])
             north, west, up = survey.trajectory.at(times).position.mean(axis=0)
             self._viewport.set_station((float(north), float(west), float(up)))
-        self._viewport.show_clouds(clouds, theme.line_colours(list(clouds)))
+        samples = {name: cloud.sample for name, cloud in clouds.items()}
+        self._viewport.show_clouds(samples, theme.line_colours(list(clouds)))
 
     def _draw_targets(self) -> None:
         project = self._document.project
@@ -179,7 +182,7 @@ class Scene(QObject):
 def _vessel(survey) -> tuple[float, float, float]:
     """Mean place of the vessel while it scanned: where a standard view looks from."""
     times = np.concatenate(
-        [np.linspace(scan.time.min(), scan.time.max(), 21) for scan in survey.scans.values()]
+        [np.linspace(scan.first_time, scan.last_time, 21) for scan in survey.scans.values()]
     )
     north, west, up = (float(v) for v in survey.trajectory.at(times).position.mean(axis=0))
     return north, west, up

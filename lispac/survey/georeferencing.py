@@ -5,6 +5,7 @@ of the scan angle (thesis 3.4.2) and of the scanner's clock.
 """
 
 import os
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
@@ -19,7 +20,7 @@ from lispac.survey.trajectory import LocalTrajectory, Poses
 
 Array = NDArray[np.float64]
 
-CHUNK = 1 << 19  # points per kernel call: progress and cancel about every 20 ms
+CHUNK = 1 << 16  # points per kernel call
 
 
 CALIBRATION = (
@@ -145,25 +146,90 @@ def georeference(
     InputError
         Where a time lies outside the trajectory.
     """
-    points_lidar = np.ascontiguousarray(mounting.corrected(points_lidar), dtype=np.float64)
-    time = np.ascontiguousarray(time, dtype=np.float64)
-    points_local = np.empty_like(points_lidar)
-    passage = kernel_arguments(trajectory, mounting)
+    return Georeferencer.of(trajectory, mounting)(points_lidar, time, progress=progress)
 
-    def run(start: int) -> bool:
-        chunk = slice(start, start + CHUNK)
-        return bool(
-            kernels.georeferenced(points_lidar[chunk], time[chunk], *passage, points_local[chunk])
-        )
 
-    starts = range(0, len(time), CHUNK)
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for done, inside in enumerate(pool.map(run, starts)):
-            if not inside:
+@dataclass(frozen=True, eq=False)
+class Georeferencer:
+    """Georeferencing again and again: what it takes of the trajectory is made ready once.
+
+    A few hundred thousand points, a region of a line, already go to all cores.
+    """
+
+    trajectory: LocalTrajectory
+    mounting: Mounting
+    _passage: tuple[float, Array, Array, Array, Array]
+
+    @classmethod
+    def of(cls, trajectory: LocalTrajectory, mounting: Mounting) -> "Georeferencer":
+        """Make ready."""
+        return cls(trajectory, mounting, kernel_arguments(trajectory, mounting))
+
+    def __call__(
+        self, points_lidar: Array, time: Array, *, progress: Progress = no_progress
+    ) -> Array:
+        """As `georeference`."""
+        corrected = self.mounting.corrected(points_lidar)
+        points_lidar = np.ascontiguousarray(corrected, dtype=np.float64)
+        time = np.ascontiguousarray(time, dtype=np.float64)
+        points_local = np.empty_like(points_lidar)
+
+        def run(start: int) -> bool:
+            chunk = slice(start, start + CHUNK)
+            return bool(
+                kernels.georeferenced(
+                    points_lidar[chunk], time[chunk], *self._passage, points_local[chunk]
+                )
+            )
+
+        starts = range(0, len(time), CHUNK)
+        if len(starts) <= 1:
+            sound: Iterable[bool] = map(run, starts)
+            return self._checked(points_local, sound, time, len(starts), progress)
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            try:
+                sound = pool.map(run, starts)
+                return self._checked(points_local, sound, time, len(starts), progress)
+            finally:
                 pool.shutdown(cancel_futures=True)
-                raise outside(time + mounting.latency, trajectory)
-            progress((done + 1) / len(starts))
-    return points_local
+
+    def _checked(
+        self,
+        points_local: Array,
+        sound: Iterable[bool],
+        time: Array,
+        chunks: int,
+        progress: Progress,
+    ) -> Array:
+        for done, inside in enumerate(sound):
+            if not inside:
+                raise outside(time + self.mounting.latency, self.trajectory)
+            progress((done + 1) / chunks)
+        return points_local
+
+    def farthest_move(self, other: Mounting, reach: float) -> float:
+        """How far a point may be from where it is with another mounting, metres.
+
+        Parameters
+        ----------
+        reach : float, metres
+            Of the farthest point from the scanner.
+        """
+        mounting = self.mounting
+        ranges = abs(mounting.range_offset - other.range_offset)
+        reach += abs(mounting.range_offset) + abs(other.range_offset)
+        turn = mounting.rotation_body_lidar - other.rotation_body_lidar
+        moved = float(np.linalg.norm(turn, 2)) * reach + ranges
+        moved += abs(mounting.scan_angle_offset - other.scan_angle_offset) * reach
+        moved += float(np.linalg.norm(mounting.lever_arm - other.lever_arm))
+        late = abs(mounting.latency - other.latency)
+        if late:
+            steps = np.diff(self.trajectory.time)[:, None]
+            speed = np.linalg.norm(np.diff(self.trajectory.position, axis=0) / steps, axis=1).max()
+            rate = np.abs(np.diff(self.trajectory.attitude, axis=0) / steps).sum(axis=1).max()
+            arm = reach + float(np.linalg.norm(mounting.lever_arm))
+            moved += late * float(speed + rate * arm)
+        return moved
 
 
 def kernel_arguments(

@@ -35,3 +35,26 @@ class Scan:
 
     def __len__(self) -> int:
         return len(self.time)
+
+    @cached_property
+    def first_time(self) -> float:
+        """Seconds."""
+        return float(self.time.min())
+
+    @cached_property
+    def last_time(self) -> float:
+        """Seconds."""
+        return float(self.time.max())
+
+    @cached_property
+    def reach(self) -> float:
+        """Of the farthest point from the scanner, metres."""
+        return float(np.sqrt(np.einsum("ij,ij->i", self.points_lidar, self.points_lidar).max()))
+
+    def take(self, numbers: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Some points, shape (n, 3), metres, LiDAR frame, and their times, shape (n,), seconds."""
+        return self.points_lidar[numbers], self.time[numbers]
+
+    def intensities(self, numbers: NDArray[np.int64]) -> NDArray[np.float64] | None:
+        """Intensities of some points, shape (n,), if the line has any."""
+        return None if self.intensity is None else self.intensity[numbers]

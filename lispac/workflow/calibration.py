@@ -87,9 +87,9 @@ def observations_of(
         raise AdjustmentError(
             f"{project.name}: there is no target to adjust; pick planar targets first."
         )
-    scans = [survey.scans[sighting.line] for sighting in sightings]
-    points = np.concatenate([s.points_lidar[i] for s, i in zip(scans, indices, strict=True)])
-    time = np.concatenate([s.time[i] for s, i in zip(scans, indices, strict=True)])
+    taken = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
+    points = np.concatenate([points for points, _ in taken])
+    time = np.concatenate([times for _, times in taken])
     poses = survey.trajectory.at(time + settings.latency)
     sigma_position, sigma_attitude = survey.accuracy.at(time)
     times_matter = any(parameter.name == "latency" for parameter in settings.parameters)

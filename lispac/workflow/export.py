@@ -1,53 +1,19 @@
-"""What leaves the program: georeferenced lines, plane files, the report."""
+"""The report, as it leaves the program."""
 
 from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.files import written_whole
-from lispac.io.las import write_points
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
-from lispac.survey.georeferencing import georeference
 from lispac.workflow.survey import Survey
 
 REPORT_ENDINGS = (".pdf", ".html", ".json")
-
-
-def georeference_lines(
-    project: Project,
-    survey: Survey,
-    output: Path,
-    which: Literal["prior", "estimated"] = "estimated",
-    *,
-    progress: Progress = no_progress,
-) -> list[Path]:
-    """Write every line as LAZ in the local frame (North, West, Up), one file a line.
-
-    Raises
-    ------
-    ProjectError
-        Where the estimated boresight is asked for before an adjustment.
-    InputError
-        Where the folder cannot be written.
-    """
-    mounting = project.mounting(which)
-    paths = []
-    for k, (name, scan) in enumerate(survey.scans.items()):
-        step = part(progress, k / len(survey.scans), (k + 1) / len(survey.scans))
-        step(0.0, f"Georeferencing {name}")
-        points = georeference(scan.points_lidar, scan.time, survey.trajectory, mounting)
-        path = output / f"{name}_{which}.laz"
-        step(0.3, f"Writing {path.name}")
-        write_points(path, points, scan.time, scan.intensity, scale=0.001)
-        paths.append(path)
-    progress(1.0, "Lines written")
-    return paths
 
 
 def content_of(
@@ -56,7 +22,7 @@ def content_of(
     """Numbers of the report."""
     tracks = {}
     for name, scan in survey.scans.items():
-        times = np.linspace(scan.time.min(), scan.time.max(), 50)
+        times = np.linspace(scan.first_time, scan.last_time, 50)
         tracks[name] = survey.trajectory.at(times).position[:, :2]
     return report_content(
         project,

@@ -183,15 +183,12 @@ def _points(target: Target, survey: Survey) -> _Points:
     parts = target.used_sightings or target.sightings
     scans = [survey.scans[sighting.line] for sighting in parts]
     chosen = [sighting.indices for sighting in parts]
-    points = np.concatenate([s.points_lidar[i] for s, i in zip(scans, chosen, strict=True)])
-    intensities = [
-        scan.intensity[i]
-        for scan, i in zip(scans, chosen, strict=True)
-        if scan.intensity is not None
-    ]
+    taken = [scan.take(numbers) for scan, numbers in zip(scans, chosen, strict=True)]
+    found = [scan.intensities(numbers) for scan, numbers in zip(scans, chosen, strict=True)]
+    intensities = [values for values in found if values is not None]
     return _Points(
-        np.asarray(points, dtype=np.float64),
-        np.concatenate([s.time[i] for s, i in zip(scans, chosen, strict=True)]),
+        np.concatenate([points for points, _ in taken]),
+        np.concatenate([times for _, times in taken]),
         np.repeat([survey.lines.index(s.line) for s in parts], [len(i) for i in chosen]),
         np.concatenate(intensities) if len(intensities) == len(scans) else None,
     )

@@ -23,8 +23,8 @@ from lispac.survey.recovery import Recovery
 from lispac.survey.store.reading import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.clouds import Written, write_cloud
-from lispac.workflow.importing import line_folder, stored_line, trajectory_of
-from lispac.workflow.reading import LAS_ENDINGS
+from lispac.workflow.importing import line_folder, stored_line
+from lispac.workflow.reading import LAS_ENDINGS, local_trajectory
 
 Which = Literal["prior", "estimated"]
 Ending = Literal["laz", "las"]
@@ -120,7 +120,7 @@ def georeference_project(
     """
     mounting = project.mounting(which)
     chosen = [Chunks.of(line) for line in _lines(project, lines)]
-    trajectory = trajectory_of(project)
+    trajectory, _ = local_trajectory(project)
     target = _target(chosen, trajectory, system, height, trajectory_datum, epoch)
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
     require_other_files(project, paths)
@@ -200,15 +200,31 @@ def _target(
     trajectory_datum: str, epoch: float | None,
 ) -> CoordinateSystem | None:  # fmt: skip
     if not system and not height and not trajectory_datum:
-        own = {c.system.written.to_wkt(): c.system for c in chosen if c.system is not None}
-        if len(own) > 1:
-            raise InputError(
-                "The lines are in different coordinate systems "
-                f"({', '.join(found.name for found in own.values())}); say which one to write."
-            )
-        if own:
-            return next(iter(own.values()))
+        own = _common_system(chosen)
+        if own is not None:
+            return own
     return chosen_system(system, trajectory, height, trajectory_datum, epoch)
+
+
+def common_system(project: Project) -> CoordinateSystem | None:
+    """The coordinate system of the lines' files; None where these are in the LiDAR frame.
+
+    Raises
+    ------
+    InputError
+        Where they are in different ones.
+    """
+    return _common_system([Chunks.of(line) for line in project.lines])
+
+
+def _common_system(chosen: Sequence[Chunks]) -> CoordinateSystem | None:
+    own = {c.system.written.to_wkt(): c.system for c in chosen if c.system is not None}
+    if len(own) > 1:
+        raise InputError(
+            "The lines are in different coordinate systems "
+            f"({', '.join(found.name for found in own.values())}); say which one to write."
+        )
+    return next(iter(own.values()), None)
 
 
 def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:

@@ -2,11 +2,9 @@
 
 import hashlib
 import json
-import os
 import re
 import time
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -15,30 +13,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
-from lispac.geometry.frames import LocalFrame
 from lispac.io.files import require_file
 from lispac.io.registry import PointChunk
 from lispac.io.values import encoded
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
-from lispac.survey.georeferencing import Mounting, kernel_arguments, outside
-from lispac.survey.kernels import georeferenced
+from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.recovery import recovered
 from lispac.survey.store.layout import Original
 from lispac.survey.store.original import original_of
-from lispac.survey.store.pieces import Piece, Place
+from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, tidy, write_store
 from lispac.survey.time_base import matches, sentence
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.reading import line_stream, read_trajectory
+from lispac.workflow.reading import line_stream, local_trajectory
 
 Array = NDArray[np.float64]
 
-FOLDER = "lines"
+LINES = "lines"
+"""Folder of the stored lines, in that of the project."""
 INDEX = "\0index"
 """Goes with the points of a chunk through whatever leaves some of them out; no file has it."""
-PLACED = 1 << 16  # points per turn of a thread
 LOOKED_AT = 100
 """Times of each chunk that are kept to say what they look like."""
 
@@ -87,7 +83,7 @@ def import_lines(
             raise ProjectError(f"{project.name}: there is no line named {name}.")
     lines = [known[name] for name in (names or known)]
     progress(0.0, f"Reading {project.trajectory.name}")
-    trajectory = trajectory_of(project)
+    trajectory, _ = local_trajectory(project)
     total = sum(require_file(line.path, "line").stat().st_size for line in lines) or 1
     imported, done = [], 0
     for line in lines:
@@ -113,12 +109,12 @@ def import_line(
     InputError, ProjectError
         As `import_lines`.
     """
-    require_file(line.path, "line")
     if not again:
         try:
             return Imported(stored_line(project, line, trajectory), 0.0)
         except ProjectError:
             pass  # not there, damaged or made from something else: it is made now
+    require_file(line.path, "line")
     mounting = project.mounting("prior")
     started = time.monotonic()
     original = original_of(line.path)
@@ -134,7 +130,7 @@ def import_line(
         folder,
         recipe,
         source.pieces,
-        placing(trajectory, mounting),
+        Georeferencer.of(trajectory, mounting),
         source.assumptions,
         progress=progress,
     )
@@ -178,80 +174,11 @@ def line_folder(project: Project, line: LineSource) -> Path:
     alike = [n for n in project.lines if n.name != line.name and n.name.lower() == plain.lower()]
     if plain != line.name or alike or plain.lower() in RESERVED:
         plain += f"-{hashlib.sha256(line.name.encode()).hexdigest()[:8]}"
-    return project.folder / FOLDER / plain
+    return project.folder / LINES / plain
 
 
 RESERVED = {"con", "prn", "aux", "nul", *(f"{p}{k}" for p in ("com", "lpt") for k in range(10))}
 """Names that Windows gives to nothing but devices."""
-
-
-def trajectory_of(project: Project) -> LocalTrajectory:
-    """The trajectory of a project in its local frame.
-
-    Raises
-    ------
-    InputError
-    """
-    raw = read_trajectory(project.trajectory, project.trajectory_reading)
-    frame = raw.mean_frame()
-    if project.settings.origin_deg_m is not None:
-        latitude, longitude, height = project.settings.origin_deg_m
-        frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
-    return LocalTrajectory.of(raw, frame, project.settings.longest_gap)
-
-
-def placing(trajectory: LocalTrajectory, mounting: Mounting) -> Place:
-    """What puts points of a line into the local frame, again and again.
-
-    As `georeference`, but what it takes of the trajectory is made ready once, and a few hundred
-    thousand points, a region of a line, already go to all cores.
-    """
-    passage = kernel_arguments(trajectory, mounting)
-
-    def place(points_lidar: Array, time: Array) -> Array:
-        points_lidar = np.ascontiguousarray(mounting.corrected(points_lidar), dtype=np.float64)
-        points_local = np.empty_like(points_lidar)
-
-        def run(start: int) -> bool:
-            rows = slice(start, start + PLACED)
-            return bool(georeferenced(points_lidar[rows], time[rows], *passage, points_local[rows]))
-
-        starts = range(0, len(time), PLACED)
-        if len(starts) <= 1:
-            sound = [run(start) for start in starts]
-        else:
-            with ThreadPoolExecutor(os.cpu_count()) as pool:
-                sound = list(pool.map(run, starts))
-        if not all(sound):
-            raise outside(time + mounting.latency, trajectory)
-        return points_local
-
-    return place
-
-
-def farthest_move(stored: StoredLine, trajectory: LocalTrajectory, mounting: Mounting) -> float:
-    """How far points may be from where they were ordered, metres: the margin of a region.
-
-    Parameters
-    ----------
-    mounting : Mounting
-        With which the line is placed now.
-    """
-    then = Mounting.of_values(np.array(stored.manifest.placed_with["mounting"]))
-    ranges = abs(mounting.range_offset - then.range_offset)
-    reach = stored.manifest.reach + abs(mounting.range_offset) + abs(then.range_offset)
-    turn = mounting.rotation_body_lidar - then.rotation_body_lidar
-    moved = float(np.linalg.norm(turn, 2)) * reach + ranges
-    moved += abs(mounting.scan_angle_offset - then.scan_angle_offset) * reach
-    moved += float(np.linalg.norm(mounting.lever_arm - then.lever_arm))
-    late = abs(mounting.latency - then.latency)
-    if late:
-        steps = np.diff(trajectory.time)[:, None]
-        speed = np.linalg.norm(np.diff(trajectory.position, axis=0) / steps, axis=1).max()
-        rate = np.abs(np.diff(trajectory.attitude, axis=0) / steps).sum(axis=1).max()
-        arm = reach + float(np.linalg.norm(mounting.lever_arm))
-        moved += late * float(speed + rate * arm)
-    return moved
 
 
 CHANGES = {

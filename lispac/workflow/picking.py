@@ -11,7 +11,7 @@ from lispac.errors import ProjectError, TargetNotFound
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Shape, Target, Triple, require_target
 from lispac.targets.finder import FinderSettings
-from lispac.targets.sphere_finder import SpherePatch, patch_on_sphere
+from lispac.targets.sphere_finder import RadiusSought, SpherePatch, patch_on_sphere
 from lispac.workflow.seeking import DEFAULT_RADII as DEFAULT_RADII
 from lispac.workflow.seeking import Patch, Sought
 from lispac.workflow.survey import Survey
@@ -123,9 +123,16 @@ def spheres_of(target: Target, survey: Survey) -> dict[str, SpherePatch]:
     """
     radii = Sought.of(target).radii
     return {
-        sighting.line: patch_on_sphere(survey.clouds[sighting.line], sighting.indices, radii)
+        sighting.line: _on_sphere(survey.clouds[sighting.line][sighting.indices], sighting, radii)
         for sighting in target.sightings
     }
+
+
+def _on_sphere(
+    points: NDArray[np.float64], sighting: PickedSighting, radii: RadiusSought
+) -> SpherePatch:
+    patch = patch_on_sphere(points, np.arange(len(points)), radii)
+    return replace(patch, indices=sighting.indices[patch.indices])
 
 
 def next_name(project: Project, role: Role) -> str:

@@ -1,6 +1,8 @@
 """Making, opening and saving projects."""
 
-from collections.abc import Sequence
+import shutil
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,6 +12,7 @@ from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
+from lispac.workflow.importing import LINES
 from lispac.workflow.reading import usual_or_settled
 from lispac.workflow.survey import Survey, load_survey
 
@@ -107,12 +110,28 @@ def new_project(
         draft, lines=tuple(known), trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
     )  # fmt: skip
-    survey = load_survey(draft, progress=progress)
-    project = create_project(
-        folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
-        trajectory_reading=trajectory_reading, accuracy_reading=accuracy_reading,
-    )  # fmt: skip
+    with _taken_back(draft.folder):
+        survey = load_survey(draft, progress=progress)
+        project = create_project(
+            folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
+            trajectory_reading=trajectory_reading, accuracy_reading=accuracy_reading,
+        )  # fmt: skip
     return project, replace(survey, notes=(*notes, *survey.notes))
+
+
+@contextmanager
+def _taken_back(folder: Path) -> Iterator[None]:
+    """Remove the lines that were imported into a folder that becomes no project."""
+    lines, had_folder = folder / LINES, folder.exists()
+    had_lines = lines.exists()
+    try:
+        yield
+    except BaseException:
+        if not had_lines:
+            shutil.rmtree(lines, ignore_errors=True)
+        if not had_folder and folder.is_dir() and not any(folder.iterdir()):
+            folder.rmdir()
+        raise
 
 
 def open_project(folder: Path) -> Project:

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
 from lispac.io.files import require_file
 from lispac.io.formats import format_of, recognised
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
@@ -16,12 +17,14 @@ from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind, PointChunk
 from lispac.io.sbet import read_sbet, read_smrmsg
 from lispac.io.text import ASSUMPTIONS as TEXT_ASSUMPTIONS
 from lispac.io.text import read_text_scan
-from lispac.project import LineSource, Reading
+from lispac.project import LineSource, Project, Reading
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.recovery import Recovery, recovered
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
+FARTHEST_ORIGIN = 100_000.0
+"""Metres; beyond, a plane tangent at the origin is no frame for the site."""
 LAS_ENDINGS = (".las", ".laz")
 WORDS: Mapping[Kind, str] = {
     "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
@@ -168,6 +171,29 @@ def read_trajectory(path: Path, reading: Reading) -> Trajectory:
     found = format_of(reading.format).read(Path(path), dict(reading.options))
     assert isinstance(found, Trajectory)
     return found
+
+
+def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[str, ...]]:
+    """The trajectory of a project in its local frame, and what was taken for granted, in words.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read, or the local frame's origin is far from it.
+    """
+    raw = read_trajectory(project.trajectory, project.trajectory_reading)
+    frame = raw.mean_frame()
+    if project.settings.origin_deg_m is not None:
+        latitude, longitude, height = project.settings.origin_deg_m
+        frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
+    trajectory = LocalTrajectory.of(raw, frame, project.settings.longest_gap)
+    distance = float(np.linalg.norm(trajectory.position[0]))
+    if distance > FARTHEST_ORIGIN:
+        raise InputError(
+            f"{project.name}: the origin is {distance / 1000:,.0f} km from the trajectory; give "
+            "its latitude and longitude in degrees, or leave it out."
+        )
+    return trajectory, tuple(raw.assumptions)
 
 
 def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:

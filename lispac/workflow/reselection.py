@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import TargetNotFound
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
+from lispac.survey.cloud import Cloud
 from lispac.targets.finder import FinderSettings
 from lispac.workflow.seeking import Sought
 from lispac.workflow.survey import Survey
@@ -27,20 +28,19 @@ def reselect(project: Project, survey: Survey, *, progress: Progress = no_progre
     A sighting that is not found again keeps its points. No sighting is added: which lines a
     target is used in is the user's choice.
     """
-    clouds = survey.placed(project, "estimated", progress=progress)
-    for target in project.of_role("target"):
-        if target.used_sightings:
-            project = replace(
-                project,
-                targets=tuple(
-                    _again(target, survey.clouds, clouds) if other is target else other
-                    for other in project.targets
-                ),
-            )
+    clouds = survey.placed(project, "estimated")
+    used = [target for target in project.of_role("target") if target.used_sightings]
+    for k, target in enumerate(used):
+        progress(k / len(used), f"Selecting the points of {target.name} again")
+        again = _again(target, survey.clouds, clouds)
+        project = replace(
+            project,
+            targets=tuple(again if other is target else other for other in project.targets),
+        )
     return project
 
 
-def _again(target: Target, before: Mapping[str, Array], after: Mapping[str, Array]) -> Target:
+def _again(target: Target, before: Mapping[str, Cloud], after: Mapping[str, Cloud]) -> Target:
     line, seed = _moved_seed(target, before, after)
     narrowed = NARROWED if target.shape == "plane" else 1.0
     settings = FinderSettings(threshold=narrowed * target.threshold, radius=target.radius)
@@ -61,7 +61,7 @@ def _again(target: Target, before: Mapping[str, Array], after: Mapping[str, Arra
 
 
 def _moved_seed(
-    target: Target, before: Mapping[str, Array], after: Mapping[str, Array]
+    target: Target, before: Mapping[str, Cloud], after: Mapping[str, Cloud]
 ) -> tuple[str, Array]:
     """The seed moves as the sighting's point nearest to it does; that point's line and the seed."""
     seed = np.array(target.seed)
@@ -70,5 +70,6 @@ def _moved_seed(
         apart = np.linalg.norm(before[sighting.line][sighting.indices] - seed, axis=1)
         k = int(np.argmin(apart))
         nearest.append((float(apart[k]), sighting.line, int(sighting.indices[k])))
-    _, line, index = min(nearest)
-    return line, seed + after[line][index] - before[line][index]
+    _, line, number = min(nearest)
+    own = np.array([number])
+    return line, seed + after[line][own][0] - before[line][own][0]

@@ -1,7 +1,7 @@
 """Seeking a target of either shape, in one line or in all."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 from lispac.errors import ProjectError
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
+from lispac.survey.cloud import Cloud
 from lispac.targets.across_lines import find_in_lines
-from lispac.targets.finder import FinderSettings, PlanePatch, find_plane
+from lispac.targets.finder import FinderSettings, PlanePatch, checked_seed, find_plane
 from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
@@ -95,20 +96,21 @@ class Sought:
                 "or give another name."
             )
 
-    def at(self, cloud: Array, seed: Array, settings: FinderSettings) -> Patch:
+    def at(self, cloud: Cloud, seed: Array, settings: FinderSettings) -> Patch:
         """The target at the seed in one line.
 
         Raises
         ------
         TargetNotFound
         """
+        numbers, points = cloud.within(checked_seed(seed), settings.radius)
         if self.shape == "sphere":
-            return find_sphere(cloud, seed, self.radii, settings)
-        return find_plane(cloud, seed, settings)
+            return _numbered(find_sphere(points, seed, self.radii, settings), numbers)
+        return _numbered(find_plane(points, seed, settings), numbers)
 
     def in_lines(
         self,
-        clouds: Mapping[str, Array],
+        clouds: Mapping[str, Cloud],
         seed: Array,
         settings: FinderSettings,
         *,
@@ -117,15 +119,33 @@ class Sought:
     ) -> tuple[Mapping[str, Patch], dict[str, str]]:
         """The target at the seed in every line, and why it is missing in the others.
 
+        Of each line no more is read than what the target may be in.
+
         Raises
         ------
         TargetNotFound
         """
+        seed, reach = checked_seed(seed), settings.radius + settings.max_shift
+        regions = {name: cloud.within(seed, reach) for name, cloud in clouds.items()}
+        points = {name: found for name, (_, found) in regions.items()}
+        found: Mapping[str, Patch]
         if self.shape == "sphere":
-            return find_spheres_in_lines(
-                clouds, seed, self.radii, settings, first_line=first_line, progress=progress
+            found, missing = find_spheres_in_lines(
+                points, seed, self.radii, settings, first_line=first_line, progress=progress
             )
-        return find_in_lines(clouds, seed, settings, first_line=first_line, progress=progress)
+        else:
+            found, missing = find_in_lines(
+                points, seed, settings, first_line=first_line, progress=progress
+            )
+        numbered: dict[str, Patch] = {}
+        for name, patch in found.items():
+            numbered[name] = _numbered(patch, regions[name][0])
+        return numbered, missing
+
+
+def _numbered(patch: Patch, numbers: NDArray[np.int64]) -> Patch:
+    """The patch with the numbers of its points in the line, not in the region it was found in."""
+    return replace(patch, indices=numbers[patch.indices])
 
 
 def _radius_in_words(radius: float | None) -> str:

@@ -1,39 +1,38 @@
 """Opening a project's survey: trajectory and lines read, checked and georeferenced."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.geometry.frames import LocalFrame
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
-from lispac.survey.georeferencing import georeference
+from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
+from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
 from lispac.survey.time_base import matches, sentence
 from lispac.survey.time_quality import coverage
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
-from lispac.workflow.reading import read_accuracy, read_line, read_trajectory
+from lispac.workflow.importing import import_line, line_folder
+from lispac.workflow.reading import local_trajectory, read_accuracy, read_line
 
-Array = NDArray[np.float64]
-
-FARTHEST_ORIGIN = 100_000.0
-"""Metres; beyond, a plane tangent at the origin is no frame for the site."""
+LARGE = 30_000_000
+"""Bytes; lines whose file is larger are imported into the project's store, smaller ones are read
+into memory whenever the project is opened. This is about 3 million points of LAZ, 200 MB in memory.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class Survey:
-    """The data of a project, in memory.
+    """The data of a project: large lines on disk, small ones in memory.
 
     Attributes
     ----------
     scans : points of each line by its name
-    clouds : ndarray of shape (n, 3) by line, metres, local frame
-        Placed with the prior boresight.
+    clouds : lines in the local frame, placed with the prior mounting, by name
     heading : median heading of the vessel on each line, radians
     notes : tuple of str
         What was assumed or left out while reading, in words.
@@ -41,8 +40,8 @@ class Survey:
 
     trajectory: LocalTrajectory
     accuracy: TrajectoryAccuracy
-    scans: Mapping[str, Scan]
-    clouds: Mapping[str, Array]
+    scans: Mapping[str, Line]
+    clouds: Mapping[str, Cloud]
     heading: Mapping[str, float]
     notes: tuple[str, ...]
 
@@ -51,88 +50,102 @@ class Survey:
         """Names of the lines in the project's order."""
         return tuple(self.scans)
 
-    def placed(
+    def placed(self, project: Project, which: Literal["prior", "estimated"]) -> Mapping[str, Cloud]:
+        """The lines with the prior or the estimated mounting."""
+        if which == "prior":
+            return self.clouds
+        return placed_with(self.clouds, project.mounting(which))
+
+    def shown(
         self,
         project: Project,
         which: Literal["prior", "estimated"],
         *,
         progress: Progress = no_progress,
-    ) -> Mapping[str, Array]:
-        """Points of every line, local frame, with the prior or the estimated boresight."""
-        if which == "prior":
-            return self.clouds
-        mounting = project.mounting(which)
-        count = len(self.scans)
-        return {
-            name: georeference(
-                scan.points_lidar, scan.time, self.trajectory, mounting,
-                progress=part(progress, k / count, (k + 1) / count),
-            )
-            for k, (name, scan) in enumerate(self.scans.items())
-        }  # fmt: skip
+    ) -> Mapping[str, Cloud]:
+        """As `placed`, with what stands for them in a picture at hand."""
+        clouds = self.placed(project, which)
+        for k, (name, cloud) in enumerate(clouds.items()):
+            progress(k / len(clouds), f"Placing {name}")
+            assert len(cloud.sample)
+        return clouds
+
+    def with_prior(self, mounting: Mounting) -> "Survey":
+        """The same readings placed with another prior mounting."""
+        return replace(self, clouds=placed_with(self.clouds, mounting))
 
 
 def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey:
     """Read everything the project points at.
 
+    A line that has been imported is opened where it lies; where that import was interrupted, or
+    its file or what it was made with has changed since, it is imported again. A line with a large
+    file is imported now.
+
     Raises
     ------
     InputError
         Where a file is missing, damaged, or does not fit the others.
+    ProjectError
+        Where a line has to be imported and its store cannot be written.
     """
     progress(0.0, f"Reading {project.trajectory.name}")
-    raw = read_trajectory(project.trajectory, project.trajectory_reading)
-    frame = _frame(project) or raw.mean_frame()
-    trajectory = LocalTrajectory.of(raw, frame, project.settings.longest_gap)
-    _require_near(trajectory, project)
-    notes = list(raw.assumptions)
-    if project.accuracy is not None:
-        accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
-        _require_overlap(accuracy, trajectory, project.accuracy)
-    else:
-        accuracy = TrajectoryAccuracy.constant(
-            np.array(project.settings.position_sigma),
-            np.radians(project.settings.attitude_sigma_deg),
-        )
-        notes.append("POS accuracies are the typed ones, the same at all times")
-    scans: dict[str, Scan] = {}
-    clouds: dict[str, Array] = {}
+    trajectory, notes = local_trajectory(project)
+    accuracy, said = _accuracy(project, trajectory)
+    notes += said
+    scans: dict[str, Line] = {}
+    clouds: dict[str, Cloud] = {}
     heading: dict[str, float] = {}
-    mounting = project.mounting("prior")
     for k, line in enumerate(project.lines):
         step = part(
             progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
         )
-        step(0.0, f"Reading {line.path.name}")
-        scan = read_line(line, trajectory, mounting)
-        scan, note = _inside(scan, trajectory, line.path)
-        notes += [*scan.assumptions, *note]
-        step(0.7, f"Georeferencing {line.name}")
-        clouds[line.name] = georeference(scan.points_lidar, scan.time, trajectory, mounting)
-        scans[line.name] = scan
+        scan, cloud, said = _opened(project, line, trajectory, step)
+        notes += said
+        scans[line.name], clouds[line.name] = scan, cloud
         heading[line.name] = _median_heading(trajectory, scan)
         _require_picked_on(project, line, scan)
     progress(1.0, "Survey loaded")
     return Survey(trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)))
 
 
-def _frame(project: Project) -> LocalFrame | None:
-    if project.settings.origin_deg_m is None:
-        return None
-    latitude, longitude, height = project.settings.origin_deg_m
-    return LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
+def _accuracy(
+    project: Project, trajectory: LocalTrajectory
+) -> tuple[TrajectoryAccuracy, tuple[str, ...]]:
+    if project.accuracy is not None:
+        accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
+        _require_overlap(accuracy, trajectory, project.accuracy)
+        return accuracy, ()
+    typed = TrajectoryAccuracy.constant(
+        np.array(project.settings.position_sigma),
+        np.radians(project.settings.attitude_sigma_deg),
+    )
+    return typed, ("POS accuracies are the typed ones, the same at all times",)
 
 
-def _require_near(trajectory: LocalTrajectory, project: Project) -> None:
-    distance = float(np.linalg.norm(trajectory.position[0]))
-    if distance > FARTHEST_ORIGIN:
-        raise InputError(
-            f"{project.name}: the origin is {distance / 1000:,.0f} km from the trajectory; give "
-            "its latitude and longitude in degrees, or leave it out."
-        )
+def _opened(
+    project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
+) -> tuple[Line, Cloud, tuple[str, ...]]:
+    """A line from its store or its file, placed, and what there is to say of it."""
+    mounting = project.mounting("prior")
+    if _belongs_on_disk(project, line):
+        stored = import_line(project, line, trajectory, progress=progress).stored
+        cloud = CloudOnDisk(stored, Georeferencer.of(trajectory, mounting))
+        return stored, cloud, stored.assumptions
+    progress(0.0, f"Reading {line.path.name}")
+    scan, said = _inside(read_line(line, trajectory, mounting), trajectory, line.path)
+    progress(0.7, f"Georeferencing {line.name}")
+    placed = CloudInMemory.of(scan, trajectory, mounting)
+    return scan, placed, (*scan.assumptions, *said)
 
 
-def _require_picked_on(project: Project, line: LineSource, scan: Scan) -> None:
+def _belongs_on_disk(project: Project, line: LineSource) -> bool:
+    if line_folder(project, line).is_dir():
+        return True
+    return line.path.is_file() and line.path.stat().st_size > LARGE
+
+
+def _require_picked_on(project: Project, line: LineSource, scan: Line) -> None:
     for target in project.targets:
         sighting = target.sighting(line.name)
         if sighting is not None and sighting.fingerprint not in ("", scan.fingerprint):
@@ -185,7 +198,7 @@ def _inside(scan: Scan, trajectory: LocalTrajectory, path: Path) -> tuple[Scan, 
     return kept, (f"{path.name}: {' and '.join(parts)}, of {len(scan):,}, are left out",)
 
 
-def _median_heading(trajectory: LocalTrajectory, scan: Scan) -> float:
+def _median_heading(trajectory: LocalTrajectory, scan: Line) -> float:
     # A few hundred states tell the course of a line.
-    times = np.linspace(scan.time.min(), scan.time.max(), 201)
+    times = np.linspace(scan.first_time, scan.last_time, 201)
     return float(np.median(trajectory.at(times).attitude[:, 2]))

@@ -3,7 +3,6 @@
 from lispac.errors import NotComparable, ProjectError
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
-from lispac.survey.georeferencing import georeference
 from lispac.validation.comparison import PlaneComparison, compare_plane
 from lispac.workflow.survey import Survey
 
@@ -19,7 +18,7 @@ def validate(project: Project, survey: Survey, *, progress: Progress = no_progre
         Where no plane is seen in common by two lines; one of several such planes is named in
         ``not_compared`` instead.
     """
-    estimated = project.mounting("estimated")
+    placed = survey.placed(project, "estimated")
     planes = [plane for plane in project.of_role("validation") if plane.used]
     if not planes:
         raise ProjectError(
@@ -33,14 +32,8 @@ def validate(project: Project, survey: Survey, *, progress: Progress = no_progre
         step(0.0, f"Comparing the lines on {plane.name}")
         before, after = {}, {}
         for sighting in plane.used_sightings:
-            scan = survey.scans[sighting.line]
             before[sighting.line] = survey.clouds[sighting.line][sighting.indices]
-            after[sighting.line] = georeference(
-                scan.points_lidar[sighting.indices],
-                scan.time[sighting.indices],
-                survey.trajectory,
-                estimated,
-            )
+            after[sighting.line] = placed[sighting.line][sighting.indices]
         try:
             comparisons.append(
                 compare_plane(plane.name, before, after, survey.heading, progress=step)

@@ -27,7 +27,8 @@ from lispac.survey.mapping import PointMapper
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.clouds import write_cloud
 from lispac.workflow.georeferencing import stored_chunks
-from lispac.workflow.importing import import_lines, stored_line, trajectory_of
+from lispac.workflow.importing import import_lines, stored_line
+from lispac.workflow.reading import local_trajectory
 from tests.cloud_files import sweep, track
 from tests.test_georeferencing import survey
 
@@ -241,7 +242,7 @@ def test_store_to_laz_beside_laspy_alone(tmp_path, count):
     )  # fmt: skip
     project.folder.mkdir()
     import_lines(project)
-    trajectory = trajectory_of(project)
+    trajectory = local_trajectory(project)[0]
     mapper = PointMapper(UTM, trajectory, project.mounting("prior"))
     stored = stored_line(project, project.lines[0], trajectory)
     ours, alone = tmp_path / "ours.laz", tmp_path / "alone.laz"

@@ -20,8 +20,10 @@ import pytest
 
 from lispac.io.sbet import write_sbet
 from lispac.project import LineSource, Project, Settings
+from lispac.survey.georeferencing import Georeferencer
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.importing import import_line, placing, stored_line, trajectory_of
+from lispac.workflow.importing import import_line, stored_line
+from lispac.workflow.reading import local_trajectory
 
 RATE, SPEED, WALL, DECK = 500_000, 1.5, 15.0, -4.0
 """Points a second, metres a second, metres to the wall on the left, metres down to the quay."""
@@ -97,8 +99,8 @@ def report(folder: str) -> None:
     (path,) = root.glob("L1.*")
     settings = Settings(lever_arm=LEVER_ARM, boresight_deg=(0.3, -0.4, 0.5))
     project = Project(root, root / "trajectory.sbet", (LineSource("L1", path),), settings)
-    trajectory = trajectory_of(project)
-    place = placing(trajectory, project.mounting("prior"))
+    trajectory = local_trajectory(project)[0]
+    place = Georeferencer.of(trajectory, project.mounting("prior"))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
     stages: dict[str, tuple[float, float]] = {}
 

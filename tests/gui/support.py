@@ -14,7 +14,10 @@ from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.project import Project
+from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.demo import demo_seeds
+from lispac.workflow.export_request import ExportRequest, What
+from lispac.workflow.georeferencing import Which
 from lispac.workflow.intake import ImportRequest
 from lispac.workflow.survey import Survey
 
@@ -30,6 +33,7 @@ class ScriptedDialogs(Dialogs):
         super().__init__()
         self.path: Path | None = None
         self.request: ImportRequest | None = None
+        self.export_request: ExportRequest | None = None
         self.dropped: list[Path] = []
         self.answer: Answer = "discard"
         self.about_candidate: CandidateAnswer = "cancel"
@@ -48,8 +52,11 @@ class ScriptedDialogs(Dialogs):
     def report_file(self, start: Path) -> Path | None:
         return self.path
 
-    def lines_folder(self, start: Path) -> Path | None:
-        return self.path
+    def export(
+        self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
+    ) -> ExportRequest | None:
+        self.asked.append(what)
+        return self.export_request
 
     def save_changes(self, name: str) -> Answer:
         self.asked.append(name)

@@ -52,7 +52,7 @@ def test_from_opening_to_the_report(real: Driver, demo_copy: Path, tmp_path: Pat
         role, position = demo_seeds()[name]
         bot.keyClick(window, Key.Key_F6 if role == "target" else Key.Key_F7)
         bot.keyClick(window, Key.Key_3)
-        clouds = np.concatenate(list(window.scene.clouds.values()))
+        clouds = np.concatenate([cloud.sample for cloud in window.scene.clouds.values()])
         near = np.linalg.norm(clouds - position, axis=1) < 3
         viewport.fit(clouds[near])
         bot.wait(300)

@@ -11,8 +11,13 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QWidget
 
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.error import error_box
+from lispac.gui.dialogs.export import ExportDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.settings import AppSettings
+from lispac.project import Project
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.export_request import ExportRequest, What
+from lispac.workflow.georeferencing import Which
 from lispac.workflow.intake import ImportRequest
 
 Answer = Literal["save", "discard", "cancel"]
@@ -63,12 +68,14 @@ class Dialogs:
         endings = {"PDF": ".pdf", "HTML": ".html", "Numbers": ".json"}
         return path if path.suffix else path.with_suffix(endings[kind.split(" ")[0]])
 
-    def lines_folder(self, start: Path) -> Path | None:
-        """Where georeferenced lines go."""
-        name = QFileDialog.getExistingDirectory(
-            self.parent, "Folder for the georeferenced lines", str(start)
-        )
-        return Path(name) if name else None
+    def export(
+        self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
+    ) -> ExportRequest | None:
+        """What to export besides the report, and where."""
+        dialog = ExportDialog(what, which, project, trajectory, self.parent)
+        answer = dialog.request() if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
 
     def save_changes(self, name: str) -> Answer:
         """What to do with a changed project that is to be closed."""

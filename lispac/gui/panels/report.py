@@ -24,7 +24,7 @@ class ReportPanel(QWidget):
         )  # fmt: skip
         self.lines = widgets.button(
             "Export georeferenced lines…", "export_lines", icon="export-variant",
-            tip="Every line as LAZ in the local frame, with the boresight the view shows",
+            tip="Every line as LAZ or LAS in a coordinate system of your choice (Ctrl+Shift+E)",
         )  # fmt: skip
         self.report.clicked.connect(self.report_asked)
         self.lines.clicked.connect(self.lines_asked)

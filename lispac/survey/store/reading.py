@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
-from lispac.survey.store.cells import Keys, is_in_sample, octaves_near
+from lispac.survey.store.cells import MOST_HALVINGS, Keys, is_in_sample, octaves_near
 from lispac.survey.store.columns import checksum_of, opened
 from lispac.survey.store.layout import (
     SPOOL,
@@ -136,6 +136,27 @@ class StoredLine:
             numbers += self._own("before")[rows]
         return numbers
 
+    @property
+    def first_time(self) -> float:
+        """Seconds, in the trajectory's time base."""
+        return self.manifest.first_time
+
+    @property
+    def last_time(self) -> float:
+        """Seconds, in the trajectory's time base."""
+        return self.manifest.last_time
+
+    def take(self, numbers: NDArray[Any]) -> tuple[Array, Array]:
+        """Points, shape (n, 3), metres, LiDAR frame, and times, shape (n,), by their `numbers`."""
+        rows = self.rows(numbers)
+        return self.points_lidar[rows].astype(np.float64), np.asarray(self.time[rows])
+
+    def intensities(self, numbers: NDArray[Any]) -> Array | None:
+        """Intensities, shape (n,), by their `numbers`, if there are any."""
+        if self.intensity is None:
+            return None
+        return self.intensity[self.rows(numbers)].astype(np.float64)
+
     def near(self, centre: Array, radius: float, *, margin: float = 0.0, halvings: int = 0) -> Runs:
         """Runs of rows that hold all points within a sphere, and others about it.
 
@@ -163,7 +184,13 @@ class StoredLine:
         return joined_runs(self._starts, found)
 
     def within(
-        self, centre: Array, radius: float, place: Place, *, margin: float = 0.0
+        self,
+        centre: Array,
+        radius: float,
+        place: Place,
+        *,
+        margin: float = 0.0,
+        most: int | None = None,
     ) -> tuple[NDArray[np.int64], Array]:
         """The points within a sphere, placed anew.
 
@@ -173,6 +200,8 @@ class StoredLine:
             Puts points into the local frame.
         centre, radius, margin
             See `near`.
+        most : int, optional
+            Where about the sphere are more points than this, a fair sample stands for them.
 
         Returns
         -------
@@ -180,6 +209,10 @@ class StoredLine:
         points_local : ndarray of shape (n, 3), metres, local frame
         """
         runs = self.near(centre, radius, margin=margin)
+        for halvings in range(1, MOST_HALVINGS + 1):
+            if most is None or np.diff(runs).sum() <= most:
+                break
+            runs = self.near(centre, radius, margin=margin, halvings=halvings)
         points_local = place(
             gathered(self.points_lidar, runs).astype(np.float64), gathered(self.time, runs)
         )

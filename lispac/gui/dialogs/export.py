@@ -1,0 +1,216 @@
+"""What to export, with which boresight, in which coordinates, and where."""
+
+from pathlib import Path
+from typing import cast
+
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.errors import LispacError
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.project import Project
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.export_request import (
+    ENDINGS,
+    ExportRequest,
+    What,
+    system_of,
+)
+from lispac.workflow.georeferencing import LOCAL, Which, common_system, utm_zone
+
+THINGS: dict[What, str] = {
+    "lines": "Georeferenced lines, all attributes kept",
+    "targets": "Points of targets and validation planes",
+    "planes": "Plane files of the targets (25 columns)",
+    "trajectory": "Trajectory",
+}
+FORMS = {
+    "laz": "LAZ (compressed)", "las": "LAS", "csv": "CSV", "txt": "Text", "sbet": "SBET (.out)",
+    "text": "Text (.txt)",
+}  # fmt: skip
+BORESIGHTS: dict[Which, str] = {"estimated": "Estimated", "prior": "Prior"}
+REST_MS = 300
+
+
+class ExportDialog(QDialog):
+    """Asks what to export."""
+
+    def __init__(
+        self,
+        what: What,
+        which: Which,
+        project: Project,
+        trajectory: LocalTrajectory,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("export_dialog")
+        self.setWindowTitle("Export")
+        self._project, self._trajectory = project, trajectory
+        self.what = widgets.Choice("export_what", list(THINGS.values()), "What to write")
+        self.boresight = widgets.Choice(
+            "export_boresight", list(BORESIGHTS.values()), "Boresight the points are placed with"
+        )
+        self.system = self._systems()
+        self.height = QLineEdit()
+        self.height.setObjectName("export_height")
+        self.height.setPlaceholderText("As the coordinate system says, else above the ellipsoid")
+        self.height.setToolTip(
+            "EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid"
+        )
+        self.said = widgets.label("", "muted", wrap=True, name="export_said")
+        self.form = QComboBox()
+        self.form.setObjectName("export_form")
+        self.folder = QLineEdit(str(project.folder / "export"))
+        self.folder.setObjectName("export_folder")
+        self.folder.setMinimumWidth(420)
+        browse = widgets.button("Browse…", "export_browse", icon="folder-open-outline")
+        browse.clicked.connect(self._browse)
+        place = QHBoxLayout()
+        place.setSpacing(theme.SPACE)
+        place.addWidget(self.folder, 1)
+        place.addWidget(browse)
+        form = QFormLayout()
+        form.setVerticalSpacing(theme.SPACE)
+        self._rows = form
+        form.addRow("Export", self.what)
+        form.addRow("Boresight", self.boresight)
+        form.addRow("Coordinates", self.system)
+        form.addRow("Heights", self.height)
+        form.addRow("", self.said)
+        form.addRow("File format", self.form)
+        form.addRow("Folder", place)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
+        ok.setText("Export")
+        ok.setProperty("primary", True)
+        for button in self.buttons.buttons():
+            button.setIcon(QIcon())
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(theme.SPACE * 2)
+        layout.addLayout(form)
+        layout.addStretch(1)
+        layout.addWidget(self.buttons)
+        self._settle = QTimer(self)
+        self._settle.setSingleShot(True)
+        self._settle.setInterval(REST_MS)
+        self._settle.timeout.connect(self._judge)
+        self.what.currentIndexChanged.connect(self._show_fields)
+        self.system.editTextChanged.connect(self._typed)
+        self.height.textChanged.connect(self._typed)
+        self.folder.textChanged.connect(self._judge)
+        if project.result is None:
+            self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
+            self.boresight.setEnabled(False)
+            self.boresight.setToolTip("Nothing is estimated yet")
+        else:
+            self.boresight.setCurrentIndex(list(BORESIGHTS).index(which))
+        self.what.setCurrentIndex(list(THINGS).index(what))
+        self._show_fields()
+
+    def request(self) -> ExportRequest:
+        """What was asked for."""
+        what, form = self._what, self._form
+        output = Path(self.folder.text().strip()).expanduser()
+        if what == "trajectory":
+            ending = ".out" if form == "sbet" else ".txt"
+            output = output / f"{self._project.trajectory.stem}_export{ending}"
+        which = list(BORESIGHTS)[self.boresight.currentIndex()]
+        return ExportRequest(
+            what, output, which, form, self._system_text, self.height.text().strip()
+        )
+
+    @property
+    def _what(self) -> What:
+        return list(THINGS)[self.what.currentIndex()]
+
+    @property
+    def _form(self) -> str:
+        return ENDINGS[self._what][self.form.currentIndex()]
+
+    @property
+    def _system_text(self) -> str:
+        text = self.system.currentText().strip()
+        index = self.system.findText(text)
+        return cast(str, self.system.itemData(index)) if index >= 0 else text
+
+    def _systems(self) -> QComboBox:
+        found = QComboBox()
+        found.setObjectName("export_system")
+        found.setEditable(True)
+        found.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
+        found.setToolTip("Choose, or type an EPSG code: EPSG:2959, EPSG:6347+5703")
+        zone = utm_zone(self._trajectory)
+        try:
+            own = common_system(self._project)
+        except LispacError:
+            own = None  # they are in different ones
+        if own is not None:
+            found.addItem(f"As the lines' files – {own.name}", "")
+        found.addItem(f"{zone} – UTM zone of the trajectory (WGS 84)", zone)
+        found.addItem("Local frame – North, West, Up", LOCAL)
+        return found
+
+    def _show_fields(self) -> None:
+        what = self._what
+        on_map = what in ("lines", "targets")
+        for field in (self.system, self.height, self.said):
+            self._rows.setRowVisible(field, on_map)
+        self._rows.setRowVisible(self.boresight, what != "trajectory")
+        self.form.clear()
+        self.form.addItems([FORMS[ending] for ending in ENDINGS[what]])
+        self.form.setEnabled(len(ENDINGS[what]) > 1)
+        self._judge()
+        self.adjustSize()
+
+    def _typed(self) -> None:
+        if self.system.findText(self.system.currentText()) >= 0 and not self.height.text():
+            self._judge()  # chosen, not typed
+            return
+        self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(False)
+        self._settle.start()
+
+    def _judge(self) -> None:
+        """Say what the coordinates mean, or what is wrong with them."""
+        self._settle.stop()
+        good = bool(self.folder.text().strip())
+        if self._what in ("lines", "targets"):
+            try:
+                text, role = self._meaning(), "muted"
+            except LispacError as error:
+                text, role, good = str(error), "error", False
+            self.said.setText(text)
+            self.said.setProperty("role", role)
+            self.said.style().unpolish(self.said)
+            self.said.style().polish(self.said)
+        self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
+
+    def _meaning(self) -> str:
+        height = self.height.text().strip()
+        found = system_of(self._project, self._trajectory, self._system_text, height)
+        if found is None:
+            return "Metres North, West and Up from the project's origin."
+        said = found.assumptions or (found.name,)
+        return ". ".join(some[:1].upper() + some[1:] for some in said) + "."
+
+    def _browse(self) -> None:
+        chosen = QFileDialog.getExistingDirectory(self, "Folder to export to", self.folder.text())
+        if chosen:
+            self.folder.setText(chosen)

@@ -1,0 +1,195 @@
+"""Lines placed in the local frame, of which only what is looked at is read.
+
+Points are told by their number: the place in their line, in the order of its file. That is what
+picks are kept in, whether the line is in memory or on disk.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.neighbours import points_within
+from lispac.survey.georeferencing import Georeferencer, Mounting
+from lispac.survey.scan import Scan
+from lispac.survey.store.reading import StoredLine
+from lispac.survey.trajectory import LocalTrajectory
+
+Array = NDArray[np.float64]
+Numbers = NDArray[np.int64]
+
+MOST = 4_000_000
+"""Points of a region; where a line has more of them there, a fair sample stands for all."""
+
+
+class Line(Protocol):
+    """One pass as the scanner saw it, in memory (`Scan`) or on disk (`StoredLine`)."""
+
+    def __len__(self) -> int: ...
+    @property
+    def fingerprint(self) -> str:
+        """Tells whether numbers still mean the same points."""
+
+    @property
+    def first_time(self) -> float:
+        """Seconds, in the trajectory's time base."""
+
+    @property
+    def last_time(self) -> float:
+        """Seconds, in the trajectory's time base."""
+
+    def take(self, numbers: Numbers) -> tuple[Array, Array]:
+        """Points, shape (n, 3), metres, LiDAR frame, and their times, shape (n,), seconds."""
+
+    def intensities(self, numbers: Numbers) -> Array | None:
+        """Intensities, shape (n,), if the line has any."""
+
+
+class Cloud(Protocol):
+    """A line placed in the local frame."""
+
+    def __len__(self) -> int: ...
+    def __getitem__(self, numbers: Numbers) -> Array:
+        """Points by their numbers, shape (n, 3), metres."""
+
+    def within(self, centre: Array, radius: float) -> tuple[Numbers, Array]:
+        """Numbers, ascending, and points of those within a sphere, metres; at most `MOST`."""
+
+    @property
+    def sample(self) -> Array:
+        """What stands for the line in a picture, shape (n, 3), metres: the same points always."""
+
+    @property
+    def sample_time(self) -> Array:
+        """Their times, shape (n,), seconds."""
+
+    def placed_with(self, mounting: Mounting) -> "Cloud":
+        """The same line with another mounting."""
+
+
+@dataclass(frozen=True, eq=False)
+class CloudInMemory:
+    """A line that was read whole.
+
+    Attributes
+    ----------
+    scan : Scan
+    place : Georeferencer
+        Puts its points into the local frame.
+    ordered : ndarray of shape (n, 3), metres, local frame
+        All points as they were placed first.
+    ordered_with : Mounting
+        With which that was.
+    """
+
+    scan: Scan
+    place: Georeferencer
+    ordered: Array
+    ordered_with: Mounting
+
+    @classmethod
+    def of(cls, scan: Scan, trajectory: LocalTrajectory, mounting: Mounting) -> "CloudInMemory":
+        """Place a line."""
+        place = Georeferencer.of(trajectory, mounting)
+        return cls(scan, place, place(scan.points_lidar, scan.time), mounting)
+
+    def __len__(self) -> int:
+        return len(self.scan)
+
+    def __getitem__(self, numbers: Numbers) -> Array:
+        if self.place.mounting is self.ordered_with:
+            return self.ordered[numbers]
+        return self.place(*self.scan.take(numbers))
+
+    def within(self, centre: Array, radius: float) -> tuple[Numbers, Array]:
+        """See `Cloud`."""
+        numbers = points_within(self.ordered, centre, radius + self._margin)
+        points = self[numbers]
+        if self._margin:
+            inside = points_within(points, centre, radius)
+            numbers, points = numbers[inside], points[inside]
+        if len(numbers) > MOST:
+            kept = np.arange(0, len(numbers), -(-len(numbers) // MOST))
+            numbers, points = numbers[kept], points[kept]
+        return numbers, points
+
+    @cached_property
+    def sample(self) -> Array:
+        """All points."""
+        if self.place.mounting is self.ordered_with:
+            return self.ordered
+        return self.place(self.scan.points_lidar, self.scan.time)
+
+    @property
+    def sample_time(self) -> Array:
+        """All times."""
+        return self.scan.time
+
+    def placed_with(self, mounting: Mounting) -> "CloudInMemory":
+        """See `Cloud`."""
+        place = Georeferencer.of(self.place.trajectory, mounting)
+        return CloudInMemory(self.scan, place, self.ordered, self.ordered_with)
+
+    @cached_property
+    def _margin(self) -> float:
+        return self.place.farthest_move(self.ordered_with, self.scan.reach)
+
+
+@dataclass(frozen=True, eq=False)
+class CloudOnDisk:
+    """An imported line.
+
+    Attributes
+    ----------
+    stored : StoredLine
+    place : Georeferencer
+        Puts its points into the local frame.
+    """
+
+    stored: StoredLine
+    place: Georeferencer
+
+    def __len__(self) -> int:
+        return len(self.stored)
+
+    def __getitem__(self, numbers: Numbers) -> Array:
+        return self.place(*self.stored.take(numbers))
+
+    def within(self, centre: Array, radius: float) -> tuple[Numbers, Array]:
+        """See `Cloud`."""
+        rows, points = self.stored.within(
+            centre, radius, self.place, margin=self._margin, most=MOST
+        )
+        numbers = self.stored.numbers(rows)
+        order = np.argsort(numbers)
+        return numbers[order], points[order]
+
+    @cached_property
+    def sample(self) -> Array:
+        """The coarse level of the store."""
+        coarse = self.stored.coarse
+        if not self._margin:
+            return np.asarray(coarse.points_local)
+        return self.place(np.asarray(coarse.points_lidar, dtype=np.float64), coarse.time)
+
+    @property
+    def sample_time(self) -> Array:
+        """See `Cloud`."""
+        return self.stored.coarse.time
+
+    def placed_with(self, mounting: Mounting) -> "CloudOnDisk":
+        """See `Cloud`."""
+        return CloudOnDisk(self.stored, Georeferencer.of(self.place.trajectory, mounting))
+
+    @cached_property
+    def _margin(self) -> float:
+        then = Mounting.of_values(np.array(self.stored.manifest.placed_with["mounting"]))
+        return self.place.farthest_move(then, self.stored.manifest.reach)
+
+
+def placed_with(clouds: Mapping[str, Cloud], mounting: Mounting) -> dict[str, Cloud]:
+    """All lines with another mounting."""
+    return {name: cloud.placed_with(mounting) for name, cloud in clouds.items()}

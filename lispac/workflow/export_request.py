@@ -1,0 +1,107 @@
+"""What leaves the program besides the report: one request, one way to fulfil it."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from lispac.progress import Progress, no_progress
+from lispac.project import Project
+from lispac.survey.crs import CoordinateSystem
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.exporting import export_planes, export_targets, export_trajectory
+from lispac.workflow.georeferencing import (
+    LOCAL,
+    Which,
+    chosen_system,
+    common_system,
+    georeference_project,
+)
+from lispac.workflow.survey import Survey
+
+What = Literal["lines", "targets", "planes", "trajectory"]
+ENDINGS: dict[What, tuple[str, ...]] = {
+    "lines": ("laz", "las"),
+    "targets": ("laz", "las", "csv"),
+    "planes": ("txt",),
+    "trajectory": ("sbet", "text"),
+}
+"""For each thing to export, the usual form first."""
+
+
+@dataclass(frozen=True)
+class ExportRequest:
+    """What to write, and where.
+
+    Attributes
+    ----------
+    what : {"lines", "targets", "planes", "trajectory"}
+    output : Path
+        A folder; for the trajectory a file.
+    which : {"prior", "estimated"}
+        Boresight.
+    form : str
+        One of `ENDINGS`.
+    system, height : str
+        Of lines and targets, as `lispac.workflow.georeferencing.georeference_project`.
+    """
+
+    what: What
+    output: Path
+    which: Which = "estimated"
+    form: str = "laz"
+    system: str = LOCAL
+    height: str = ""
+
+
+def system_of(
+    project: Project, trajectory: LocalTrajectory, system: str, height: str = ""
+) -> CoordinateSystem | None:
+    """The coordinate system asked for: empty for that of the lines, None for the local frame.
+
+    Raises
+    ------
+    InputError
+        Where it is not known.
+    """
+    own = None if system or height else common_system(project)
+    return chosen_system(system, trajectory, height) if own is None else own
+
+
+def export(
+    project: Project, survey: Survey, request: ExportRequest, *, progress: Progress = no_progress
+) -> tuple[list[Path], tuple[str, ...]]:
+    """Write what is asked for.
+
+    Returns
+    -------
+    paths : list of Path
+    notes : tuple of str
+        What was left out or taken for granted, in words.
+
+    Raises
+    ------
+    InputError, ProjectError
+        As the functions of `lispac.workflow.exporting` and `lispac.workflow.georeferencing`.
+    """
+    form: Any = request.form
+    if request.what == "lines":
+        written = georeference_project(
+            project, request.output, request.which, system=request.system, height=request.height,
+            ending=form, progress=progress,
+        )  # fmt: skip
+        notes = [note for done in written for note in (done.sentence, *done.notes) if note]
+        return [done.path for done in written], tuple(dict.fromkeys(notes))
+    if request.what == "targets":
+        system = system_of(project, survey.trajectory, request.system, request.height)
+        paths = export_targets(
+            project, survey, request.output, request.which, system=system, ending=form,
+            progress=progress,
+        )  # fmt: skip
+        return paths, () if system is None else system.assumptions
+    if request.what == "planes":
+        paths = export_planes(project, survey, request.output, request.which, progress=progress)
+        return paths, ()
+    path = export_trajectory(project, request.output, form)
+    if form == "sbet":
+        return [path], ("velocities, accelerations, rates and wander angle in the SBET are zero",)
+    return [path], ()

@@ -1,0 +1,115 @@
+"""The window on an imported project: first picture, frames, a seed, and the event loop meanwhile.
+
+10^7 points on one line, with ``-m long`` 10^8. Where LISPAC_BENCH_FOLDER names a folder the survey
+is made there and kept for the next run. Each figure is that of a process of its own, from a cold
+start of the window; the import is not part of it.
+"""
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QGuiApplication
+
+from lispac.workflow.importing import import_lines
+from lispac.workflow.projects import create_project, open_project
+from tests.benchmarks.bench_store import make_project
+
+BEAT_MS = 5
+
+
+@pytest.mark.parametrize("count", [10**7, pytest.param(10**8, marks=pytest.mark.long)])
+def test_open_an_imported_project(count: int, tmp_path: Path, qapp: QGuiApplication) -> None:
+    if QGuiApplication.platformName() in ("offscreen", "minimal"):
+        pytest.skip("OpenGL needs a screen, a virtual one will do")
+    folder = Path(os.environ.get("LISPAC_BENCH_FOLDER") or tmp_path) / f"{count:.0e}"
+    if not (folder / "project" / "project.json").is_file():
+        folder.mkdir(parents=True, exist_ok=True)
+        made = make_project(folder, count)
+        project = create_project(
+            folder / "project", trajectory=made.trajectory, lines=made.lines, settings=made.settings
+        )
+        import_lines(project)
+    run = subprocess.run(
+        [sys.executable, "-m", "tests.benchmarks.bench_window", str(folder / "project")],
+        capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2],
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    print(f"\n{count:,} points\n{run.stdout}")
+
+
+def report(folder: Path) -> None:
+    """Open a project in a window and print what it took."""
+    import tempfile
+
+    from PySide6.QtWidgets import QApplication
+
+    application = QApplication(sys.argv[:1])
+    from lispac.gui.main_window import MainWindow
+    from lispac.gui.settings import AppSettings
+    from lispac.gui.viewport.base import PickedPoint
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    viewport = VtkViewport()
+    settings = AppSettings(Path(tempfile.mkdtemp()) / "settings.ini")
+    window = MainWindow(viewport, settings)
+    window.resize(1600, 1000)
+    window.show()
+    application.processEvents()
+    beats: list[float] = []
+    heart = QTimer()
+    heart.timeout.connect(lambda: beats.append(time.perf_counter()))
+    heart.start(BEAT_MS)
+
+    def until(done) -> float:
+        beats.clear()
+        start = time.perf_counter()
+        while not done():
+            application.processEvents()
+            time.sleep(0.001)
+        return time.perf_counter() - start
+
+    def stall() -> float:
+        return 1000 * float(np.max(np.diff(beats), initial=0.0))
+
+    window.open_project(folder)
+    took = until(lambda: window.document.survey is not None and not window.runner.active)
+    viewport.canvas.grabFramebuffer()
+    print(f"  survey shown after {took:.2f} s; longest stall of the event loop {stall():.0f} ms")
+    survey = window.document.survey
+    assert survey is not None
+    name = survey.lines[0]
+    sample = survey.clouds[name].sample
+    middle = sample[np.argmin(np.linalg.norm(sample - np.median(sample, axis=0), axis=1))]
+    for state in ("first", "second"):
+        point = PickedPoint(name, (float(middle[0]), float(middle[1]), float(middle[2])))
+        window.controller.seed(
+            point, role="target", line=name, selected=None, threshold=None, radius=None
+        )
+        took = until(lambda: not window.runner.active)
+        found = window.controller.candidate
+        points = 0 if found is None else len(found.sightings[0].indices)
+        print(f"  {state} seed on it {took:.2f} s, {points:,} points; stall {stall():.0f} ms")
+        window.controller.reject()
+    frames = []
+    for _ in range(9):
+        start = time.perf_counter()
+        viewport._navigator.mouse.rotated.emit(3.0, 0.0)
+        viewport.canvas.grabFramebuffer()
+        frames.append(time.perf_counter() - start)
+    start = time.perf_counter()
+    viewport._show_detail()
+    viewport.canvas.grabFramebuffer()
+    rest = time.perf_counter() - start
+    print(f"  frame while moving {1000 * np.median(frames):.0f} ms, at rest {1000 * rest:.0f} ms")
+    assert open_project(folder).lines
+    window.close()
+
+
+if __name__ == "__main__":
+    report(Path(sys.argv[1]))

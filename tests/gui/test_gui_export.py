@@ -1,0 +1,103 @@
+"""Exports: what the dialogue asks, and what is written."""
+
+import dataclasses
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QDialogButtonBox
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.dialogs.export import REST_MS, THINGS, ExportDialog
+from lispac.project import Project
+from lispac.workflow.export_request import ENDINGS, ExportRequest
+from lispac.workflow.georeferencing import utm_zone
+from tests.gui.support import Control, Demo, Driver, Key, Left, press
+
+Shift = Control.__class__.ShiftModifier
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot, demo: Demo, estimated: Project, tmp_path: Path) -> ExportDialog:
+    """Of the demo survey, after an adjustment."""
+    project = dataclasses.replace(estimated, folder=tmp_path / "here")
+    made = ExportDialog("lines", "estimated", project, demo.survey.trajectory)
+    qtbot.addWidget(made)
+    made.show()
+    return made
+
+
+def ok(dialog: ExportDialog):
+    """Its button."""
+    return dialog.buttons.button(QDialogButtonBox.StandardButton.Ok)
+
+
+def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: Demo) -> None:
+    asked = dialog.request()
+    assert asked.system == utm_zone(demo.survey.trajectory)
+    assert (asked.what, asked.which, asked.form) == ("lines", "estimated", "laz")
+    assert asked.output == dialog._project.folder / "export"
+    assert "UTM zone" in dialog.said.text()
+    dialog.system.setCurrentIndex(dialog.system.count() - 1)
+    assert dialog.request().system == "local"
+    assert "North, West and Up" in dialog.said.text()
+
+
+def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
+    field = dialog.system.lineEdit()
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClicks(field, "EPSG:2")
+    assert not ok(dialog).isEnabled()
+    qtbot.wait(REST_MS + 200)
+    assert not ok(dialog).isEnabled()
+    assert "EPSG:2" in dialog.said.text()
+    qtbot.keyClicks(field, "959")
+    qtbot.waitUntil(ok(dialog).isEnabled, timeout=5000)
+    assert "NAD83(CSRS)" in dialog.said.text()
+    assert dialog.request().system == "EPSG:2959"
+    dialog.folder.selectAll()
+    qtbot.keyClick(dialog.folder, Key.Key_Delete)
+    assert not ok(dialog).isEnabled()
+
+
+def test_each_thing_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> None:
+    for what in THINGS:
+        dialog.what.setCurrentIndex(list(THINGS).index(what))
+        assert dialog.system.isVisible() == (what in ("lines", "targets"))
+        assert dialog.boresight.isVisible() == (what != "trajectory")
+        assert dialog.form.count() == len(ENDINGS[what])
+    dialog.form.setCurrentIndex(1)
+    assert dialog.request().output.name.endswith("_export.txt")
+    with qtbot.waitSignal(dialog.accepted):
+        qtbot.mouseClick(ok(dialog), Left)
+
+
+def test_nothing_estimated_leaves_the_prior(qtbot: QtBot, demo: Demo) -> None:
+    dialog = ExportDialog("lines", "estimated", demo.project, demo.survey.trajectory)
+    qtbot.addWidget(dialog)
+    assert dialog.request().which == "prior"
+    assert not dialog.boresight.isEnabled()
+
+
+def test_what_is_asked_for_is_written(picked: Driver, tmp_path: Path) -> None:
+    zone = utm_zone(picked.window.document.survey.trajectory)
+    picked.dialogs.export_request = ExportRequest("lines", tmp_path / "l", "prior", "laz", zone)
+    press(picked, Key.Key_E, Control | Shift)
+    picked.rest()
+    names = sorted(path.name for path in (tmp_path / "l").iterdir())
+    assert names == sorted(f"{line.name}_prior.laz" for line in picked.project.lines)
+    cloud = laspy.read(tmp_path / "l" / names[0])
+    assert cloud.header.parse_crs().to_epsg() == int(zone.split(":")[1])
+    assert len(cloud) == len(picked.window.document.survey.scans[names[0][:-10]])
+    said = picked.window.log.text() if hasattr(picked.window.log, "text") else ""
+    for what, form in (("targets", "csv"), ("planes", "txt"), ("trajectory", "sbet")):
+        output = tmp_path / what if what != "trajectory" else tmp_path / "t.out"
+        picked.dialogs.export_request = ExportRequest(what, output, "prior", form)
+        picked.window.actions_["trajectory" if what == "trajectory" else "targets"].trigger()
+        picked.rest()
+        assert output.exists(), said
+    assert np.loadtxt(next((tmp_path / "planes").iterdir())).shape[1] == 25
+    assert picked.dialogs.asked == ["lines", "targets", "targets", "trajectory"]
+    assert not picked.dialogs.errors

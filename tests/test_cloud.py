@@ -1,0 +1,184 @@
+"""A line on disk answers as the same line in memory does."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import Cancelled, InputError
+from lispac.progress import no_progress
+from lispac.project import Project
+from lispac.survey import cloud as cloud_module
+from lispac.survey.cloud import CloudInMemory, CloudOnDisk
+from lispac.workflow import survey as survey_module
+from lispac.workflow.calibration import estimate
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.export import content_of
+from lispac.workflow.exporting import export_targets
+from lispac.workflow.importing import import_lines, line_folder
+from lispac.workflow.picking import find
+from lispac.workflow.projects import create_project, new_project
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.validation import validate
+
+
+@pytest.fixture(scope="module")
+def project(
+    calibrated: tuple[Project, Survey], tmp_path_factory: pytest.TempPathFactory
+) -> Project:
+    """The built-in survey once more, with its picks, all lines imported."""
+    source, folder = calibrated[0], tmp_path_factory.mktemp("disk") / "project"
+    created = create_project(
+        folder, trajectory=source.trajectory, lines=source.lines, accuracy=source.accuracy,
+        settings=source.settings,
+    )  # fmt: skip
+    import_lines(created)
+    return replace(created, targets=source.targets)
+
+
+@pytest.fixture(scope="module")
+def stored(project: Project) -> Survey:
+    """Opened from the store."""
+    return load_survey(project)
+
+
+def test_imported_lines_are_opened_where_they_lie(project: Project, stored: Survey) -> None:
+    assert all(isinstance(cloud, CloudOnDisk) for cloud in stored.clouds.values())
+    # Without their files, too.
+    line = project.lines[0]
+    moved = line.path.with_suffix(".moved")
+    line.path.rename(moved)
+    try:
+        assert load_survey(project).lines == stored.lines
+    finally:
+        moved.rename(line.path)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_regions_and_points_agree(
+    calibrated: tuple[Project, Survey], stored: Survey, turned: bool
+) -> None:
+    project, memory = calibrated
+    prior = project.mounting("prior")
+    mounting = prior.with_boresight(prior.boresight + [0.02, -0.03, 0.01]) if turned else prior
+    for name in memory.lines[:2]:
+        own = memory.clouds[name].placed_with(mounting)
+        other = stored.clouds[name].placed_with(mounting)
+        assert isinstance(own, CloudInMemory)
+        np.testing.assert_allclose(own[np.array([5, 3])], other[np.array([5, 3])], atol=2e-5)
+        for k in (100, 200_000):
+            centre = own[np.array([k])][0] + 0.2
+            numbers, points = own.within(centre, 1.5)
+            found, placed = other.within(centre, 1.5)
+            assert (np.diff(found) > 0).all()
+            # What lies on the rim to the rounding of the stored coordinates may fall either way.
+            away = np.linalg.norm(points - centre, axis=1)
+            assert np.isin(numbers[away < 1.5 - 2e-5], found).all()
+            assert len(np.setdiff1d(found, own.within(centre, 1.5 + 2e-5)[0])) == 0
+            np.testing.assert_allclose(placed, other[found], atol=1e-9)
+            assert len(numbers) > 20
+        sample = other.sample
+        assert len(sample) == len(other.sample_time)
+        numbers, points = own.within(sample[7], 1e-3)
+        assert len(numbers), "what is shown are points of the line"
+
+
+def test_crowded_region_is_sampled_fairly(
+    calibrated: tuple[Project, Survey], stored: Survey, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name = stored.lines[0]
+    centre = calibrated[1].clouds[name].sample[100_000]
+    whole, points = stored.clouds[name].within(centre, 3.0)
+    monkeypatch.setattr(cloud_module, "MOST", len(whole) // 3)
+    for cloud in (stored.clouds[name], calibrated[1].clouds[name]):
+        some, chosen = cloud.within(centre, 3.0)
+        assert len(whole) // 16 < len(some) <= len(whole) // 3
+        assert np.isin(some, whole).all()
+        np.testing.assert_allclose(chosen.mean(axis=0), points.mean(axis=0), atol=0.1)
+        np.testing.assert_allclose(np.std(chosen, axis=0), np.std(points, axis=0), rtol=0.1)
+
+
+def test_one_seed_finds_the_same_points(
+    calibrated: tuple[Project, Survey], project: Project, stored: Survey
+) -> None:
+    for name in ("T1", "V1"):
+        role, seed = demo_seeds()[name]
+        own = find(calibrated[0], calibrated[1], seed, name=name, role=role)
+        other = find(project, stored, seed, name=name, role=role)
+        assert [s.line for s in own.sightings] == [s.line for s in other.sightings]
+        for one, two in zip(own.sightings, other.sightings, strict=True):
+            assert one.fingerprint == two.fingerprint
+            shared = len(np.intersect1d(one.indices, two.indices))
+            assert shared > 0.995 * max(len(one.indices), len(two.indices))
+
+
+def test_same_boresight_validation_and_exports(
+    calibrated: tuple[Project, Survey], project: Project, stored: Survey, tmp_path: Path
+) -> None:
+    own = calibrated[0].result
+    assert own is not None
+    solved = estimate(project, stored, cross_check=False)
+    assert solved.result is not None
+    assert np.abs(solved.result.boresight - own.boresight).max() < 0.1 * own.sigma.min()
+    validated = validate(solved, stored)
+    before = {c.name: c for c in calibrated[0].validation or validate(*calibrated).validation}
+    for comparison in validated.validation:
+        assert comparison.after.rms == pytest.approx(before[comparison.name].after.rms, rel=0.02)
+    assert len(export_targets(solved, stored, tmp_path)) == len(solved.targets)
+    assert content_of(validated, stored).cautions is not None
+
+
+def test_large_line_is_imported_when_the_project_is_opened(
+    calibrated: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source = calibrated[0]
+    project = create_project(
+        tmp_path / "p", trajectory=source.trajectory, lines=source.lines[:2],
+        settings=source.settings,
+    )  # fmt: skip
+    sizes = [line.path.stat().st_size for line in project.lines]
+    assert isinstance(load_survey(project).clouds[project.lines[0].name], CloudInMemory)
+    monkeypatch.setattr(survey_module, "LARGE", max(sizes) - 1)
+    opened = load_survey(project)
+    kinds = {name: type(cloud) for name, cloud in opened.clouds.items()}
+    assert CloudOnDisk in kinds.values()
+    # What was imported stays on disk; a change of what it was made with has it made again.
+    monkeypatch.setattr(survey_module, "LARGE", 10**12)
+    assert {n: type(c) for n, c in load_survey(project).clouds.items()} == kinds
+    name = next(name for name, kind in kinds.items() if kind is CloudOnDisk)
+    other = replace(project, settings=replace(project.settings, longest_gap=0.7))
+    assert isinstance(load_survey(other).clouds[name], CloudOnDisk)
+    line = next(line for line in project.lines if line.name == name)
+    moved = line.path.with_suffix(".moved")
+    line.path.rename(moved)
+    try:
+        with pytest.raises(InputError, match=line.path.name):
+            load_survey(project)
+    finally:
+        moved.rename(line.path)
+    assert line_folder(project, line).is_dir()
+
+
+def test_new_project_of_large_lines_is_whole_or_leaves_nothing(
+    calibrated: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source, folder = calibrated[0], tmp_path / "p"
+    monkeypatch.setattr(survey_module, "LARGE", 0)
+
+    def stop_on_second(fraction: float, message: str = "") -> None:
+        if message.startswith(f"Reading {source.lines[1].name}"):
+            raise Cancelled
+
+    def make(progress=no_progress) -> tuple[Project, Survey]:
+        return new_project(
+            folder, trajectory=source.trajectory, lines=source.lines[:2],
+            settings=source.settings, progress=progress,
+        )  # fmt: skip
+
+    with pytest.raises(Cancelled):
+        make(stop_on_second)
+    assert not folder.exists()
+    made, survey = make()
+    assert all(isinstance(cloud, CloudOnDisk) for cloud in survey.clouds.values())
+    assert [item.seconds for item in import_lines(made)] == [0, 0]
