@@ -57,6 +57,7 @@ class Settings:
     loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` in thesis mode
     parameters : values of the mounting to estimate besides the boresight
     variance_components : whether to estimate how large LiDAR and POS errors really are
+    accept_one_facing : whether to answer where all targets are planes that face one way
     longest_gap : seconds between two states of the trajectory that may be bridged; points in longer
         gaps are left out
     """
@@ -80,6 +81,7 @@ class Settings:
     loss: LossName | None = None
     parameters: tuple[Parameter, ...] = ()
     variance_components: bool = False
+    accept_one_facing: bool = False
     longest_gap: float = LONGEST_GAP
 
     @property

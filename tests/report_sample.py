@@ -130,9 +130,9 @@ def _result(lines: dict[str, float], targets: tuple[str, ...], model: str) -> Ad
                 sum(s.points for s in sightings if s.sighting.target == target),
                 0.0541,
                 0.00296,
-                np.array([0.0, 1.0, 0.0, 15.0]),
+                np.array([0.0, np.cos(lean), np.sin(lean), 15.0]),
             )
-            for target in targets
+            for target, lean in zip(targets, (0.0, -np.pi / 4), strict=True)
         ),
         sightings=sightings,
         rms_before=0.05234,

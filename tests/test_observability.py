@@ -14,7 +14,7 @@ from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
 from lispac.errors import RankDeficient
 from lispac.simulation.advice import advice, further_lines
-from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
+from lispac.simulation.closed_form import BOARDS, Ball, Board, exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses
@@ -34,6 +34,7 @@ def survey(targets=BOARDS, courses=None, seed: int = 0, still: bool = False) -> 
     return averaged(observed(exact, HYDROGRAPHIC_INS, generator), PRIOR, 0.1)
 
 
+@pytest.mark.parametrize("accepted", [False, True])
 @pytest.mark.parametrize("pos_errors", POS_ERRORS)
 @pytest.mark.parametrize(
     ("targets", "lines", "reason"),
@@ -48,16 +49,62 @@ def survey(targets=BOARDS, courses=None, seed: int = 0, still: bool = False) -> 
     ],
 )
 def test_a_geometry_that_fails_is_refused_with_its_reason(
-    pos_errors, targets, lines, reason
+    pos_errors, targets, lines, reason, accepted
 ) -> None:
     courses = tuple(six_courses()[k] for k in lines)
+    points, model = survey(targets, courses, still=True), StochasticModel(pos_errors)
     with pytest.raises(RankDeficient, match=reason):
-        adjust(survey(targets, courses, still=True), PRIOR, StochasticModel(pos_errors))
+        adjust(points, PRIOR, model, accept_one_facing=accepted)
+
+
+def facing(degrees: float) -> Board:
+    """A board beside the upright one that faces another way by so much."""
+    angle = np.radians(degrees)
+    normal = (np.sin(angle), -np.cos(angle), 0.0)
+    return replace(UPRIGHT, name="T3", centre=(-3.0, 15.0, 4.0), normal=normal)
+
+
+@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize(
+    ("targets", "reason"),
+    [
+        ((UPRIGHT,), "T1 is the only target, a plane: "),
+        ((UPRIGHT, facing(0)), "All targets are planes that face the same way: "),
+        ((UPRIGHT, facing(8)), "All targets are planes that face the same way: "),
+    ],
+)
+def test_targets_that_face_one_way_are_refused_on_any_headings(pos_errors, targets, reason) -> None:
+    """The remedy first, what to do where there is none second."""
+    with pytest.raises(RankDeficient, match=f"^{reason}") as refused:
+        adjust(survey(targets), PRIOR, StochasticModel(pos_errors), diagnostics=False)
+    said = str(refused.value)
+    assert said.index("Add a target of another inclination") < said.index('tick "Accept targets')
+
+
+@pytest.mark.parametrize(
+    "targets",
+    [
+        (UPRIGHT, facing(12)),
+        (UPRIGHT, facing(7), replace(facing(-7), name="T4", centre=(3.0, 15.0, 4.0))),
+        (UPRIGHT, Ball("B1", (-3.0, 15.0, 4.0), 0.3)),
+    ],
+)
+def test_targets_that_face_two_ways_are_not(targets) -> None:
+    """In any order: planes 7 deg to each side of a third are 14 deg apart."""
+    for some in (targets, targets[::-1]):
+        adjust(survey(some), PRIOR, StochasticModel(), diagnostics=False)
+
+
+def test_parts_of_a_survey_may_face_one_way() -> None:
+    """Without one of two boards the other is left; that is what a cross-check asks."""
+    points = survey()
+    checks = cross_checks(points, PRIOR, adjust(points, PRIOR, StochasticModel()))
+    assert all(c.boresight is not None for c in checks.parts if c.kind == "target")
 
 
 def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
-    """Nothing is refused that the data can tell; the sigmas say how well."""
-    one = adjust(survey((UPRIGHT,)), PRIOR, StochasticModel())
+    """Where that is accepted: the data can tell, and the sigmas say how well."""
+    one = adjust(survey((UPRIGHT,)), PRIOR, StochasticModel(), accept_one_facing=True)
     two = adjust(survey(), PRIOR, StochasticModel())
     assert (one.sigma > two.sigma).all()
     assert "T1 is the only target" in one.observability.sentences[-1]
@@ -66,8 +113,8 @@ def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
 
 
 def test_boards_that_face_one_way_are_told_of() -> None:
-    beside = replace(UPRIGHT, name="T3", centre=(-3.0, 15.0, 4.0))
-    result = adjust(survey((UPRIGHT, beside)), PRIOR, StochasticModel())
+    points = survey((UPRIGHT, facing(0)))
+    result = adjust(points, PRIOR, StochasticModel(), accept_one_facing=True)
     assert "All targets face the same way" in result.observability.sentences[-1]
     assert (np.abs(result.boresight - TRUTH.boresight) < 3.5 * result.sigma).all()
 

@@ -307,4 +307,20 @@ def test_one_plane_alone_is_serious(project: Project, changed: Changed) -> None:
     first = result.targets[0]
     said = _caution(changed(targets=(first,)), "one_target")
     assert f"{first.target} is the only target" in said
-    assert not [c for c in changed().cautions if c.code == "one_target"]
+    assert not [c for c in changed().cautions if c.code in ("one_target", "one_facing")]
+
+
+def test_planes_that_face_one_way_are_serious(project: Project, changed: Changed) -> None:
+    first, second = _result(project).targets
+    content = changed(targets=(first, replace(second, plane=first.plane)))
+    assert "All targets face the same way" in _caution(content, "one_facing")
+    assert {c.severity for c in content.cautions if c.code == "one_facing"} == {"serious"}
+
+
+def test_accepting_one_facing_is_shown_where_it_is_on(project: Project) -> None:
+    for accepted in (False, True):
+        other = replace(project, settings=replace(project.settings, accept_one_facing=accepted))
+        content = sample_content(other)
+        shown = dict(_tables(document_of(content, {}))["System and points"].rows)  # type: ignore[arg-type]
+        assert ("Targets that all face one way" in shown) == accepted
+        assert json.loads(json_text(content))["settings"]["accept_one_facing"] == accepted

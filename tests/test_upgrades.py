@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -31,6 +32,18 @@ def test_an_older_project_opens_and_is_saved_as_a_new_one(folder: Path, tmp_path
     write_project(project)
     assert json.loads((copy / FILE_NAME).read_text())["schema_version"] == SCHEMA_VERSION
     assert read_project(copy).settings == project.settings
+
+
+def test_a_project_from_before_a_setting_has_its_usual_value(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    project = replace(project, settings=replace(project.settings, accept_one_facing=True))
+    write_project(project)
+    assert read_project(project.folder).settings.accept_one_facing
+    path = project.folder / FILE_NAME
+    content = json.loads(path.read_text())
+    del content["settings"]["accept_one_facing"]
+    path.write_text(json.dumps(content))
+    assert not read_project(project.folder).settings.accept_one_facing
 
 
 def test_every_version_has_its_fixture() -> None:

@@ -81,7 +81,8 @@ def _without_unseen(
     seen = tuple(each for each in parameters if each.name not in unseen)
     if not any(each.name in unseen and each.prior_sigma is not None for each in result.parameters):
         return result, seen
-    whole = adjust(observations, start, result.model, parameters=seen, diagnostics=False)
+    whole = adjust(observations, start, result.model, parameters=seen, accept_one_facing=True,
+                   diagnostics=False)  # fmt: skip
     return replace(result, covariance_all=whole.covariance_all, estimated=whole.estimated), seen
 
 
@@ -116,7 +117,7 @@ def _check(
     try:
         part = adjust(
             observations.of_sightings(keep), start, result.model,
-            parameters=parameters, diagnostics=False,
+            parameters=parameters, accept_one_facing=True, diagnostics=False,
         )  # fmt: skip
     except AdjustmentError as error:
         return CrossCheck(kind, name, reason=str(error))

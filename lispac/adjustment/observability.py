@@ -105,7 +105,7 @@ def require_determined(linearised: Linearised) -> None:
         reasons.append("all lines run parallel")
     if len(targets) == 1:
         reasons.append(f"{targets[0]} is the only target")
-    elif _parallel_normals(linearised):
+    elif _one_facing(linearised):
         reasons.append("all targets face the same way")
     because = f": {' and '.join(reasons)}" if reasons else ""
     raise RankDeficient(
@@ -114,6 +114,38 @@ def require_determined(linearised: Linearised) -> None:
         "other directions: a vertical target shows roll on lines along it, pitch and yaw on lines "
         "at 45 deg to it."
     )
+
+
+def require_two_facings(linearised: Linearised) -> None:
+    """Refuse planes that all face one way: what they tell of the angles nothing checks.
+
+    Raises
+    ------
+    RankDeficient
+    """
+    if not _one_facing(linearised):
+        return
+    targets = linearised.problem.observations.targets
+    which = (
+        f"{targets[0]} is the only target, a plane"
+        if len(targets) == 1
+        else "All targets are planes that face the same way"
+    )
+    raise RankDeficient(
+        f"{which}: only the headings of the lines would tell the angles apart. Add a target of "
+        'another inclination, or a sphere; where there is none, tick "Accept targets that all '
+        'face one way" under Advanced (--accept-one-facing at the command line).'
+    )
+
+
+def one_facing(normals: Array, spheres: NDArray[np.bool_]) -> bool:
+    """Whether all targets are planes with the same normal, up to `PARALLEL`.
+
+    Parameters
+    ----------
+    normals : ndarray of shape (targets, 3), unit vectors, local
+    """
+    return not spheres.any() and bool((np.abs(normals @ normals.T) > np.cos(PARALLEL)).all())
 
 
 def headings(linearised: Linearised) -> dict[str, float]:
@@ -141,10 +173,8 @@ def _parallel_lines(linearised: Linearised) -> bool:
     return bool((np.abs(apart) < PARALLEL).all())
 
 
-def _parallel_normals(linearised: Linearised) -> bool:
-    spheres = linearised.problem.observations.is_sphere
-    normals = linearised.state.shapes[:, :3]
-    return not spheres.any() and bool((np.abs(normals @ normals[0]) > np.cos(PARALLEL)).all())
+def _one_facing(linearised: Linearised) -> bool:
+    return one_facing(linearised.state.shapes[:, :3], linearised.problem.observations.is_sphere)
 
 
 def observability(linearised: Linearised) -> Observability:
@@ -172,7 +202,7 @@ def _one_sided(linearised: Linearised) -> Sequence[str]:
             f"{targets[0]} is the only target: no other shows whether it is bent or moved. Add one "
             "of another inclination."
         ]
-    if _parallel_normals(linearised):
+    if _one_facing(linearised):
         return [
             "All targets face the same way: only the headings of the lines tell the angles apart. "
             "Add a target of another inclination."

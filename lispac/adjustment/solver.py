@@ -12,7 +12,7 @@ from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
 from lispac.adjustment.components import FACTORS, variance_components
 from lispac.adjustment.noise import astray, noise_factors
-from lispac.adjustment.observability import require_determined, unseen
+from lispac.adjustment.observability import require_determined, require_two_facings, unseen
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Estimate, Parameter
 from lispac.adjustment.problem import Linearised, Problem
@@ -76,6 +76,7 @@ def adjust(
     parameters: tuple[Parameter, ...] = (),
     shapes: Array | None = None,
     components: bool = False,
+    accept_one_facing: bool = False,
     diagnostics: bool = True,
     progress: Progress = no_progress,
 ) -> AdjustmentResult:
@@ -96,6 +97,8 @@ def adjust(
         Starting planes and spheres; fitted to the points placed with ``mounting`` where not given.
     components : bool
         Whether to take the sigmas of LiDAR and POS from the data (correlated model).
+    accept_one_facing : bool
+        Whether to answer where all targets are planes that face one way.
     diagnostics : bool
         Whether to work out observability and reliability too.
 
@@ -104,7 +107,7 @@ def adjust(
     AdjustmentError
         Where a sighting has too few points.
     RankDeficient
-        Where lines and targets do not determine the boresight.
+        Where lines and targets do not determine the boresight, or nothing checks it.
     NotConverged
     """
     started = time.perf_counter()
@@ -112,8 +115,8 @@ def adjust(
     try:
         with one_thread():
             return _adjusted(
-                observations, mounting, model, parameters, shapes, components, diagnostics,
-                progress, started,
+                observations, mounting, model, parameters, shapes, components,
+                accept_one_facing, diagnostics, progress, started,
             )  # fmt: skip
     except np.linalg.LinAlgError as error:
         raise NotConverged(
@@ -129,6 +132,7 @@ def _adjusted(
     parameters: tuple[Parameter, ...],
     shapes: Array | None,
     components: bool,
+    accept_one_facing: bool,
     diagnostics: bool,
     progress: Progress,
     started: float,
@@ -154,6 +158,8 @@ def _adjusted(
         problem = Problem.of(few, mounting, model, kept)
         state = problem.start(state.mounting, state.shapes)
     solution, gone = _led_by_most(problem, state, progress)
+    if not accept_one_facing:
+        require_two_facings(solution.linearised)
     found: tuple[Component, ...] = ()
     factors = np.ones(3)
     if components and model.correlated:

@@ -83,6 +83,7 @@ def asked_settings(settings: Settings, arguments: Namespace) -> Settings:
         "attitude_time": arguments.attitude_time,
         "parameters": parameters_of(arguments.estimate),
         "variance_components": arguments.components,
+        "accept_one_facing": arguments.accept_one_facing,
     }
     if arguments.loss is not None:
         settings = replace(settings, loss=None if arguments.loss == "auto" else arguments.loss)
@@ -137,7 +138,8 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
     with ConsoleProgress() as progress:
         result = adjust(
             observations, mounting, settings.stochastic_model, parameters=settings.parameters,
-            shapes=planes, components=settings.variance_components, progress=progress,
+            shapes=planes, components=settings.variance_components,
+            accept_one_facing=settings.accept_one_facing, progress=progress,
         )  # fmt: skip
         if arguments.no_cross_checks:
             return result, None

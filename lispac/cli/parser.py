@@ -227,6 +227,12 @@ def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="take the sigmas of LiDAR and POS from the data",
     )
     estimate.add_argument(
+        "--accept-one-facing",
+        action=argparse.BooleanOptionalAction,
+        help="answer though all targets are planes that face one way, which is refused otherwise: "
+        "only the headings of the lines tell the angles apart then",
+    )
+    estimate.add_argument(
         "--no-cross-checks", action="store_true", help="do not adjust parts of the data too"
     )
     estimate.add_argument("--planes", type=Path, nargs="+", metavar="FILE", help="25-column files")

@@ -107,7 +107,7 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
         return StepStatus(
             "warning",
             sentence,
-            "One plane seldom determines all three angles: pick another that faces elsewhere.",
+            "Nothing checks a single target: pick another that faces elsewhere.",
             ready=True,
         )
     advice = (

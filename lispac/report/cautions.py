@@ -6,7 +6,15 @@ One rule a function; each looks at the content only, so that a report and a test
 from collections.abc import Iterator
 
 from lispac.report.quality_cautions import cross_check_cautions, quality_cautions
-from lispac.report.values import Caution, Chi2, ReportContent, ValidationPlane, mild, serious
+from lispac.report.values import (
+    Caution,
+    Chi2,
+    ReportContent,
+    TargetFit,
+    ValidationPlane,
+    mild,
+    serious,
+)
 from lispac.report.wording import listed, parameter, signed, title
 
 LARGE_SIGMA_DEG = 0.1
@@ -64,14 +72,8 @@ def _fit(content: ReportContent) -> Iterator[Caution]:
     noisy = any(target.noise_factor > 1 for target in content.adjustment.targets)
     yield from _chi_square(content.adjustment.chi_square, independent, noisy)
     yield from _large_sigmas(content)
-    planes = [target for target in content.adjustment.targets if target.shape == "plane"]
-    if len(planes) == len(content.adjustment.targets) == 1:
-        yield serious(
-            "one_target",
-            f"{planes[0].target} is the only target: the headings of the lines alone tell the "
-            "angles apart, and nothing shows whether it is bent or moved. Add a target of another "
-            "inclination.",
-        )
+    if content.adjustment.one_facing:
+        yield _one_facing(content.adjustment.targets)
     if independent:
         yield serious(
             "independent_pos_errors",
@@ -93,6 +95,18 @@ def _fit(content: ReportContent) -> Iterator[Caution]:
                     f"{title(parameter(first))} and {parameter(names[j])} are hardly told apart "
                     f"(correlation {signed(matrix[i][j], 2)}): {advice}.",
                 )
+
+
+def _one_facing(targets: tuple[TargetFit, ...]) -> Caution:
+    headings = "the headings of the lines alone tell the angles apart"
+    remedy = "Add a target of another inclination."
+    if len(targets) == 1:
+        return serious(
+            "one_target",
+            f"{targets[0].target} is the only target: {headings}, and nothing shows whether it is "
+            f"bent or moved. {remedy}",
+        )
+    return serious("one_facing", f"All targets face the same way: {headings}. {remedy}")
 
 
 def _large_sigmas(content: ReportContent) -> Iterator[Caution]:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 import lispac
 from lispac.adjustment.critical import critical_w
+from lispac.adjustment.observability import one_facing
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress, part
@@ -194,6 +195,10 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
                 t.noise,
             )
             for t in result.targets
+        ),
+        one_facing=one_facing(
+            np.array([t.plane[:3] for t in result.targets]),
+            np.array([t.sphere for t in result.targets]),
         ),
         sightings=tuple(
             SightingFit(

@@ -49,6 +49,8 @@ def _system(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str
     if names:
         also = listed([parameter(name) for name in names])
         said.append(("Asked to be estimated", f"the boresight; {also}"))
+    if used.accept_one_facing:
+        said.append(("Targets that all face one way", "accepted"))
     return [*said, ("Subsampling", _subsampling(used))]
 
 

@@ -48,6 +48,7 @@ def settings_used(project: Project) -> SettingsUsed:
         scan_angle_offset_deg=settings.scan_angle_offset_deg,
         latency_s=settings.latency,
         subsample_m=settings.subsample,
+        accept_one_facing=settings.accept_one_facing,
         averaged=model.correlated,
         pos_errors=model.pos_errors,
         position_correlation_time_s=model.position_time if model.correlated else None,

@@ -59,6 +59,7 @@ class SettingsUsed:
     scan_angle_offset_deg: float
     latency_s: float
     subsample_m: float
+    accept_one_facing: bool
     averaged: bool
     pos_errors: str
     position_correlation_time_s: float | None
@@ -242,7 +243,8 @@ class Adjustment:
     """How well the adjustment went.
 
     ``correlation`` is that of the three angles, ``correlation_all`` that of all ``estimated``.
-    ``critical_w`` is the test value beyond which a sighting disagrees.
+    ``critical_w`` is the test value beyond which a sighting disagrees. ``one_facing`` says that all
+    targets are planes with the same normal.
     """
 
     correlation: tuple[tuple[float, ...], ...]
@@ -264,6 +266,7 @@ class Adjustment:
     effect_distances_m: tuple[float, ...]
     effects: tuple[Effect, ...]
     targets: tuple[TargetFit, ...]
+    one_facing: bool
     sightings: tuple[SightingFit, ...]
 
 

@@ -209,7 +209,10 @@ def select(
         # Points of another surface among the picks would be taken for POS errors by the correlated
         # model; this one leaves them to stand out.
         thinned = observations_of(selected, survey, settings=coarse)
-        result = adjust(thinned, prior, StochasticModel("independent"), diagnostics=False)
+        result = adjust(
+            thinned, prior, StochasticModel("independent"),
+            accept_one_facing=settings.accept_one_facing, diagnostics=False,
+        )  # fmt: skip
         moved = np.abs(result.boresight - angles)
         if k > 0 and (moved < SETTLED * result.sigma).all():
             break
@@ -241,6 +244,7 @@ def solve(
         settings.stochastic_model,
         parameters=settings.parameters,
         components=settings.variance_components,
+        accept_one_facing=settings.accept_one_facing,
         progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
     )
     seen = result.observability

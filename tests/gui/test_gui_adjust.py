@@ -307,6 +307,34 @@ def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
     driver.window.runner.cancel()
 
 
+def test_a_single_board_is_refused_until_that_is_accepted(
+    driver: Driver, demo: Demo, estimated: Project
+):
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    tick(driver, 1, 0)
+    settle(driver)
+    refusal = driver.window.results.refusal
+    assert refusal.isVisible()
+    assert "T1 is the only target, a plane" in refusal.text()
+    model = driver.window.adjust.model
+    assert f'"{model.one_facing.text()}" under {driver.window.adjust.advanced.head.text()}' in (
+        refusal.text()
+    )
+    unfold(driver, driver.window.adjust.advanced)
+    click(driver, model.one_facing)
+    assert driver.window.adjust.advanced.head.text() == "Advanced: one facing accepted"
+    press(driver, Key.Key_F9)
+    driver.rest()
+    assert driver.project.settings.accept_one_facing
+    seen = driver.project.result.observability
+    assert any("T1 is the only target" in said for said in seen.sentences)
+    assert not refusal.isVisible()
+    press(driver, Key.Key_Z, Control)
+    driver.rest()
+    assert not model.one_facing.isChecked()
+
+
 def test_what_follows_can_be_cancelled(driver: Driver, demo: Demo, estimated: Project):
     driver.window.document.open(estimated, demo.survey)
     driver.rest()

@@ -107,6 +107,15 @@ class ModelSettings(QWidget):
         )
         self.components.toggled.connect(self.changed)
         form.addRow(self.components)
+        self.one_facing = QCheckBox("Accept targets that all face one way")
+        self.one_facing.setObjectName("accept_one_facing")
+        self.one_facing.setToolTip(
+            "For boards that all hang on one wall, or a single one. Only the headings of the lines "
+            "tell the angles apart then, and nothing shows whether a board is bent or moved. A "
+            "target of another inclination, or a sphere, is better."
+        )
+        self.one_facing.toggled.connect(self.changed)
+        form.addRow(self.one_facing)
         self._form = form
         self._show_noise()
 
@@ -129,6 +138,7 @@ class ModelSettings(QWidget):
             if kind == 2
             else None,
             variance_components=self.components.isChecked(),
+            accept_one_facing=self.one_facing.isChecked(),
         )
 
     def show_settings(self, settings: Settings) -> None:
@@ -149,6 +159,7 @@ class ModelSettings(QWidget):
         kind = 1 if settings.lidar_sigma_xyz else 2 if settings.lidar_beam_sigma else 0
         self.noise.setCurrentIndex(kind)
         self.components.setChecked(settings.variance_components)
+        self.one_facing.setChecked(settings.accept_one_facing)
         self.blockSignals(False)
 
     def show_model(self, pos_errors: PosErrors) -> None:
@@ -168,6 +179,8 @@ class ModelSettings(QWidget):
             words.append("surface σ typed")
         if self.components.isChecked():
             words.append("variance components")
+        if self.one_facing.isChecked():
+            words.append("one facing accepted")
         return ", ".join(words)
 
     def _all(self, fields, where: str):
