@@ -2,11 +2,7 @@
 
 import os
 import re
-import warnings
-from collections.abc import Callable, Iterator
-from itertools import cycle
 from pathlib import Path
-from time import monotonic
 from typing import Any
 
 import laspy
@@ -266,83 +262,6 @@ def test_file_removed_while_it_is_read(
     path.unlink()
     assert held + sum(len(chunk.time) for chunk in chunks) == files.COUNT
     assert "there is no such" in said(path, "a.ply")
-
-
-def mutations(data: bytes) -> st.SearchStrategy[bytes]:
-    """Valid bytes with some changed, inserted, taken out or cut off."""
-    place = st.integers(0, len(data) - 1)
-    edit = st.tuples(place, st.sampled_from([0, 1, 2, 4, 8]), st.binary(max_size=8))
-
-    def apply(edits: list[tuple[int, int, bytes]], cut: int | None) -> bytes:
-        changed = bytearray(data)
-        for at, length, new in edits:
-            changed[at : at + (len(new) if length == 8 else length)] = new
-        return bytes(changed[:cut])
-
-    cut = st.one_of(st.none(), st.none(), st.none(), place)
-    return st.builds(apply, st.lists(edit, min_size=1, max_size=6), cut)
-
-
-def only_own_errors(path: Path, name: str) -> None:
-    format_ = FORMATS[files.VALID[name][0]]
-    assert 0 <= format_.sniff(path) <= 1
-
-    sentences: list[str] = []
-
-    def all_of(read: Callable[[], Any]) -> None:
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("error")
-                result = read()
-                for chunk in result if isinstance(result, Iterator) else ():
-                    assert np.isfinite(chunk.xyz).all()
-                    assert np.isfinite(chunk.time).all()
-        except InputError as refused:
-            sentences.append(str(refused))
-
-    all_of(lambda: format_.look(path, {}))
-    all_of(lambda: format_.read(path, {}))
-    assert not any("\n" in sentence for sentence in sentences)
-
-
-def fuzz(folder: Path, made: dict[str, Path], name: str, examples: int) -> int:
-    """Put changed files before a reader; how many there were."""
-    inputs = 0
-
-    @settings(
-        max_examples=examples, deadline=None, database=None,
-        suppress_health_check=list(HealthCheck),
-    )  # fmt: skip
-    @given(data=mutations(made[name].read_bytes()))
-    def run(data: bytes) -> None:
-        nonlocal inputs
-        inputs += 1
-        only_own_errors(damaged(folder, name, data), name)
-
-    run()
-    return inputs
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_changed_bytes_bring_only_own_errors(
-    tmp_path: Path, made: dict[str, Path], name: str
-) -> None:
-    fuzz(tmp_path, made, name, 25)
-
-
-@pytest.mark.long
-@pytest.mark.timeout(600)
-@pytest.mark.parametrize("key", FORMATS)
-def test_many_changed_bytes_bring_only_own_errors(
-    tmp_path: Path, made: dict[str, Path], key: str
-) -> None:
-    """Each reader for a minute or 100,000 inputs, its files in turn; -s shows how many."""
-    names = cycle(name for name in NAMES if files.VALID[name][0] == key)
-    inputs, end = 0, monotonic() + 60
-    while inputs < 100_000 and monotonic() < end:
-        inputs += fuzz(tmp_path, made, next(names), 500)
-    print(f"{key}: {inputs:,} inputs")
-    assert inputs >= 500
 
 
 @settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))

@@ -6,12 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from lispac.errors import InputError
 from lispac.io.formats import ACCURACIES, TRAJECTORIES, format_of, recognised
-from lispac.io.registry import Finding, Format
+from lispac.io.registry import Finding
 from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
 
 BINARY = ("sbet", "smrmsg")
@@ -336,16 +335,6 @@ def test_file_without_permission(tmp_path: Path) -> None:
         pytest.skip("this user may read everything")
 
 
-def attempt(format: Format, path: Path) -> None:
-    """Recognise, look and read; nothing but the program's own errors may come out."""
-    assert 0 <= format.sniff(path) <= 1
-    finding, told = outcome(format.look, path, {})
-    assert "\n" not in told
-    for options in ({}, finding.choice if isinstance(finding, Finding) else {}):
-        _, told = outcome(format.read, path, options)
-        assert "\n" not in told
-
-
 numbers = st.floats() | st.sampled_from([0.0, 486_000.0, 0.79, -1.28, 45.5, 1e300, 5e-324])
 binary = st.lists(numbers, max_size=60).map(lambda values: np.array(values, "<f8").tobytes())
 pieces = st.sampled_from(
@@ -358,31 +347,3 @@ pieces = st.sampled_from(
 )  # fmt: skip
 text = st.lists(pieces, max_size=40).map(lambda parts: "".join(parts).encode())
 anything = st.binary(max_size=600) | binary | text
-quick = settings(
-    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-
-
-@pytest.mark.parametrize("key", EVERY)
-@quick
-@given(content=anything)
-def test_any_bytes(tmp_path: Path, key: str, content: bytes) -> None:
-    path = tmp_path / "any"
-    path.write_bytes(content)
-    attempt(format_of(key), path)
-
-
-@pytest.mark.parametrize("key", EVERY)
-@quick
-@given(data=st.data())
-def test_damaged_files(tmp_path: Path, key: str, data: st.DataObject) -> None:
-    path = tmp_path / "sound"
-    if not path.exists():
-        good(key, path)
-    content = bytearray(path.read_bytes())
-    for _ in range(data.draw(st.integers(1, 4))):
-        start = data.draw(st.integers(0, len(content)))
-        new = data.draw(st.binary(max_size=9))
-        content[start : start + data.draw(st.integers(0, 40))] = new
-    (tmp_path / "damaged").write_bytes(bytes(content))
-    attempt(format_of(key), tmp_path / "damaged")

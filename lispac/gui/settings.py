@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QByteArray, QSettings, QStandardPaths
 
 MOST_RECENT = 8
+POINT_SIZES = range(1, 13)  # pixels
 
 
 class AppSettings:
@@ -71,7 +72,8 @@ class AppSettings:
     def point_size(self) -> int:
         """Pixels of a drawn point."""
         stored = str(self._store.value("point_size", 2))
-        return int(stored) if stored.isdigit() else 2
+        known = {str(size): size for size in POINT_SIZES}
+        return known.get(stored, 2)
 
     @point_size.setter
     def point_size(self, pixels: int) -> None:

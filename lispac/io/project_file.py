@@ -10,7 +10,9 @@ import hashlib
 import json
 import os
 import re
+import tokenize
 import zipfile
+import zlib
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -23,7 +25,7 @@ from lispac.adjustment.stochastic import POS_ERRORS
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import written_whole
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
-from lispac.io.values import decoded, encoded
+from lispac.io.values import decoded, encoded, in_one_line
 from lispac.project import (
     ROLES,
     SHAPES,
@@ -79,10 +81,12 @@ def read_project(folder: Path) -> Project:
         _require_consistent(project)
     except InputError as error:
         raise ProjectError(f"{path}: {error}") from error
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile) as error:
+    except (
+        OSError, ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError,
+        RecursionError,
+    ) as error:  # fmt: skip
         raise ProjectError(
-            f"{path}: the project file is damaged ({type(error).__name__}: {error}); "
-            "restore it from a copy."
+            f"{path}: the project file is damaged ({in_one_line(error)}); restore it from a copy."
         ) from error
     return project
 
@@ -191,13 +195,14 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
             f"{path}: the points of target {content['name']} are missing; restore the file from a "
             "copy of the project, or make the project again."
         )
-    with np.load(path) as indices:
-        sightings = tuple(
-            PickedSighting(
-                item["line"], indices[f"line{k}"], item["rms"], item["used"], item["fingerprint"]
-            )
-            for k, item in enumerate(content["sightings"])
+    sightings = tuple(
+        PickedSighting(item["line"], indices, item["rms"], item["used"], item["fingerprint"])
+        for item, indices in zip(
+            content["sightings"],
+            _read_indices(path, content["name"], len(content["sightings"])),
+            strict=True,
         )
+    )
     return Target(
         content["name"],
         content["role"],
@@ -210,6 +215,29 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
         content["shape"],
         content["sphere_radius"],
     )
+
+
+UNREADABLE = (
+    OSError, ValueError, KeyError, EOFError, MemoryError, RuntimeError, SyntaxError,
+    tokenize.TokenError, zipfile.BadZipFile, zlib.error,
+)  # fmt: skip
+"""What numpy and zipfile raise where a file of theirs is damaged."""
+
+
+def _read_indices(path: Path, target: str, count: int) -> list[NDArray[np.int64]]:
+    try:
+        # Opened here: numpy leaves a file open where it cannot make sense of it.
+        with path.open("rb") as file, np.load(file) as arrays:
+            found = [arrays[f"line{k}"] for k in range(count)]
+        for indices in found:
+            if indices.ndim != 1 or indices.dtype.kind not in "iu" or (indices < 0).any():
+                raise ValueError(f"it holds {indices.dtype} of shape {indices.shape}")
+    except UNREADABLE as error:
+        raise ProjectError(
+            f"{path}: the points of target {target} are damaged ({in_one_line(error)}); restore "
+            "the file from a copy of the project, or make the project again."
+        ) from error
+    return found
 
 
 def _write_indices(folder: Path, target: Target) -> str:

@@ -272,10 +272,12 @@ def _agreement(blocks: Sequence[Array], angle: int, rate: int) -> float | None:
     if not changes:
         return None
     change, turn = np.concatenate(changes), np.concatenate(turns)
+    if len(change) < 10:
+        return None
     # About zero, not about the mean: a steady turn tells the sign as well.
     size = float(np.sqrt(np.mean(change**2)))
     length = float(np.linalg.norm(change) * np.linalg.norm(turn))
-    if len(change) < 10 or size < np.radians(0.1) or length == 0:
+    if size < np.radians(0.1) or length == 0:
         return None
     agreement = float(change @ turn) / length
     return agreement if abs(agreement) > 0.9 else None

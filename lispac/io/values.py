@@ -43,6 +43,12 @@ def decoded(content: Any, kind: type[Value]) -> Value:
         raise ValueError(f"{kind.__name__} cannot be read: {_first(error)}") from error
 
 
+def in_one_line(error: BaseException) -> str:
+    """What an error of the system or a library is called and says, in one line."""
+    said = str(error).splitlines()
+    return f"{type(error).__name__}: {said[0]}" if said else type(error).__name__
+
+
 def _first(error: BaseException) -> str:
     """The innermost of nested errors, in one line."""
     while isinstance(error, BaseExceptionGroup):

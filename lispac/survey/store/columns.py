@@ -1,6 +1,7 @@
 """Columns as files in NumPy's own format, written piece by piece and read by mapping."""
 
 import os
+import tokenize
 from io import BytesIO
 from pathlib import Path
 from types import TracebackType
@@ -147,9 +148,12 @@ def opened(folder: Path, column: Column, count: int) -> NDArray[Any]:
         values: NDArray[Any] = np.load(path, mmap_mode="r", allow_pickle=False)
         if values.shape != shape or values.dtype != np.dtype(column.dtype):
             raise ValueError(f"it holds {values.dtype} of shape {values.shape}")
-    except (OSError, ValueError, EOFError) as error:
+    except (
+        OSError, ValueError, EOFError, MemoryError, OverflowError, SyntaxError, tokenize.TokenError,
+    ) as error:  # fmt: skip
+        said = str(error).split("\n")[0]
         raise ProjectError(
-            f"{path}: this part of an imported line is damaged ({error}); import the line again."
+            f"{path}: this part of an imported line is damaged ({said}); import the line again."
         ) from error
     # A plain array over the same memory: the subclass costs in every slice.
     return np.asarray(values)

@@ -24,6 +24,7 @@ from lispac.survey.store.fingerprint import Running
 from lispac.survey.store.layout import PART, SPOOL, Column, write_text_whole
 from lispac.survey.store.pieces import BLOCK, OWN, Block, Place, Values, fields
 
+DAMAGED = (OSError, ValueError, KeyError, TypeError, RecursionError)
 RECIPE, COMPLETE = "recipe.json", "complete.json"
 VERSION = 1
 
@@ -113,7 +114,7 @@ class Spool:
         try:
             content = json.loads((self.folder / COMPLETE).read_text(encoding="utf-8"))
             return int(content["read"]) if content["points"] == self.points else None
-        except (OSError, ValueError, KeyError, TypeError):
+        except DAMAGED:
             return None
 
     def complete(self, read: int) -> None:
@@ -203,7 +204,7 @@ class Spool:
             return Spooled(
                 **{**content, "running": Running(**content["running"]), "columns": columns}
             )
-        except (OSError, ValueError, KeyError, TypeError):
+        except DAMAGED:
             return None
 
     def _write(self, number: int, kind: str, columns: Iterable[NDArray[Any]]) -> int:

@@ -1,0 +1,112 @@
+"""Bytes and values that nobody meant, and how many of them a reader has seen."""
+
+import json
+from collections.abc import Callable, Sequence
+from copy import deepcopy
+from time import monotonic
+from typing import Any
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+SECONDS, INPUTS = 60, 100_000
+"""The long form ends with whichever comes first."""
+
+Attempt = Callable[[bytes], bool]
+"""Puts content before a reader; whether it was read. All but the program's own errors come out."""
+
+
+def damaged(content: bytes) -> st.SearchStrategy[bytes]:
+    """Sound bytes with pieces changed, taken out, put in or cut off."""
+    place = st.integers(0, len(content))
+    length = st.sampled_from([0, 0, 1, 2, 4, 8, -1, -1, -1]) | st.integers(0, 40)
+    edit = st.tuples(place, length, st.binary(max_size=9))
+
+    def apply(edits: list[tuple[int, int, bytes]], cut: int | None) -> bytes:
+        changed = bytearray(content)
+        for at, taken, new in edits:
+            changed[at : at + (len(new) if taken < 0 else taken)] = new
+        return bytes(changed[:cut])
+
+    cut = st.one_of(st.none(), st.none(), st.none(), place)
+    return st.builds(apply, st.lists(edit, min_size=1, max_size=6), cut)
+
+
+leaves = (
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8)
+    | st.sampled_from(["", "..", "<f8", "|O", "/", "\0", -1, 0, 1, 2**63, 1e300, 0.5])
+)  # fmt: skip
+values = st.recursive(
+    leaves,
+    lambda v: st.lists(v, max_size=3) | st.dictionaries(st.text(max_size=5), v),
+    max_leaves=4,
+)
+
+
+def places_of(content: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """Where values stand in what JSON holds: keys and numbers on the way to each."""
+    inner = (
+        content.items() if isinstance(content, dict)
+        else enumerate(content) if isinstance(content, list)
+        else ()
+    )  # fmt: skip
+    return [at, *(place for key, value in inner for place in places_of(value, (*at, key)))]
+
+
+def changed_values(content: Any) -> st.SearchStrategy[Any]:
+    """What JSON holds with values exchanged, or left out."""
+    nothing = object()
+    edit = st.tuples(st.sampled_from(places_of(content)[1:]), st.just(nothing) | values)
+
+    def apply(edits: list[tuple[tuple[Any, ...], Any]]) -> Any:
+        changed = deepcopy(content)
+        for place, value in edits:
+            inner = changed
+            try:
+                for key in place[:-1]:
+                    inner = inner[key]
+                if value is nothing:
+                    del inner[place[-1]]
+                else:
+                    inner[place[-1]] = value
+            except (LookupError, TypeError):  # an edit before has taken it away
+                continue
+        return changed
+
+    return st.builds(apply, st.lists(edit, min_size=1, max_size=3))
+
+
+def json_like(content: bytes) -> st.SearchStrategy[bytes]:
+    """The bytes of a JSON file damaged, or whole with other values."""
+    written = changed_values(json.loads(content)).map(lambda value: json.dumps(value).encode())
+    nested = st.integers(1, 100_000).map(lambda depth: b"[" * depth)
+    return st.one_of(damaged(content), written, written, nested)
+
+
+def fuzz(made: st.SearchStrategy[bytes], attempt: Attempt, examples: int) -> tuple[int, int]:
+    """Put examples before a reader; how many there were, and how many were read."""
+    inputs = read = 0
+
+    @settings(
+        max_examples=examples, deadline=None, database=None,
+        suppress_health_check=list(HealthCheck),
+    )  # fmt: skip
+    @given(content=made)
+    def run(content: bytes) -> None:
+        nonlocal inputs, read
+        inputs += 1
+        read += attempt(content)
+
+    run()
+    return inputs, read
+
+
+def fuzz_long(name: str, made: Sequence[st.SearchStrategy[bytes]], attempt: Attempt) -> int:
+    """As `fuzz`, for a minute or 100,000 inputs, from each source in turn; prints how many."""
+    inputs = read = turn = 0
+    end = monotonic() + SECONDS
+    while inputs < INPUTS and monotonic() < end:
+        counts = fuzz(made[turn % len(made)], attempt, 250)
+        inputs, read, turn = inputs + counts[0], read + counts[1], turn + 1
+    print(f"{name}: {inputs:,} inputs, {read:,} of them read, {inputs - read:,} refused")
+    return inputs
