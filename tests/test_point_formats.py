@@ -106,6 +106,38 @@ def test_every_las_point_format_with_time(tmp_path: Path, point_format: int) -> 
         np.testing.assert_array_equal(read.extra[name], np.asarray(points[name]))
 
 
+@pytest.mark.parametrize("ending", ["las", "laz"])
+@pytest.mark.parametrize("point_format", [4, 5, 9, 10])
+def test_points_with_waveforms_are_read_without_them(
+    tmp_path: Path, point_format: int, ending: str
+) -> None:
+    """Of several scanner channels LAZ mixes up what points say of waveforms, but nothing else."""
+    version = "1.3" if point_format < 6 else "1.4"
+    header = laspy.LasHeader(point_format=point_format, version=version)
+    header.scales = np.full(3, 1e-4)
+    header.global_encoding.waveform_data_packets_external = True
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = files.XYZ.T
+    las.gps_time = files.TIME
+    las.intensity = files.RING
+    las.wavepacket_index[:] = 1
+    las.wavepacket_offset = 60 + 256 * np.arange(files.COUNT)
+    las.wavepacket_size[:] = 256
+    if point_format > 5:
+        las.scanner_channel = np.arange(files.COUNT) % 4
+    las.write(tmp_path / f"a.{ending}")
+    found = FORMATS["las"].look(tmp_path / f"a.{ending}", {})
+    assert "waveforms are not read" in found.assumptions[0]
+    assert ("several scanner channels" in found.assumptions[0]) == (
+        ending == "laz" and point_format > 5
+    )
+    read = whole(FORMATS["las"], tmp_path / f"a.{ending}")
+    np.testing.assert_allclose(read.xyz, files.XYZ, atol=1e-9)
+    np.testing.assert_array_equal(read.time, files.TIME)
+    np.testing.assert_array_equal(read.extra["intensity"], files.RING)
+    np.testing.assert_array_equal(read.extra["wavepacket_index"], np.ones(files.COUNT))
+
+
 @pytest.mark.parametrize("point_format", [0, 2])
 def test_las_without_time_is_refused(tmp_path: Path, point_format: int) -> None:
     path = files.las(tmp_path / "a.las", point_format, "1.2")

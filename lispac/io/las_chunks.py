@@ -34,6 +34,10 @@ LARGEST_CHUNK = 1 << 28
 """Bytes of point records read at once, whatever size a header claims for one."""
 FEET_SCALES = (0.3048, 1 / 0.3048)
 BOUNDS_DOUBT = "Points lie outside the bounds that the header states: the file may be damaged."
+WAVEFORMS = (4, 5, 9, 10)
+"""Point formats whose points refer to waveforms."""
+MIXED_UP = (9, 10)
+"""Of these, the ones whose references lazrs 0.8 loses in LAZ between several scanner channels."""
 SHOWN = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
 
 
@@ -132,6 +136,7 @@ def look(path: Path, choice: Choice) -> Finding:
             *base_doubts(time, base),
             *_header_doubts(header, stated.text, xyz),
         ),
+        _assumptions(header),
     )
 
 
@@ -209,6 +214,16 @@ def _time_base(header: laspy.LasHeader) -> str:
     if header.global_encoding.gps_time_type == laspy.header.GpsTimeType.STANDARD:
         return "gps-adjusted"
     return "gps-week"
+
+
+def _assumptions(header: laspy.LasHeader) -> tuple[str, ...]:
+    if header.point_format.id not in WAVEFORMS:
+        return ()
+    words = "waveforms are not read; the points and what they say of their waveforms are"
+    if header.are_points_compressed and header.point_format.id in MIXED_UP:
+        words += ", and of that LAZ with several scanner channels may give back another size, "
+        words += "place and direction"
+    return (words,)
 
 
 def _header_doubts(header: laspy.LasHeader, crs: str, xyz: np.ndarray) -> Iterator[str]:

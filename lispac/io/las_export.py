@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from lispac import __version__
 from lispac.errors import InputError
-from lispac.io.las_chunks import PackedColumns
+from lispac.io.las_chunks import MIXED_UP, PackedColumns
 from lispac.io.las_crs_written import state_system
 from lispac.io.las_guard import require_sound_header
 from lispac.io.registry import PointChunk
@@ -45,8 +45,6 @@ BITS = {
     "key_point": 1, "withheld": 1, "overlap": 1, "return_number": 4, "number_of_returns": 4,
 }  # fmt: skip
 """Dimensions narrower than any type."""
-LOSSY = (9, 10)
-"""Point formats of which lazrs 0.8 gives back other waveform attributes than it was given."""
 COLOURS = ("red", "green", "blue")
 LONGEST_NAME = 31
 
@@ -177,12 +175,15 @@ class Cloud:
     """A LAS or LAZ file being written; made by `cloud_file`."""
 
     def __init__(
-        self, writer: laspy.LasWriter, pattern: Pattern, header: laspy.LasHeader, path: Path
-    ) -> None:
+        self, writer: laspy.LasWriter, pattern: Pattern, header: laspy.LasHeader, path: Path,
+        *, one_channel: bool,
+    ) -> None:  # fmt: skip
         self._writer = writer
         self._pattern = pattern
         self._header = header
         self._path = path
+        self._one_channel = one_channel
+        self._channels: set[int] = set()
 
     def records(
         self, points: NDArray[np.float64], time: NDArray[np.float64],
@@ -268,7 +269,21 @@ class Cloud:
         bits[byte] = bits[byte] | moved if byte in bits else moved
 
     def write(self, record: laspy.ScaleAwarePointRecord) -> None:
-        """Append records."""
+        """Append records.
+
+        Raises
+        ------
+        InputError
+            Where LAZ would not keep what they say of their waveforms.
+        """
+        if self._one_channel:
+            self._channels |= set(np.unique(np.asarray(record["scanner_channel"])).tolist())
+            if len(self._channels) > 1:
+                raise InputError(
+                    f"{self._path}: LAZ would not keep what points of several scanner channels say "
+                    f"of their waveforms (point format {self._header.point_format.id}); write LAS "
+                    "instead."
+                )
         self._writer.write_points(record)
 
     @property
@@ -305,15 +320,10 @@ def cloud_file(
     Raises
     ------
     InputError
-        Where the disk is full, or LAZ does not know the point format.
+        Where the disk is full, or LAZ would not keep what points say of their waveforms.
     """
     shown = shown or path
     header = deepcopy(pattern.header)
-    if compressed and header.point_format.id in LOSSY:
-        raise InputError(
-            f"{shown}: LAZ would not keep the waveform attributes of point format "
-            f"{header.point_format.id} as they are; write LAS instead."
-        )
     header.scales = steps(system)
     header.offsets = np.round(centre, 0)
     state_system(header, None if system is None else system.written)
@@ -328,7 +338,8 @@ def cloud_file(
                 laz_backend=laspy.LazBackend.LazrsParallel if compressed else None,
             ) as writer,
         ):
-            yield Cloud(writer, pattern, header, shown)
+            mixes_up = compressed and header.point_format.id in MIXED_UP
+            yield Cloud(writer, pattern, header, shown, one_channel=mixes_up)
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
     except (LazrsError, OSError, LaspyException) as error:
