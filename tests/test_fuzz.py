@@ -89,6 +89,9 @@ def of_format(key: str) -> Subject:
     return subject
 
 
+ORDER = ["time", "latitude", "longitude", "height", "roll", "pitch", "heading"]
+
+
 def columns_of(key: str) -> Subject:
     """The column mapping of a sound file, as the user or the project file has it."""
 
@@ -99,7 +102,12 @@ def columns_of(key: str) -> Subject:
             "time", "date", "x", "y", "z", "latitude", "longitude", "easting", "height",
             "sea_height", "roll", "pitch", "heading", "sroll", "-", "", "intensity",
         ]  # fmt: skip
-        words = st.lists(st.sampled_from(roles) | st.text(max_size=5), max_size=9)
+        whole = ["time", "x", "y", "z", "-"] if named else ORDER
+        words = st.one_of(
+            st.lists(st.sampled_from(roles) | st.text(max_size=5), max_size=9),
+            st.permutations(whole),
+            st.lists(st.sampled_from(roles), max_size=2).map(lambda more: [*whole, *more]),
+        )
         said = st.builds(str.join, st.sampled_from([" ", ",", ", "]), words) | st.text(max_size=30)
 
         def attempt(content: bytes) -> bool:

@@ -1,6 +1,7 @@
 """Files on their way into a project: what they are taken for, and how their times fit."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -191,6 +192,9 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
         intake, "L2.las"
     )
     assert "before or after the trajectory" in said(intake, "late.laz")
+    assert "The trajectory has 1 gap longer than 1.5 s, the longest 2.0 s" in said(
+        intake, "gap.sbet"
+    )
     covered = intake.coverage(named(intake, "L2.las"))
     assert covered is not None
     assert covered.share_in_gaps == pytest.approx(0.2, abs=0.01)
@@ -208,6 +212,9 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
     assert remedy.longest_gap == pytest.approx(2.0, abs=0.11)
     bridged = intake.with_remedy(files / "L2.las", remedy)
     assert bridged.state(named(bridged, "L2.las")) == "fine"
+    assert "gap" not in said(bridged, "gap.sbet")
+    shorter = said(replace(intake, longest_gap=0.5), "gap.sbet")
+    assert "1 gap longer than 0.5 s, the longest 2.0 s" in shorter
     request = bridged.request(tmp_path / "b", Settings(lever_arm=LEVER))
     project, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,

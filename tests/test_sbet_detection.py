@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from lispac.io.formats import format_of, recognised
-from lispac.io.registry import LIKELY, SURE, Finding
+from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Finding
 from lispac.io.sbet_detection import detect_sbet
 from lispac.io.sbet_motion import in_frame
 from tests.trajectory_files import truth, vessel, write_records
@@ -191,6 +191,58 @@ def test_big_endian_is_found_and_read(tmp_path: Path) -> None:
     assert finding.choice["byte_order"] == "big-endian"
     assert said(finding, "big-endian")
     np.testing.assert_array_equal(SBET.read(path, finding.choice).latitude, vessel()[:, 1])
+
+
+RNG = np.random.default_rng(5)
+OTHERS = {
+    "noise": RNG.integers(0, 256, 136 * 300, dtype=np.uint8).tobytes(),
+    "float64 of a size": RNG.uniform(0, 1, 17 * 300).astype("<f8").tobytes(),
+    "counting": np.arange(17.0 * 300).astype("<f8").tobytes(),
+    "float32": RNG.normal(0, 10, 34 * 300).astype("<f4").tobytes(),
+    "whole numbers": np.arange(34 * 300, dtype="<i4").tobytes(),
+    "accuracies": np.column_stack(
+        [486_000 + np.arange(340) / 50, RNG.uniform(0, 0.1, (340, 9))]
+    ).astype("<f8").tobytes(),
+    "times and zeros": np.column_stack(
+        [486_000 + np.arange(300) / 50, np.zeros((300, 16))]
+    ).astype("<f8").tobytes(),
+}  # fmt: skip
+"""Content of files that are as long as some SBET is."""
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_other_binaries_of_fitting_length_are_not_called_sbet(tmp_path: Path, name: str) -> None:
+    path = tmp_path / "a.out"
+    path.write_bytes(OTHERS[name])
+    assert path.stat().st_size % 136 == 0
+    assert SBET.sniff(path) == NOT
+
+
+def test_files_of_points_are_not_called_sbet(tmp_path: Path, shared_data: Path) -> None:
+    points = b"".join(p.read_bytes() for p in sorted(shared_data.glob("cidco/q*/*/target*")))
+    whole = 17 * 176
+    (tmp_path / "points").write_bytes(points[: len(points) // whole * whole])
+    (tmp_path / "a.las").write_bytes((shared_data / "leeward/points.las").read_bytes()[: 136 * 500])
+    assert SBET.sniff(tmp_path / "points") == SBET.sniff(tmp_path / "a.las") == NOT
+
+
+@pytest.mark.parametrize("change", ["degrees", "exchanged", "disorder", "end"])
+def test_what_may_be_an_sbet_has_to_end_like_one(tmp_path: Path, change: str) -> None:
+    records = vessel()
+    if change == "degrees":
+        records[:, [1, 2, 7, 8, 9, 10]] = np.degrees(records[:, [1, 2, 7, 8, 9, 10]])
+    elif change == "exchanged":
+        records[:, 2] -= 1  # beyond what a latitude may be
+        records[:, [1, 2]] = records[:, [2, 1]]
+    elif change == "disorder":
+        records[[5, 50]] = records[[50, 5]]
+    else:
+        records[-50:] = 1e9
+    path = write_records(tmp_path / "a.sbet", records)
+    assert SBET.sniff(path) == (LIKELY if change == "end" else POSSIBLE)
+    if change != "end":
+        records[-50:] = 1e9
+        assert SBET.sniff(write_records(path, records)) == NOT
 
 
 @pytest.mark.parametrize("shift", [0.0, -400_000.0, 1e9, 315_964_800 + 1e9])

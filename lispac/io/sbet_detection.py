@@ -4,6 +4,7 @@ The format is bare numbers. Their order, unit and byte order show in their size,
 the motion (`lispac.io.sbet_motion`).
 """
 
+import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -20,6 +21,8 @@ from lispac.survey.time_base import plausible, unrolled
 Array = NDArray[np.float64]
 
 RECORD = 17 * 8
+HEAD = 100
+BYTE_ORDERS = {"little-endian": "<", "big-endian": ">"}
 BLOCK, BLOCKS = 1000, 60
 """Records a block, and blocks looked at where a file has more: five seconds each at 200 Hz."""
 
@@ -68,37 +71,62 @@ def _times(path: Path, byte_order: str, count: int) -> Array:
     return np.array(records[:: 1 + count // MOST_TIMES, 0], dtype=np.float64)
 
 
-def fits(head: Array) -> float:
-    """How well first records of shape (n, 17) fit an SBET in radians, from 0 to 1."""
-    if len(head) < 2 or not np.isfinite(head).all():
+def fits(records: Array) -> float:
+    """How well neighbouring records of shape (n, 17) fit an SBET.
+
+    Returns
+    -------
+    float
+        1 where they fit one in radians, 0.6 where they fit one in degrees, with the positions
+        exchanged or with some records out of order, else 0.
+    """
+    if len(records) < 2 or not np.isfinite(records).all():
         return 0.0
-    time, angles = head[:, 0], head[:, 7:11]
-    if not plausible(time) or np.abs(head).max() > 1e11:
+    time, steps = records[:, 0], np.diff(records[:, 0])
+    size = np.abs(records)
+    # Tiny numbers everywhere are other bytes read as numbers.
+    somewhere = bool((size[:, 1:3] > 1e-9).any())
+    moving = bool(size[:, 3].max() < 2e4 and size[:, 4:7].max() < 1000)
+    if not (plausible(time) and somewhere and moving and size.max() < 1e11):
         return 0.0
-    sound = [
-        bool((np.diff(time) > 0).all() and np.diff(time).max() < 60),
-        bool(np.abs(head[:, 1]).max() <= np.pi / 2 and np.abs(head[:, 2]).max() <= 2 * np.pi),
-        bool(np.abs(head[:, 3]).max() < 2e4 and np.abs(head[:, 4:7]).max() < 1000),
-        bool(np.abs(angles[:, :2]).max() <= np.pi and np.abs(angles[:, 2:]).max() <= 1000),
-        # Tiny numbers everywhere are other bytes read as numbers.
-        bool((np.abs(head[:, 1:3]) > 1e-9).any()),
-    ]
-    return sum(sound) / len(sound)
+    if (
+        (steps > 0).all()
+        and steps.max() < 60
+        and (size[:, 1].max() <= np.pi / 2 and size[:, 2].max() <= 2 * np.pi)
+        and (size[:, 7:9].max() <= np.pi and size[:, 9:11].max() <= 1000)
+    ):
+        return 1.0
+    ordered = float(np.mean((steps >= 0) & (steps < 60)))
+    exchanged = size[:, 1].max() <= 2 * np.pi and size[:, 2].max() <= np.pi / 2
+    places = exchanged or (size[:, 1].max() <= 90 and size[:, 2].max() <= 360)
+    turns = size[:, 7:9].max() <= 180 and size[:, 9:11].max() <= 1000
+    return 0.6 if ordered >= 0.8 and places and turns else 0.0
 
 
 def byte_order_of(path: Path) -> tuple[str, float]:
     """Byte order in which the first records fit better, and how well they do."""
-    scores = {}
-    for name, mark in (("little-endian", "<"), ("big-endian", ">")):
-        try:
-            with Path(path).open("rb") as file:
-                head = file.read(100 * RECORD)
-        except OSError:
-            return "little-endian", 0.0
-        head = head[: len(head) // RECORD * RECORD]
-        scores[name] = fits(np.frombuffer(head, dtype=f"{mark}f8").reshape(-1, 17))
+    scores = {name: fits(_records(path, mark)) for name, mark in BYTE_ORDERS.items()}
     best = max(scores, key=lambda name: scores[name])
     return best, scores[best]
+
+
+def end_fits(path: Path, byte_order: str) -> float:
+    """How well the last whole records fit."""
+    return fits(_records(path, BYTE_ORDERS[byte_order], last=True))
+
+
+def _records(path: Path, mark: str, *, last: bool = False) -> Array:
+    """The first or the last hundred records; none where the file cannot be read."""
+    try:
+        with Path(path).open("rb") as file:
+            if last:
+                whole = file.seek(0, os.SEEK_END) // RECORD
+                file.seek(max(0, whole - HEAD) * RECORD)
+            content = file.read(HEAD * RECORD)
+    except OSError:
+        return np.zeros((0, 17))
+    content = content[: len(content) // RECORD * RECORD]
+    return np.frombuffer(content, dtype=f"{mark}f8").reshape(-1, 17)
 
 
 def detect_sbet(path: Path) -> Detection:

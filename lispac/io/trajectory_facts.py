@@ -153,14 +153,22 @@ def time_doubts(time: Array, stated: str) -> tuple[str, ...]:
                 f"The times are taken as {known.name}; by their values alone they could also be "
                 f"{' or '.join(others)}."
             )
+    return (*doubts, *gap_doubts(time, LONGEST_GAP))
+
+
+UNUSABLE = "points in gaps cannot be used"
+
+
+def gap_doubts(time: Array, longest_gap: float) -> tuple[str, ...]:
+    """What is said of gaps longer than ``longest_gap``, seconds, in times of shape (n,)."""
     steps = np.diff(time)
-    if len(steps) and float(steps.max()) > LONGEST_GAP:
-        wide = int((steps > LONGEST_GAP).sum())
-        doubts.append(
-            f"The trajectory has {wide:,} gap{'s' if wide > 1 else ''} longer than {LONGEST_GAP:g} "
-            f"s, the longest {float(steps.max()):.1f} s; points in gaps cannot be used."
-        )
-    return tuple(doubts)
+    if not len(steps) or float(steps.max()) <= longest_gap:
+        return ()
+    wide = int((steps > longest_gap).sum())
+    return (
+        f"The trajectory has {wide:,} gap{'s' if wide > 1 else ''} longer than {longest_gap:g} "
+        f"s, the longest {float(steps.max()):.1f} s; {UNUSABLE}.",
+    )
 
 
 def course_doubts(

@@ -28,7 +28,7 @@ from lispac.io.pospac_text import (
 )
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Choice, Finding, Format, Kind, Option
 from lispac.io.sbet import AXES, SbetOptions, read_sbet, read_smrmsg
-from lispac.io.sbet_detection import RECORD, byte_order_of, detect_sbet
+from lispac.io.sbet_detection import RECORD, byte_order_of, detect_sbet, end_fits
 from lispac.io.text_table import SEPARATORS
 from lispac.io.trajectory_preview import accuracy_facts
 from lispac.survey.time_base import KEYS, plausible
@@ -65,11 +65,12 @@ def _sniff_sbet(path: Path) -> float:
     if size < 2 * RECORD:
         return NOT
     byte_order, fit = byte_order_of(path)
+    end = end_fits(path, byte_order)
     if fit == 1:
-        whole = size % RECORD == 0 and byte_order == "little-endian"
+        # What was cut, or filled up with something else, is an SBET whose reader says so.
+        whole = size % RECORD == 0 and byte_order == "little-endian" and end == 1
         return SURE if whole else LIKELY
-    # In degrees, or with the positions exchanged, one of the tests fails and the rest hold.
-    return POSSIBLE if fit >= 0.6 else NOT
+    return POSSIBLE if min(fit, end) > 0 else NOT
 
 
 def _look_sbet(path: Path, choice: Choice) -> Finding:

@@ -8,6 +8,7 @@ import numpy as np
 from lispac.geometry.frames import geodetic_to_ecef
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
+from lispac.io.trajectory_facts import UNUSABLE, gap_doubts
 from lispac.survey.time_base import Match, TimeBase, base_of, matches, rival_matches, sentence
 from lispac.survey.time_quality import Coverage, coverage
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
@@ -94,7 +95,7 @@ def remarks_of(
         return ()
     if entry.role is None:
         return (Remark("note", entry.error),) if entry.error else ()
-    told = _own(entry)
+    told = _own(entry, longest_gap)
     if entry.role == "trajectory":
         if trajectories > 1:
             told.append(_one_too_many("trajectory"))
@@ -118,7 +119,7 @@ def _one_too_many(role: str) -> Remark:
     )
 
 
-def _own(entry: Entry) -> list[Remark]:
+def _own(entry: Entry, longest_gap: float) -> list[Remark]:
     """What the file says by itself."""
     told: list[Remark] = []
     if entry.error:
@@ -140,7 +141,11 @@ def _own(entry: Entry) -> list[Remark]:
         for doubt in entry.finding.doubts:
             if entry.error and unnamed and "columns" in doubt:
                 continue
+            if UNUSABLE in doubt and isinstance(entry.content, Trajectory):
+                continue  # the reader does not know which gaps are to be bridged
             told.append(Remark("doubt", doubt, _remedies_of(entry, doubt)))
+    if isinstance(entry.content, Trajectory):
+        told += [Remark("doubt", doubt) for doubt in gap_doubts(entry.content.time, longest_gap)]
     if isinstance(entry.content, LineTimes) and not entry.content.reached_end:
         told.append(
             Remark(
