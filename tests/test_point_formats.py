@@ -17,6 +17,7 @@ from lispac.io.registry import Finding, Format, PointChunk
 from tests import point_files as files
 
 FORMATS = {format_.key: format_ for format_ in POINTS}
+RNG = np.random.default_rng(8)
 
 
 def whole(format_: Format, path: Path, choice: dict[str, Any] | None = None) -> PointChunk:
@@ -136,6 +137,52 @@ def test_points_with_waveforms_are_read_without_them(
     np.testing.assert_array_equal(read.time, files.TIME)
     np.testing.assert_array_equal(read.extra["intensity"], files.RING)
     np.testing.assert_array_equal(read.extra["wavepacket_index"], np.ones(files.COUNT))
+
+
+@pytest.mark.parametrize("name", ["a.las", "a.laz"])
+def test_las_is_read_from_any_point_on(tmp_path: Path, name: str) -> None:
+    """LAZ in chunks of 50,000 points: from within one, at the border of two, at both ends."""
+    count = 120_000
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales = np.full(3, 1e-4)
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = RNG.normal(0, 10, (3, count))
+    las.gps_time = np.linspace(400_000, 400_100, count)
+    las.intensity = np.arange(count) % 60_000
+    las.write(tmp_path / name)
+    whole_line = whole(FORMATS["las"], tmp_path / name)
+    read_from = FORMATS["las"].read_from
+    assert read_from is not None
+    for first in (0, 1, 49_999, 50_000, 77_777, count - 1):
+        chunks = list(read_from(tmp_path / name, {}, first))
+        for part, field in (("xyz", whole_line.xyz), ("time", whole_line.time)):
+            rest = np.concatenate([getattr(chunk, part) for chunk in chunks])
+            np.testing.assert_array_equal(rest, field[first:])
+        intensity = np.concatenate([chunk.extra["intensity"] for chunk in chunks])
+        np.testing.assert_array_equal(intensity, whole_line.extra["intensity"][first:])
+        assert {chunk.total for chunk in chunks} == {count}
+    assert list(read_from(tmp_path / name, {}, count)) == []
+
+
+def test_reading_from_a_point_on_does_not_decode_what_is_before(tmp_path: Path) -> None:
+    """Bytes of the first chunk of LAZ are destroyed; the others come back all the same."""
+    path = files.las(tmp_path / "a.laz")
+    las = laspy.read(path)
+    las.points = laspy.ScaleAwarePointRecord(
+        np.tile(las.points.array, 3000), las.point_format, las.header.scales, las.header.offsets
+    )
+    las.gps_time = np.linspace(400_000, 400_100, len(las.points))
+    las.write(path)
+    sound = whole(FORMATS["las"], path)
+    with laspy.open(path) as reader:
+        start = reader.header.offset_to_point_data
+    content = bytearray(path.read_bytes())
+    content[start + 8 + 100 : start + 8 + 4000] = RNG.integers(0, 256, 3900, np.uint8).tobytes()
+    path.write_bytes(content)
+    read_from = FORMATS["las"].read_from
+    assert read_from is not None
+    rest = np.concatenate([chunk.time for chunk in read_from(path, {}, 60_000)])
+    np.testing.assert_array_equal(rest, sound.time[60_000:])
 
 
 @pytest.mark.parametrize("point_format", [0, 2])

@@ -148,6 +148,18 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         Where the file is missing, damaged, cut short, empty, or without time.
     """
+    return read_from(path, choice, 0)
+
+
+def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
+    """As `read`, from the point with that index on.
+
+    LAZ is decoded from the beginning of the chunk of 50,000 points or so that the point is in.
+
+    Raises
+    ------
+    InputError
+    """
     scale = scale_of(LAS.settled(choice))
     path = require_filled(path, "LAS")
     with plainly(path, "LAS or LAZ"), _opened(path) as reader:
@@ -156,8 +168,10 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
             name for name in header.point_format.dimension_names
             if name not in ("X", "Y", "Z", "gps_time")
         ]  # fmt: skip
-        done = 0
-        for points in _chunks(reader, path):
+        done = min(first, header.point_count)
+        if 0 < done < header.point_count:
+            reader.seek(done)
+        for points in _chunks(reader, path) if done < header.point_count else ():
             xyz = np.empty((len(points), 3))
             steps = (points.array[axis] for axis in "XYZ")
             scaled(*steps, np.asarray(header.scales), np.asarray(header.offsets), xyz)
@@ -248,4 +262,4 @@ def _text(value: str | bytes) -> str:
     return text.strip("\0 ")
 
 
-LAS = Format("LAS or LAZ", "las", "points", (".las", ".laz"), PLACE, sniff, look, read)
+LAS = Format("LAS or LAZ", "las", "points", (".las", ".laz"), PLACE, sniff, look, read, read_from)

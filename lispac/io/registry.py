@@ -119,6 +119,9 @@ class Format:
     read : callable
         Path and options to a `Trajectory` or `TrajectoryAccuracy`; for points, to an iterator of
         `PointChunk` of about a million points each.
+    read_from : callable or None
+        Path, options and the index of a point to the chunks from that point on, where the format
+        knows a way that does not read all before it.
     """
 
     name: str
@@ -129,6 +132,7 @@ class Format:
     sniff: Callable[[Path], float]
     look: Callable[[Path, Choice], Finding]
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy | Iterator[PointChunk]]
+    read_from: Callable[[Path, Choice, int], Iterator[PointChunk]] | None = None
 
     def settled(self, choice: Choice) -> dict[str, str]:
         """All options: those of ``choice``, the others by default.

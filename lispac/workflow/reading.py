@@ -222,14 +222,19 @@ class LineStream:
         Brings the coordinates to the LiDAR frame; None where they are in it, in metres.
     assumptions : tuple of str
         What is taken for granted, in words.
+    first : int
+        Index in the file of the first point.
     """
 
     chunks: Iterator[PointChunk]
     recovery: Recovery | None
     assumptions: tuple[str, ...]
+    first: int = 0
 
 
-def line_stream(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting) -> LineStream:
+def line_stream(
+    line: LineSource, trajectory: LocalTrajectory, mounting: Mounting, first: int = 0
+) -> LineStream:
     """Read a line some points at a time, with all attributes of its file.
 
     Parameters
@@ -237,6 +242,9 @@ def line_stream(line: LineSource, trajectory: LocalTrajectory, mounting: Mountin
     trajectory : LocalTrajectory
     mounting : Mounting
         The prior: a georeferenced cloud is taken to have been made with both.
+    first : int
+        Index of a point; those before it are passed over where the format knows how without
+        reading them (``first`` of the stream says so).
 
     Raises
     ------
@@ -246,14 +254,22 @@ def line_stream(line: LineSource, trajectory: LocalTrajectory, mounting: Mountin
     """
     format, choice, assumptions = _format_of_line(line)
     settled = format.settled(choice)
-    chunks = format.read(line.path, choice)
-    assert isinstance(chunks, Iterator)
+    if format.read_from is not None:
+        chunks, start = format.read_from(line.path, choice, first), first
+    else:
+        chunks, start = _points_of(format, line.path, choice), 0
     shifted = (replace(chunk, time=chunk.time + line.reading.time_shift) for chunk in chunks)
     system = system_of(settled, line.path)
     if system is None:
-        return LineStream(shifted, None, assumptions)
+        return LineStream(shifted, None, assumptions, start)
     recovery = Recovery(system, trajectory, mounting, line.path)
-    return LineStream(shifted, recovery, (*assumptions, *recovery.assumptions))
+    return LineStream(shifted, recovery, (*assumptions, *recovery.assumptions), start)
+
+
+def _points_of(format: Format, path: Path, choice: Choice) -> Iterator[PointChunk]:
+    chunks = format.read(path, choice)
+    assert isinstance(chunks, Iterator)
+    return chunks
 
 
 def _format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
