@@ -222,11 +222,12 @@ def columns(folder: Path) -> tuple[Sources, Attempt]:
         finally:
             paths[number].write_bytes(whole)
 
-    heads = [damaged(bytes([k]) + whole) for k, whole in enumerate(sound)]
-    return [
-        st.one_of(heads),
-        st.builds(lambda k, b: bytes([k]) + b, st.integers(0, 255), anything),
-    ], attempt
+    def of_one(number: int) -> st.SearchStrategy[bytes]:
+        return damaged(sound[number]).map(lambda content: bytes([number]) + content)
+
+    numbers = st.integers(0, len(paths) - 1)
+    any_of_them = st.builds(lambda k, made: bytes([k]) + made, numbers, anything)
+    return [numbers.flatmap(of_one), any_of_them], attempt
 
 
 def spool(folder: Path) -> tuple[Sources, Attempt]:
@@ -249,12 +250,12 @@ def spool(folder: Path) -> tuple[Sources, Attempt]:
         assert files_of(open_store(folder / "L1", "L1").manifest) == expected
         return True
 
-    whole = [
-        made.map(lambda content, k=k: bytes([k]) + content)  # type: ignore[misc]
-        for k, file in enumerate(files)
-        for made in ((json_like if file.suffix == ".json" else damaged)(file.read_bytes()),)
-    ]
-    return [st.one_of(whole)], attempt
+    def of_one(number: int) -> st.SearchStrategy[bytes]:
+        made = json_like if files[number].suffix == ".json" else damaged
+        whole = made(files[number].read_bytes())
+        return whole.map(lambda content: bytes([number]) + content)
+
+    return [st.integers(0, len(files) - 1).flatmap(of_one)], attempt
 
 
 SUBJECTS: dict[str, Subject] = {

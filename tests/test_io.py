@@ -1,3 +1,4 @@
+import os
 import struct
 from pathlib import Path
 
@@ -9,10 +10,12 @@ from lispac.errors import InputError
 from lispac.io.files import written_whole
 from lispac.io.las import read_scan, write_points
 from lispac.io.plane_file import read_plane_files, write_plane_file
+from lispac.io.project_file import read_project, write_project
 from lispac.io.sbet import read_sbet, read_smrmsg, write_sbet, write_smrmsg
 from lispac.io.text import read_text_scan
 from lispac.survey.georeferencing import Mounting, Poses, place
 from lispac.survey.trajectory import TrajectoryAccuracy
+from tests.report_sample import sample_project
 
 
 def sbet_records(count: int = 10) -> np.ndarray:
@@ -257,6 +260,27 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> 
         write_half()
     assert path.read_text() == "old"
     assert [p.name for p in tmp_path.iterdir()] == ["a.txt"]
+
+
+def test_what_a_killed_save_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    write_project(project)
+    folder = project.folder
+    old = (".project-a1_b2c3d.json", ".project-zzzzzzzz.json")
+    others = (
+        ".project-a1_b2c3d.json.bak", ".project-short.json", "project-a1_b2c3d.json",
+        ".project-notes-of-mine.json", ".Project-a1_b2c3d.json", ".project-young123.json",
+    )  # fmt: skip
+    for open_or_save in (lambda: read_project(folder), lambda: write_project(project)):
+        for name in (*old, *others):
+            (folder / name).write_text("half")
+            if name != others[-1]:
+                os.utime(folder / name, (1e9, 1e9))
+        (folder / ".project-folder12.json").mkdir(exist_ok=True)
+        os.utime(folder / ".project-folder12.json", (1e9, 1e9))
+        open_or_save()
+        left = {path.name for path in folder.iterdir() if "roject-" in path.name}
+        assert left == {*others, ".project-folder12.json"}
 
 
 def test_writing_where_no_folder_can_be_made_is_refused(tmp_path: Path) -> None:

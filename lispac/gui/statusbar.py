@@ -1,5 +1,6 @@
 """Progress, time left and Cancel of the running task, and the last note."""
 
+import re
 import time
 
 from PySide6.QtCore import Signal
@@ -7,6 +8,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
 from lispac.gui.panels import widgets
 from lispac.gui.tasks import Task
+from lispac.survey.store.pace import spoken
 
 QUIET_FOR = 0.3
 """Seconds a quiet task may take before it is shown."""
@@ -51,17 +53,16 @@ class TaskBar(QStatusBar):
         self.cancel.setEnabled(not task.cancel.is_set())
 
 
+LEFT = re.compile(r", [^,]+ left$")
+"""Time left as work says it of its own step: of the line that is read, say."""
+
+
 def _words(task: Task) -> str:
     words = task.message or task.title
     elapsed = time.monotonic() - task.started
     left = task.seconds_left()
-    if left is not None and elapsed > 1.0:
-        rate = 100 * task.fraction / elapsed
-        words += f"  ·  {rate:.0f} %/s, {spoken(left)} left"
-    return words
-
-
-def spoken(seconds: float) -> str:
-    """A duration as one says it: ``3 s``, ``2 min 10 s``."""
-    whole = max(1, round(seconds))
-    return f"{whole} s" if whole < 60 else f"{whole // 60} min {whole % 60:02d} s"
+    if left is None or elapsed <= 1.0:
+        return words
+    if LEFT.search(words):  # it says its rate as well; what is left counts for all of the task
+        return f"{LEFT.sub('', words)}  ·  {spoken(left)} left"
+    return f"{words}  ·  {100 * task.fraction / elapsed:.0f} %/s, {spoken(left)} left"

@@ -2,7 +2,9 @@
 
 import errno
 import os
+import re
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -149,6 +151,26 @@ def written_whole(path: Path) -> Iterator[Path]:
     finally:
         temporary.unlink(missing_ok=True)
         _remove_empty(made)
+
+
+ABANDONED_AFTER = 60.0
+"""Seconds after which nobody is still writing a small file."""
+
+
+def remove_abandoned(path: Path) -> None:
+    """Remove what `written_whole` left beside ``path`` where it was killed."""
+    named = re.compile(
+        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{re.escape(path.suffix)}"  # as mkstemp has it
+    )
+    try:
+        with os.scandir(path.parent) as entries:
+            found = [entry for entry in entries if named.fullmatch(entry.name)]
+        for entry in found:
+            age = time.time() - entry.stat(follow_symlinks=False).st_mtime
+            if entry.is_file(follow_symlinks=False) and age > ABANDONED_AFTER:
+                os.unlink(entry.path)
+    except OSError:
+        return  # a folder that may be read only, or somebody else was faster
 
 
 def _not_written(path: Path, error: OSError) -> InputError:

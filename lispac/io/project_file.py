@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.stochastic import POS_ERRORS
 from lispac.errors import InputError, ProjectError
-from lispac.io.files import written_whole
+from lispac.io.files import remove_abandoned, written_whole
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
 from lispac.io.values import decoded, encoded, in_one_line
 from lispac.project import (
@@ -56,6 +56,7 @@ def write_project(project: Project) -> None:
     with written_whole(project.folder / FILE_NAME) as temporary:
         temporary.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
     _remove_unused(project.folder, set(files.values()))
+    remove_abandoned(project.folder / FILE_NAME)
 
 
 def read_project(folder: Path) -> Project:
@@ -88,6 +89,7 @@ def read_project(folder: Path) -> Project:
         raise ProjectError(
             f"{path}: the project file is damaged ({in_one_line(error)}); restore it from a copy."
         ) from error
+    remove_abandoned(path)
     return project
 
 

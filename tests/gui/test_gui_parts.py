@@ -13,8 +13,8 @@ from lispac.errors import Cancelled, InputError
 from lispac.gui import edits, status
 from lispac.gui.dialogs.error import describe, error_box
 from lispac.gui.settings import AppSettings
-from lispac.gui.statusbar import spoken
-from lispac.gui.tasks import TaskRunner
+from lispac.gui.statusbar import TaskBar
+from lispac.gui.tasks import Task, TaskRunner
 from lispac.progress import Progress
 from tests.gui.support import Demo
 
@@ -166,5 +166,21 @@ def test_recent_projects_come_back_newest_first(tmp_path: Path):
     assert again.point_size == 4
 
 
-def test_durations_are_spoken():
-    assert [spoken(s) for s in (0.2, 42, 130)] == ["1 s", "42 s", "2 min 10 s"]
+@pytest.mark.parametrize(
+    ("message", "shown"),
+    [
+        ("Matching", "Matching  ·  5 %/s, 10 s left"),
+        ("Reading L1: 4.9 M of 20.0 M points, 2.10 M points/s, 7 s left",
+         "Reading L1: 4.9 M of 20.0 M points, 2.10 M points/s  ·  10 s left"),
+        ("Reading L1: 4.9 M of 20.0 M points", "Reading L1: 4.9 M of 20.0 M points"
+         "  ·  5 %/s, 10 s left"),
+    ],
+)  # fmt: skip
+def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, message, shown):
+    bar = TaskBar()
+    qtbot.addWidget(bar)
+    task = Task("Import", lambda progress: None, lambda value: None)
+    task.started = time.monotonic() - 10
+    task.report(0.5, message)
+    bar.show_task(task)
+    assert bar.text.text() == shown

@@ -17,9 +17,15 @@ from pathlib import Path
 from typing import Any
 from zlib import crc32
 
+import numpy as np
+
 from lispac.errors import ProjectError
 
 VERSION = 1
+OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
+    f"coarse_{name}" for name in ("row", "local", "xyz", "time")
+}
+"""Columns that every store has."""
 MANIFEST, SPOOL, COLUMNS, PART = "store.json", "spool", "columns-", ".part"
 
 
@@ -170,7 +176,7 @@ def read_manifest(folder: Path) -> Manifest | None:
         store = content["store"]
         if content["checksum"] != _checksum(store):
             raise ValueError("its checksum does not hold")
-        return Manifest(
+        manifest = Manifest(
             **{
                 **store,
                 "columns": tuple(_column(column) for column in store["columns"]),
@@ -181,12 +187,40 @@ def read_manifest(folder: Path) -> Manifest | None:
                 "assumptions": tuple(store["assumptions"]),
             }
         )
+        _require_plain(manifest)
+        return manifest
     except FileNotFoundError:
         return None
-    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+    except (OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
         raise DamagedStore(
             f"{path}: the imported line is damaged ({error}); import the line again."
         ) from error
+
+
+def _require_plain(manifest: Manifest) -> None:
+    """Refuse what no import writes: other types, names that lead elsewhere, columns amiss."""
+    names = (manifest.folder, *(column.file for column in manifest.files))
+    counts = [manifest.points, manifest.left_out]
+    numbers = [manifest.side, manifest.reach, *manifest.low, *manifest.high]
+    words = [manifest.line, manifest.fingerprint, *manifest.assumptions]
+    for column in (*manifest.columns, *manifest.attributes):
+        words += [column.name, column.file]
+        counts += [column.count, column.size, column.checksum, *column.shape]
+        if np.dtype(column.dtype).kind not in "biuf" or not isinstance(column.dtype, str):
+            raise ValueError(f"a column of {column.dtype}")
+        if not column.file:
+            np.broadcast_to(np.array(column.value, column.dtype), column.shape)
+    sound = (
+        all(isinstance(word, str) for word in words)
+        and all(type(count) is int and count >= 0 for count in counts)
+        and all(isinstance(n, int | float) and np.isfinite(n) for n in numbers)
+        and all(isinstance(name, str) and name == Path(name).name for name in names)
+        and {column.name for column in manifest.columns} >= OWN_FILES
+        and isinstance(manifest.made_with, dict)
+        and isinstance(manifest.placed_with, dict)
+    )
+    if not sound:
+        raise ValueError("it is not what an import writes")
 
 
 def _column(content: Mapping[str, Any]) -> Column:
@@ -213,6 +247,25 @@ def require_sizes(folder: Path, manifest: Manifest) -> None:
                 f"{path}: this part of the imported line {manifest.line} {found}; "
                 "import the line again."
             )
+
+
+def sealed(content: Any) -> str:
+    """Plain values as JSON with a checksum."""
+    return json.dumps({"checksum": _checksum(content), "content": content}, indent=1)
+
+
+def unsealed(text: str) -> Any:
+    """The inverse of `sealed`.
+
+    Raises
+    ------
+    ValueError, KeyError, TypeError, RecursionError
+        Where it is damaged.
+    """
+    whole = json.loads(text)
+    if whole["checksum"] != _checksum(whole["content"]):
+        raise ValueError("its checksum does not hold")
+    return whole["content"]
 
 
 def write_text_whole(path: Path, text: str) -> None:
@@ -261,7 +314,7 @@ def plainly_written(
         yield
     except OSError as error:
         size = needed()
-        room = f" (about {size / 1e9:.1f} GB while importing)" if size else ""
+        room = f" (about {_amount(size)} while importing)" if size else ""
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
             raise ProjectError(
                 f"{folder}: the disk is full; make room{room} or move the project to a larger "
@@ -281,3 +334,8 @@ def plainly_written(
             f"{folder}: the line cannot be written here ({error.strerror or error}); choose a "
             "project folder that can be written, then import the line again."
         ) from error
+
+
+def _amount(size: int) -> str:
+    """Bytes as one reads them: ``3.3 GB``, ``40 MB``."""
+    return f"{size / 1e9:.1f} GB" if size >= 1e8 else f"{max(1, round(size / 1e6))} MB"

@@ -21,12 +21,19 @@ from numpy.typing import NDArray
 from lispac.survey.store.cells import Keys, choose_side, extent, order_keys, sorting
 from lispac.survey.store.columns import checksum_of
 from lispac.survey.store.fingerprint import Running
-from lispac.survey.store.layout import PART, SPOOL, Column, write_text_whole
+from lispac.survey.store.layout import (
+    PART,
+    SPOOL,
+    Column,
+    sealed,
+    unsealed,
+    write_text_whole,
+)
 from lispac.survey.store.pieces import BLOCK, OWN, Block, Place, Values, fields
 
 DAMAGED = (OSError, ValueError, KeyError, TypeError, RecursionError)
 RECIPE, COMPLETE = "recipe.json", "complete.json"
-VERSION = 1
+VERSION = 2
 
 
 @dataclass(frozen=True)
@@ -112,7 +119,7 @@ class Spool:
     def read(self) -> int | None:
         """Points of the whole file where it is read to its end, None where it is not."""
         try:
-            content = json.loads((self.folder / COMPLETE).read_text(encoding="utf-8"))
+            content = unsealed((self.folder / COMPLETE).read_text(encoding="utf-8"))
             return int(content["read"]) if content["points"] == self.points else None
         except DAMAGED:
             return None
@@ -120,7 +127,7 @@ class Spool:
     def complete(self, read: int) -> None:
         """Say that the file is read to its end; ``read`` counts what is left out too."""
         content = {"read": read, "points": self.points}
-        write_text_whole(self.folder / COMPLETE, json.dumps(content))
+        write_text_whole(self.folder / COMPLETE, sealed(content))
 
     def add(self, block: Block, place: Place) -> None:
         """Place, sort and write a block."""
@@ -156,7 +163,7 @@ class Spool:
             columns,
             checksums,
         )
-        write_text_whole(self._path(number, "json"), json.dumps(asdict(spooled)))
+        write_text_whole(self._path(number, "json"), sealed(asdict(spooled)))
         self.blocks.append(spooled)
 
     def keys(self, number: int) -> Keys:
@@ -196,7 +203,7 @@ class Spool:
     def _sound(self, number: int) -> Spooled | None:
         """A block of an earlier import, if it is whole: read again, so that no part is missing."""
         try:
-            content = json.loads(self._path(number, "json").read_text(encoding="utf-8"))
+            content = unsealed(self._path(number, "json").read_text(encoding="utf-8"))
             sums = [checksum_of(self._path(number, kind)) for kind in ("keys", "columns")]
             if sums != content["checksums"]:
                 return None
