@@ -242,10 +242,10 @@ class _Source:
             Where the file cannot be read, changes meanwhile, or none of its points has a pose.
         """
         line, trajectory = self._line, self._trajectory
-        stream = line_stream(line, trajectory, self._mounting)
+        stream = line_stream(line, trajectory, self._mounting, first)
         latency, kept = self._mounting.latency, first
         looked: list[Array] = []
-        for chunk, read in _from(stream.chunks, first):
+        for chunk, read in _from(stream.chunks, stream.first, first):
             # Copied: a view would keep the whole chunk.
             looked.append(chunk.time[:: max(1, len(chunk.time) // LOOKED_AT)].copy())
             usable = _usable(chunk.time, latency, trajectory)
@@ -301,10 +301,9 @@ def _usable(time: Array, latency: float, trajectory: LocalTrajectory) -> NDArray
     return usable
 
 
-def _from(chunks: Iterator[PointChunk], first: int) -> Iterator[tuple[PointChunk, int]]:
-    """Chunks from a point on, each with the places of its points in the file, and how many there
-    were up to its end."""
-    read = 0
+def _from(chunks: Iterator[PointChunk], read: int, first: int) -> Iterator[tuple[PointChunk, int]]:
+    """Chunks from the point ``first`` on, each with the places of its points in the file, and how
+    many there were up to its end; ``read`` is how many there were before all of them."""
     for chunk in chunks:
         start, read = read, read + len(chunk.time)
         if read <= first:
