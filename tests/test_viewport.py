@@ -14,7 +14,14 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 
 from lispac.errors import InputError
-from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR, Highlight, Marker, PickedPoint
+from lispac.gui.viewport.base import (
+    BESIDE_COLOUR,
+    CHOSEN_COLOUR,
+    Highlight,
+    Marker,
+    PickedPoint,
+    Shading,
+)
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording import RecordingViewport
 from tests.view_scenes import BLUE, GREEN, RED, YELLOW, scene, wall
@@ -189,6 +196,27 @@ def test_highlights_lie_over_their_line_and_selection_tells_them_apart(viewport,
     viewport.select(None)
     viewport.show_highlights([])
     assert count(picture(viewport, tmp_path), YELLOW) == 0
+
+
+def test_shaded_points_have_their_own_colours_and_a_legend_says_what_they_mean(viewport, tmp_path):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    plain = picture(viewport, tmp_path)
+    assert count(plain, RED) > 300
+    low, high = (12, 200, 90), (250, 60, 240)
+    shades = {
+        line: np.where(points[:, :1] < 0, [low], [high]).astype(np.uint8)
+        for line, points in clouds.items()
+    }
+    scale = np.array([low, high], np.uint8)
+    viewport.show_clouds(clouds, colours, Shading(shades, "Height (m)", "0", "12", scale))
+    shaded = picture(viewport, tmp_path)
+    assert count(shaded, RED) == count(shaded, BLUE) == 0
+    assert min(count(shaded, low), count(shaded, high)) > 300
+    assert (shaded[:60, :200] != plain[:60, :200]).any(axis=2).mean() > 0.5, "the legend"
+    viewport.show_clouds(clouds, colours)
+    np.testing.assert_array_equal(picture(viewport, tmp_path), plain)
 
 
 def test_markers_show_even_behind_a_wall(viewport, tmp_path):

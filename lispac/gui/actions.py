@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from lispac.gui import theme
+from lispac.gui.colouring import COLOURINGS
 
 Keys = QKeySequence.StandardKey
 
@@ -56,11 +57,25 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "larger": ("&Larger points", "Larger", "magnify-plus-outline", "+", "Draw larger points"),
     "smaller": ("S&maller points", "Smaller", "magnify-minus-outline", "-",
                 "Draw smaller points"),
+    "colour_next": ("&Next colouring", "Colours", "palette-outline", "C",
+                    "Colour the points by line, height, intensity, range, time, in turn"),
+    "colour_line": ("Colour by &line", "Line", "", "", "Each line in its own colour"),
+    "colour_height": ("Colour by &height", "Height", "", "", "Colour the points by height"),
+    "colour_intensity": ("Colour by &intensity", "Intensity", "", "",
+                         "Colour the points by the intensity in their file"),
+    "colour_range": ("Colour by &range", "Range", "", "",
+                     "Colour the points by their distance from the scanner"),
+    "colour_time": ("Colour by ti&me", "Time", "", "",
+                    "Colour the points by the time they were measured"),
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
     "about": ("&About LISPAC", "About", "information-outline", "", "Version and conventions"),
 }  # fmt: skip
 
-_CHECKABLE = (("seed_target", "seed_validation"), ("before", "after"))
+COLOURED = {name: f"colour_{name}" for name in COLOURINGS}
+"""Action of each colouring."""
+_CHECKABLE = (
+    ("seed_target", "seed_validation"), ("before", "after"), tuple(COLOURED.values()),
+)  # fmt: skip
 VIEWS = ("isometric", "top", "front", "side")
 _MENUS: dict[str, tuple[str, ...]] = {
     "&File": (
@@ -79,7 +94,22 @@ _MENUS: dict[str, tuple[str, ...]] = {
         "quit",
     ),
     "&Edit": ("undo", "redo"),
-    "&View": ("before", "after", "toggle", "", "fit", *VIEWS, "", "larger", "smaller", "", "DOCKS"),
+    "&View": (
+        "before",
+        "after",
+        "toggle",
+        "",
+        "fit",
+        *VIEWS,
+        "",
+        "larger",
+        "smaller",
+        "",
+        *COLOURED.values(),
+        "colour_next",
+        "",
+        "DOCKS",
+    ),
     "&Targets": ("seed_target", "seed_validation", "", "accept", "reject"),
     "&Adjust": ("estimate", "", "cancel"),
     "Va&lidate": ("validate",),

@@ -7,7 +7,7 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from lispac.gui import status
-from lispac.gui.actions import VIEWS, Actions
+from lispac.gui.actions import Actions
 from lispac.gui.computing import Computing, PointCount
 from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
@@ -15,6 +15,7 @@ from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
 from lispac.gui.life import ProjectLife
+from lispac.gui.looking import Looking
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import TITLE as CONVENTION
 from lispac.gui.panels.convention import ConventionPanel
@@ -78,12 +79,12 @@ class MainWindow(QMainWindow):
             self.dialogs, self.settings,
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
+        self.looking = Looking(viewport, self.scene, self.controller, self.actions_, self.settings)
         self._build()
         self._join_panels()
         self._join_actions()
         self._join_work()
         FileDrops(self).dropped.connect(self.life.take_in)
-        viewport.set_point_size(self.settings.point_size)
         self._refresh()
 
     # -- assembly ----------------------------------------------------------------------------
@@ -209,15 +210,10 @@ class MainWindow(QMainWindow):
             "before": lambda: self.computing.show("prior"),
             "after": lambda: self.computing.show("estimated"),
             "toggle": self._toggle,
-            "fit": self.viewport.fit,
-            "larger": lambda: self._resize_points(+1),
-            "smaller": lambda: self._resize_points(-1),
             "keys": self.dialogs.shortcuts,
             "about": self.dialogs.about,
         }.items():
             actions[name].triggered.connect(lambda _=False, slot=slot: slot())
-        for name in VIEWS:
-            actions[name].triggered.connect(lambda _=False, name=name: self.viewport.view(name))
         actions.recent.aboutToShow.connect(self._list_recent)
 
     def _join_work(self) -> None:
@@ -378,11 +374,6 @@ class MainWindow(QMainWindow):
 
     def _toggle(self) -> None:
         self.computing.show("prior" if self.scene.which == "estimated" else "estimated")
-
-    def _resize_points(self, by: int) -> None:
-        pixels = min(max(self.settings.point_size + by, 1), 12)
-        self.settings.point_size = pixels
-        self.viewport.set_point_size(pixels)
 
     # -- the end -----------------------------------------------------------------------------
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.geometry.neighbours import nearest_point
 from lispac.gui import theme
+from lispac.gui.colouring import Colouring, shading
 from lispac.gui.document import Document
 from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Viewport
 from lispac.project import Target, Triple
@@ -29,6 +30,7 @@ class Scene(QObject):
         self._estimated: tuple[object, Mapping[str, Cloud]] | None = None
         self.which: Which = "prior"
         self.candidate: Target | None = None
+        self.colouring: Colouring = "line"
         self._fit_next = True
         self._drawn: Mapping[str, Cloud] = {}
         document.opened.connect(self._another)
@@ -65,6 +67,19 @@ class Scene(QObject):
         nearest, _ = nearest_point(shown, np.array(point.position))
         north, west, up = (float(v) for v in prior[nearest])
         return north, west, up
+
+    def colour_by(self, colouring: Colouring) -> None:
+        """Colour the points.
+
+        Raises
+        ------
+        ValueError
+            Where a line has nothing to colour by; nothing changes then.
+        """
+        shading(colouring, self.clouds)
+        self.colouring = colouring
+        if self._document.survey is not None:
+            self._draw_clouds()
 
     def keep_estimated(self, result: object, clouds: Mapping[str, Cloud]) -> None:
         """Keep the lines placed with ``result``."""
@@ -137,7 +152,11 @@ class Scene(QObject):
             north, west, up = survey.trajectory.at(times).position.mean(axis=0)
             self._viewport.set_station((float(north), float(west), float(up)))
         samples = {name: cloud.sample for name, cloud in clouds.items()}
-        self._viewport.show_clouds(samples, theme.line_colours(list(clouds)))
+        try:
+            shaded = shading(self.colouring, clouds)
+        except ValueError:  # another survey, whose lines have no intensities
+            self.colouring, shaded = "line", None
+        self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shaded)
 
     def _draw_targets(self) -> None:
         project = self._document.project

@@ -66,6 +66,14 @@ class Cloud(Protocol):
     def sample_time(self) -> Array:
         """Their times, shape (n,), seconds."""
 
+    @property
+    def sample_range(self) -> Array:
+        """Their distances from the scanner, shape (n,), metres."""
+
+    @property
+    def sample_intensity(self) -> Array | None:
+        """Their intensities, shape (n,), as in the file, if the line has any."""
+
     def placed_with(self, mounting: Mounting) -> "Cloud":
         """The same line with another mounting."""
 
@@ -125,8 +133,18 @@ class CloudInMemory:
 
     @property
     def sample_time(self) -> Array:
-        """All times."""
+        """See `Cloud`."""
         return self.scan.time
+
+    @property
+    def sample_range(self) -> Array:
+        """See `Cloud`."""
+        return np.asarray(np.linalg.norm(self.scan.points_lidar, axis=1))
+
+    @property
+    def sample_intensity(self) -> Array | None:
+        """See `Cloud`."""
+        return self.scan.intensity
 
     def placed_with(self, mounting: Mounting) -> "CloudInMemory":
         """See `Cloud`."""
@@ -179,6 +197,18 @@ class CloudOnDisk:
     def sample_time(self) -> Array:
         """See `Cloud`."""
         return self.stored.coarse.time
+
+    @property
+    def sample_range(self) -> Array:
+        """See `Cloud`."""
+        points = np.asarray(self.stored.coarse.points_lidar, dtype=np.float64)
+        return np.asarray(np.linalg.norm(points, axis=1))
+
+    @property
+    def sample_intensity(self) -> Array | None:
+        """See `Cloud`."""
+        intensity = self.stored.coarse.intensity
+        return None if intensity is None else np.asarray(intensity, dtype=np.float64)
 
     def placed_with(self, mounting: Mounting) -> "CloudOnDisk":
         """See `Cloud`."""

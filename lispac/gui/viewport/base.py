@@ -37,6 +37,26 @@ class Highlight:
     colour: Colour
 
 
+@dataclass(frozen=True, eq=False)
+class Shading:
+    """Colours of the points where they do not have that of their line, and what they mean.
+
+    Attributes
+    ----------
+    colours : mapping of line name to uint8 ndarray of shape (n, 3)
+    title : what is shown, with its unit
+    low, high : words at the ends of the scale
+    scale : uint8 ndarray of shape (m, 3)
+        Colours from low to high.
+    """
+
+    colours: Mapping[str, NDArray[np.uint8]]
+    title: str
+    low: str
+    high: str
+    scale: NDArray[np.uint8]
+
+
 @dataclass(frozen=True)
 class Marker:
     """A labelled spot: a seed or the name of a target."""
@@ -96,8 +116,13 @@ class Viewport(Protocol):
     def widget(self) -> QWidget:
         """The widget to put into the window."""
 
-    def show_clouds(self, clouds: Mapping[str, Array], colours: Mapping[str, Colour]) -> None:
-        """Draw the lines, each in its colour; replaces those shown, keeps the camera."""
+    def show_clouds(
+        self,
+        clouds: Mapping[str, Array],
+        colours: Mapping[str, Colour],
+        shading: Shading | None = None,
+    ) -> None:
+        """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
 
     def set_line_visible(self, line: str, visible: bool) -> None:
         """Show or hide one line."""

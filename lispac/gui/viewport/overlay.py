@@ -8,10 +8,19 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QLinearGradient,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from lispac.gui.viewport.base import Marker
+from lispac.gui.viewport.base import Marker, Shading
 from lispac.gui.viewport.camera import Camera, Size
 
 EMPTY_TITLE = "Nothing loaded yet"
@@ -51,6 +60,7 @@ class Overlay(QWidget):
         self.camera: Camera | None = None
         """None paints the hint of an empty view."""
         self.markers: Sequence[Marker] = ()
+        self.shading: Shading | None = None
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint on the screen."""
@@ -70,6 +80,8 @@ class Overlay(QWidget):
         self._paint_axes(painter, self.camera)
         self._paint_scale(painter, self.camera.metres_per_pixel(size))
         self._paint_help(painter)
+        if self.shading is not None:
+            self._paint_legend(painter, self.shading)
 
     def _paint_hint(self, painter: QPainter) -> None:
         middle = QRectF(self.rect()).center()
@@ -138,6 +150,28 @@ class Overlay(QWidget):
         )
         box = QRectF(left - 60.0, base - 26.0, pixels + 120.0, 20.0)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
+
+    def _paint_legend(self, painter: QPainter, shading: Shading) -> None:
+        painter.setFont(_scaled(self.font(), 0.95))
+        metrics = QFontMetricsF(painter.font())
+        ends = metrics.horizontalAdvance(shading.low) + metrics.horizontalAdvance(shading.high)
+        width = max(180.0, metrics.horizontalAdvance(shading.title), ends + 24.0)
+        box = QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(PAPER)
+        painter.drawRoundedRect(box, 8.0, 8.0)
+        bar = QRectF(box.left() + 12.0, box.top() + 28.0, width, 12.0)
+        gradient = QLinearGradient(bar.topLeft(), bar.topRight())
+        for share in np.linspace(0.0, 1.0, 33):
+            red, green, blue = shading.scale[round(share * (len(shading.scale) - 1))].tolist()
+            gradient.setColorAt(float(share), QColor(red, green, blue))
+        painter.fillRect(bar, gradient)
+        painter.setPen(INK)
+        text = QRectF(bar.left(), box.top() + 6.0, width, 18.0)
+        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, shading.title)
+        text.moveTop(bar.bottom() + 3.0)
+        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, shading.low)
+        painter.drawText(text, Qt.AlignmentFlag.AlignRight, shading.high)
 
     def _paint_help(self, painter: QPainter) -> None:
         font = _scaled(self.font(), 0.9)

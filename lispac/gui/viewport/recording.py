@@ -14,6 +14,7 @@ from lispac.gui.viewport.base import (
     Highlight,
     Marker,
     PickedPoint,
+    Shading,
     ViewportSignals,
     emphasis,
 )
@@ -26,7 +27,7 @@ class RecordingViewport:
     ----------
     calls : list of (method name, arguments)
         Everything asked, in order.
-    clouds, colours, hidden, highlights, markers, selected, point_size, station
+    clouds, colours, shading, hidden, highlights, markers, selected, point_size, station
         What a real viewport would show now.
     """
 
@@ -36,6 +37,7 @@ class RecordingViewport:
         self.calls: list[tuple[str, tuple[object, ...]]] = []
         self.clouds: dict[str, Array] = {}
         self.colours: dict[str, Colour] = {}
+        self.shading: Shading | None = None
         self.hidden: set[str] = set()
         self.highlights: list[Highlight] = []
         self.markers: list[Marker] = []
@@ -60,10 +62,15 @@ class RecordingViewport:
         """Do what a Ctrl+click into empty space does."""
         self.signals.missed.emit()
 
-    def show_clouds(self, clouds: Mapping[str, Array], colours: Mapping[str, Colour]) -> None:
+    def show_clouds(
+        self,
+        clouds: Mapping[str, Array],
+        colours: Mapping[str, Colour],
+        shading: Shading | None = None,
+    ) -> None:
         """Remember the lines."""
-        self._record("show_clouds", clouds, colours)
-        self.clouds, self.colours = dict(clouds), dict(colours)
+        self._record("show_clouds", clouds, colours, shading)
+        self.clouds, self.colours, self.shading = dict(clouds), dict(colours), shading
 
     def set_line_visible(self, line: str, visible: bool) -> None:
         """Remember which lines are hidden."""

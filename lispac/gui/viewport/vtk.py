@@ -1,4 +1,4 @@
-"""The viewport drawn with OpenGL; the only file that knows VTK.
+"""The viewport drawn with OpenGL; with `actors` the only file that knows VTK.
 
 Every change asks Qt for a repaint (`QWidget.update`), never VTK for a rendering: Qt joins requests,
 and a picture rendered outside of Qt's painting would be rendered a second time by it.
@@ -8,21 +8,22 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor
 
 from lispac.errors import InputError
+from lispac.gui.viewport.actors import EDGE, dark, paint, point_actor, point_data, shift_depth
 from lispac.gui.viewport.base import (
     Array,
     Colour,
     Highlight,
     Marker,
+    Shading,
     ViewportSignals,
     emphasis,
 )
@@ -74,6 +75,7 @@ class VtkViewport:
 
         self._clouds: dict[str, Array] = {}
         self._colours: dict[str, Colour] = {}
+        self._shading: Shading | None = None
         self._hidden: set[str] = set()
         self._coarse: list[vtkActor] = []
         self._fine: list[vtkActor] = []
@@ -114,9 +116,15 @@ class VtkViewport:
         """Pixels (x, y) of the canvas where points (n, 3) of the local frame are drawn."""
         return self.camera.project(points, self._navigator.size)[:, :2]
 
-    def show_clouds(self, clouds: Mapping[str, Array], colours: Mapping[str, Colour]) -> None:
-        """Draw the lines, each in its colour; replaces those shown, keeps the camera."""
+    def show_clouds(
+        self,
+        clouds: Mapping[str, Array],
+        colours: Mapping[str, Colour],
+        shading: Shading | None = None,
+    ) -> None:
+        """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
         first = not self._clouds
+        self._shading = self._overlay.shading = shading
         self._clouds = {line: points for line, points in clouds.items() if len(points)}
         self._colours = dict(colours)
         if first:
@@ -141,7 +149,10 @@ class VtkViewport:
         self._highlight_actors = []
         for highlight in self._highlights:
             data = self._data(highlight.points)
-            actor, outline = _actor(data, highlight.colour), _actor(data, highlight.colour)
+            actor, outline = (
+                point_actor(data, highlight.colour),
+                point_actor(data, highlight.colour),
+            )
             self._highlight_actors.append((highlight, actor, outline))
             self._renderer.AddActor(outline)
             self._renderer.AddActor(actor)
@@ -200,6 +211,7 @@ class VtkViewport:
         self._overlay.markers = ()
         self._highlights = []
         self._clouds, self._colours = {}, {}
+        self._shading = self._overlay.shading = None
         self.show_highlights([])
         self._draw_clouds()
 
@@ -226,10 +238,14 @@ class VtkViewport:
         self._remove_fine()
         visible = self._visible()
         share = shares({line: len(p) for line, p in visible.items()}, self._budget.moving)
-        coarse = {
-            line: points[sample_order(len(points), share[line])] for line, points in visible.items()
-        }
-        self._coarse = [_actor(self._data(p), self._colours[line]) for line, p in coarse.items()]
+        shaded = self._shading is not None
+        coarse: dict[str, Array] = {}
+        self._coarse = []
+        for line, points in visible.items():
+            chosen = sample_order(len(points), share[line])
+            coarse[line] = points[chosen]
+            data = self._data(coarse[line], self._shades(line, chosen))
+            self._coarse.append(point_actor(data, self._colours[line], shaded=shaded))
         for actor in self._coarse:
             self._renderer.AddActor(actor)
         self._navigator.clouds, self._navigator.coarse = visible, coarse
@@ -245,13 +261,14 @@ class VtkViewport:
         size = self._navigator.size
         seen = {line: in_view(points, self.camera, size) for line, points in visible.items()}
         share = shares({line: len(indices) for line, indices in seen.items()}, self._budget.resting)
+        shaded = self._shading is not None
         for line, indices in seen.items():
             chosen = indices[sample_order(len(indices), share[line])]
-            data = self._data(visible[line][chosen])
-            self._fine.append(_actor(data, self._colours[line]))
+            data = self._data(visible[line][chosen], self._shades(line, chosen))
+            self._fine.append(point_actor(data, self._colours[line], shaded=shaded))
             # The same points larger, darker and a little behind: they draw an edge where something
             # near stands before something far, and vanish inside a surface.
-            self._rims.append(_actor(data, _dark(self._colours[line])))
+            self._rims.append(point_actor(data, EDGE if shaded else dark(self._colours[line])))
         for actor in (*self._fine, *self._rims):
             self._renderer.AddActor(actor)
         self._style_points()
@@ -265,21 +282,12 @@ class VtkViewport:
         for actor in actors:
             self._renderer.RemoveActor(actor)
 
-    def _data(self, points: Array) -> vtkPolyData:
+    def _data(self, points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPolyData:
         """Points (n, 3) of the local frame as one cell."""
-        count = len(points)
-        coordinates = vtkPoints()
-        near_origin = np.asarray(points - self._origin, dtype=np.float32)
-        coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(near_origin)))
-        cells = vtkCellArray()
-        cells.SetData(
-            numpy_to_vtkIdTypeArray(np.array([0, count], dtype=np.int64), deep=True),
-            numpy_to_vtkIdTypeArray(np.arange(count, dtype=np.int64), deep=True),
-        )
-        data = vtkPolyData()
-        data.SetPoints(coordinates)
-        data.SetVerts(cells)
-        return data
+        return point_data(points - self._origin, shades)
+
+    def _shades(self, line: str, chosen: NDArray[np.int64]) -> NDArray[np.uint8] | None:
+        return None if self._shading is None else self._shading.colours[line][chosen]
 
     def _style_points(self) -> None:
         scale = self.canvas.devicePixelRatioF()
@@ -294,8 +302,8 @@ class VtkViewport:
             size = self._point_size + drawn.larger
             actor.GetProperty().SetPointSize(size * scale)
             outline.GetProperty().SetPointSize((size + 3) * scale)
-            _paint(actor, drawn.colour)
-            _paint(outline, _dark(drawn.colour))
+            paint(actor, drawn.colour)
+            paint(outline, dark(drawn.colour))
             shown = highlight.key[1] not in self._hidden
             actor.SetVisibility(shown)
             outline.SetVisibility(shown and drawn.outlined)
@@ -310,10 +318,10 @@ class VtkViewport:
         camera.SetViewUp(*self.camera.axes[1])
         for highlight, actor, outline in self._highlight_actors:
             lift = LIFT * (2 if emphasis(highlight, self._selected).above else 1)
-            _shift_depth(actor, eye, -lift)
-            _shift_depth(outline, eye, 0.3 * LIFT - lift)
+            shift_depth(actor, eye, -lift)
+            shift_depth(outline, eye, 0.3 * LIFT - lift)
         for rim in self._rims:
-            _shift_depth(rim, eye, RIM_DEPTH)
+            shift_depth(rim, eye, RIM_DEPTH)
         self._renderer.ResetCameraClippingRange()
         self._update()
 
@@ -365,30 +373,3 @@ def _common_origin(clouds: Mapping[str, Array]) -> Array:
     middle = np.median([np.median(points[:: max(1, len(points) // 1000)], axis=0)
                         for points in clouds.values()], axis=0)  # fmt: skip
     return np.round(middle, -2) if np.abs(middle).max() > FAR else np.zeros(3)
-
-
-def _actor(data: vtkPolyData, colour: Colour) -> vtkActor:
-    """Unlit points of one colour."""
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
-    _paint(actor, colour)
-    return actor
-
-
-def _paint(actor: vtkActor, colour: Colour) -> None:
-    actor.GetProperty().SetColor(*(c / 255.0 for c in colour))
-
-
-def _dark(colour: Colour) -> Colour:
-    red, green, blue = colour
-    return red // 2, green // 2, blue // 2
-
-
-def _shift_depth(actor: vtkActor, eye: Array, part: float) -> None:
-    """Draw an actor deeper by a part of its distance: scaled about the eye, nothing else moves."""
-    actor.SetScale(1.0 + part)
-    actor.SetPosition(*(-part * eye))

@@ -1,0 +1,79 @@
+"""Colours of the points: by line, or by what was measured at each of them."""
+
+from collections.abc import Mapping
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.gui.viewport.base import Array, Shading
+from lispac.survey.cloud import Cloud
+
+Colouring = Literal["line", "height", "intensity", "range", "time"]
+COLOURINGS: tuple[Colouring, ...] = get_args(Colouring)
+
+OUTER = 2.0
+"""Percent at either end that share the last colour: a few stray points must not take the scale."""
+LOOKED_AT = 100_000
+"""Points of a line that settle the ends of the scale."""
+
+TITLES: dict[Colouring, str] = {
+    "height": "Height (m)",
+    "intensity": "Intensity",
+    "range": "Range (m)",
+    "time": "Time since the first line began (s)",
+}
+
+
+def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None:
+    """Colours of the lines' samples; None where each line has its own colour.
+
+    Raises
+    ------
+    ValueError
+        Where a line has nothing to colour by, in words.
+    """
+    if colouring == "line" or not clouds:
+        return None
+    values = {name: _values(colouring, name, cloud) for name, cloud in clouds.items()}
+    looked = np.concatenate([some[:: len(some) // LOOKED_AT + 1] for some in values.values()])
+    outer = 0.0 if colouring == "time" else OUTER
+    low, high = (float(end) for end in np.percentile(looked, [outer, 100 - outer]))
+    start = low if colouring == "time" else 0.0
+    scale = _scale()
+    colours = {name: scale[_places(some, low, high, len(scale))] for name, some in values.items()}
+    decimals = 0 if high - low >= 20 else 1 if high - low >= 2 else 2
+    return Shading(
+        colours,
+        TITLES[colouring],
+        f"{low - start:,.{decimals}f}",
+        f"{high - start:,.{decimals}f}",
+        scale,
+    )
+
+
+def _values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
+    if colouring == "height":
+        return cloud.sample[:, 2]
+    if colouring == "range":
+        return cloud.sample_range
+    if colouring == "time":
+        return cloud.sample_time
+    intensity = cloud.sample_intensity
+    if intensity is None:
+        raise ValueError(f"{name} has no intensities; choose another colouring")
+    return intensity
+
+
+def _places(values: Array, low: float, high: float, count: int) -> NDArray[np.int64]:
+    span = high - low or 1.0
+    return np.clip((values - low) * (count / span), 0, count - 1).astype(np.int64)
+
+
+def _scale() -> NDArray[np.uint8]:
+    """Viridis: even in lightness, so that it is read without telling the colours apart."""
+    from matplotlib import colormaps
+
+    # Its brightest end would be lost on the bright ground.
+    shares = np.linspace(0.0, 0.94, 256)
+    return np.asarray(np.round(255 * colormaps["viridis"](shares)[:, :3]), dtype=np.uint8)

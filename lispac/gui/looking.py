@@ -1,0 +1,58 @@
+"""How the view is looked at: standard views, size and colours of the points."""
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.actions import COLOURED, VIEWS, Actions
+from lispac.gui.colouring import COLOURINGS, Colouring
+from lispac.gui.controller import Controller
+from lispac.gui.scene import Scene
+from lispac.gui.settings import POINT_SIZES, AppSettings
+from lispac.gui.viewport.base import Viewport
+
+
+class Looking(QObject):
+    """Joins the actions of the View menu to the viewport."""
+
+    def __init__(
+        self,
+        viewport: Viewport,
+        scene: Scene,
+        controller: Controller,
+        actions: Actions,
+        settings: AppSettings,
+    ) -> None:
+        super().__init__(actions)
+        self._viewport, self._scene, self._controller = viewport, scene, controller
+        self._actions, self._settings = actions, settings
+        viewport.set_point_size(settings.point_size)
+        slots = {
+            "fit": viewport.fit,
+            "larger": lambda: self._resize_points(+1),
+            "smaller": lambda: self._resize_points(-1),
+            "colour_next": self._colour_by_next,
+        }
+        for name in VIEWS:
+            slots[name] = lambda name=name: viewport.view(name)
+        for name in COLOURINGS:
+            slots[COLOURED[name]] = lambda name=name: self._colour_by(name)
+        for name, slot in slots.items():
+            actions[name].triggered.connect(lambda _=False, slot=slot: slot())
+
+    def _resize_points(self, by: int) -> None:
+        pixels = min(max(self._settings.point_size + by, POINT_SIZES[0]), POINT_SIZES[-1])
+        self._settings.point_size = pixels
+        self._viewport.set_point_size(pixels)
+
+    def _colour_by(self, colouring: Colouring) -> bool:
+        try:
+            self._scene.colour_by(colouring)
+        except ValueError as error:
+            self._controller.noted.emit(str(error))
+        self._actions[COLOURED[self._scene.colouring]].setChecked(True)
+        return self._scene.colouring == colouring
+
+    def _colour_by_next(self) -> None:
+        at = COLOURINGS.index(self._scene.colouring)
+        for k in range(1, len(COLOURINGS)):
+            if self._colour_by(COLOURINGS[(at + k) % len(COLOURINGS)]):
+                return

@@ -1,0 +1,71 @@
+"""Points as the 3D library draws them."""
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+from lispac.gui.viewport.base import Array, Colour
+
+EDGE: Colour = (62, 70, 78)
+"""Of shaded points."""
+
+
+def point_data(points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPolyData:
+    """Points as one cell.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres, from an origin near them
+    shades : uint8 ndarray of shape (n, 3), optional
+        Their colours, for actors that are `shaded`.
+    """
+    count = len(points)
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points, dtype=np.float32)))
+    cells = vtkCellArray()
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(np.array([0, count], dtype=np.int64), deep=True),
+        numpy_to_vtkIdTypeArray(np.arange(count, dtype=np.int64), deep=True),
+    )
+    data = vtkPolyData()
+    data.SetPoints(coordinates)
+    data.SetVerts(cells)
+    if shades is not None:
+        data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(shades), deep=True))
+    return data
+
+
+def point_actor(data: vtkPolyData, colour: Colour, *, shaded: bool = False) -> vtkActor:
+    """Unlit points of one colour, or each of its own."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    if shaded:
+        mapper.ScalarVisibilityOn()
+        mapper.SetColorModeToDirectScalars()
+    else:
+        mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    paint(actor, colour)
+    return actor
+
+
+def paint(actor: vtkActor, colour: Colour) -> None:
+    """Give all its points one colour."""
+    actor.GetProperty().SetColor(*(c / 255.0 for c in colour))
+
+
+def dark(colour: Colour) -> Colour:
+    """A darker one, for edges."""
+    red, green, blue = colour
+    return red // 2, green // 2, blue // 2
+
+
+def shift_depth(actor: vtkActor, eye: Array, part: float) -> None:
+    """Draw an actor deeper by a part of its distance: scaled about the eye, nothing else moves."""
+    actor.SetScale(1.0 + part)
+    actor.SetPosition(*(-part * eye))

@@ -1,0 +1,65 @@
+"""Colours of the points by what was measured at them."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from lispac.gui.actions import COLOURED
+from lispac.gui.colouring import COLOURINGS, shading
+from tests.gui.support import Demo, Driver, Key, press
+
+
+def test_colours_follow_the_values(demo: Demo) -> None:
+    clouds = demo.survey.clouds
+    assert shading("line", clouds) is None
+    for colouring in COLOURINGS[1:]:
+        shaded = shading(colouring, clouds)
+        assert shaded is not None
+        for name, cloud in clouds.items():
+            assert shaded.colours[name].shape == (len(cloud.sample), 3)
+            assert shaded.colours[name].dtype == np.uint8
+    height = shading("height", clouds)
+    places = {tuple(colour): k for k, colour in enumerate(height.scale.tolist())}
+    name = demo.survey.lines[0]
+    up = clouds[name].sample[:, 2]
+    order = [places[tuple(colour)] for colour in height.colours[name].tolist()]
+    assert (np.diff(np.array(order)[np.argsort(up, kind="stable")]) >= 0).all()
+    low, high = float(height.low), float(height.high)
+    everything = np.concatenate([cloud.sample[:, 2] for cloud in clouds.values()])
+    assert everything.min() <= low + 0.5
+    assert low < high <= everything.max() + 0.5
+    time = shading("time", clouds)
+    assert float(time.low) == 0
+
+
+def test_keys_and_menu_change_the_colours(opened: Driver) -> None:
+    for colouring in (*COLOURINGS[1:], "line"):
+        press(opened, Key.Key_C)
+        assert opened.window.scene.colouring == colouring
+        assert opened.window.actions_[COLOURED[colouring]].isChecked()
+        assert (opened.viewport.shading is None) == (colouring == "line")
+    opened.window.actions_["colour_range"].trigger()
+    assert opened.viewport.shading.title == "Range (m)"
+    line = opened.window.document.survey.lines[0]
+    assert len(opened.viewport.shading.colours[line]) == len(opened.viewport.clouds[line])
+
+
+def test_lines_without_intensities_are_told_of_and_passed_over(
+    opened: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    survey = opened.window.document.survey
+    name, cloud = survey.lines[1], survey.clouds[survey.lines[1]]
+    bare = SimpleNamespace(
+        sample=cloud.sample, sample_range=cloud.sample_range, sample_time=cloud.sample_time,
+        sample_intensity=None,
+    )  # fmt: skip
+    with pytest.raises(ValueError, match="no intensities"):
+        shading("intensity", {name: bare})
+    monkeypatch.setattr(type(opened.window.scene), "clouds", {name: bare})
+    opened.window.actions_["colour_intensity"].trigger()
+    assert opened.window.scene.colouring == "line"
+    assert opened.window.actions_["colour_line"].isChecked()
+    press(opened, Key.Key_C)
+    press(opened, Key.Key_C)
+    assert opened.window.scene.colouring == "range"
