@@ -1,6 +1,7 @@
 """Bytes and values that nobody meant, and how many of them a reader has seen."""
 
 import json
+import warnings
 from collections.abc import Callable, Sequence
 from copy import deepcopy
 from time import monotonic
@@ -8,6 +9,7 @@ from typing import Any
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from hypothesis.errors import HypothesisWarning
 
 SECONDS, INPUTS = 60, 100_000
 """The long form ends with whichever comes first."""
@@ -97,7 +99,10 @@ def fuzz(made: st.SearchStrategy[bytes], attempt: Attempt, examples: int) -> tup
         inputs += 1
         read += attempt(content)
 
-    run()
+    with warnings.catch_warnings():
+        # That an example is too long to print must not hide what it found.
+        warnings.simplefilter("ignore", HypothesisWarning)
+        run()
     return inputs, read
 
 

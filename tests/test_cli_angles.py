@@ -239,3 +239,52 @@ def test_an_uncalibrated_project_is_refused(capsys, tmp_path: Path) -> None:
 
     project = make_demo(tmp_path / "demo")
     assert "estimate first" in refused(capsys, project.folder, "--to", "applanix")
+
+
+def given_matrix(capsys, angles, *words) -> list[float]:
+    """Scanner to body of some angles as the command prints it."""
+    found = answer(capsys, *angles, "--lever", 0, 0, 0, *words)["from"]["transform"]
+    return np.round(np.array(found)[:3, :3], 12).ravel().tolist()
+
+
+@pytest.mark.parametrize("key", ["applanix", "novatel", "opals", "terrascan", "hypack"])
+def test_a_present_matrix_does_what_present_angles_do(capsys, tmp_path: Path, key: str) -> None:
+    now = (0.1, 1.0, -3.0)
+    words = (0.125, -1.192, 0.276, "--to", key)
+    numbers = given_matrix(capsys, now, "--from", key)
+    by_angles = answer(capsys, *words, "--current", *now)["correction"]
+    path = tmp_path / "now.txt"
+    path.write_text(f"# scanner to body\n{numbers[:3]}\n{numbers[3:6]}\n{numbers[6:]}\n")
+    for given in (numbers, [path]):
+        found = answer(capsys, *words, "--current-matrix", *given)["correction"]
+        for name in ("current_deg", "new_deg", "correction_deg"):
+            assert found[name] == pytest.approx(by_angles[name], abs=1e-8)
+        np.testing.assert_allclose(found["matrix"], by_angles["matrix"], atol=1e-10)
+    applied = (*words, "--current-applied")
+    np.testing.assert_allclose(
+        answer(capsys, *applied, "--current-matrix", path)["to"]["matrix"],
+        answer(capsys, *applied, "--current", *now)["to"]["matrix"],
+        atol=1e-10,
+    )
+
+
+def test_correction_of_a_program_that_takes_a_matrix_only(capsys) -> None:
+    now = Rotation.from_euler("ZYX", [3.0, -1.0, 0.5], degrees=True).as_matrix()
+    words = (0.4395, -1.8681, 0.3992, "--to", "pdal")
+    numbers = np.round(now, 12).ravel().tolist()
+    found = answer(capsys, *words, "--current-matrix", *numbers)
+    new = np.array(found["to"]["matrix"])
+    np.testing.assert_allclose(np.array(found["correction"]["matrix"]) @ now, new, atol=1e-9)
+    assert found["correction"]["new_deg"] is None
+    text = said(capsys, *words, "--current-matrix", *numbers)
+    assert "new = correction · current" in text
+    assert "replaces the current one" in text
+
+
+def test_a_present_matrix_that_is_none_is_refused(capsys, tmp_path: Path) -> None:
+    words = (1, 2, 3, "--to", "applanix", "--current-matrix")
+    assert "give 9 or 16" in refused(capsys, *words, 1, 0, 0)
+    assert "not a rotation" in refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])
+    assert "one of them" in refused(
+        capsys, *words, *np.eye(3).ravel(), "--current", 1, 2, 3, code=2
+    )

@@ -11,17 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.cli.console import UsageError
-from lispac.errors import InputError
 from lispac.survey.conventions.conversion import (
     Setup,
     Stated,
     mounting_of,
     mounting_of_angles,
-    require_rotation,
     state,
 )
 from lispac.survey.conventions.correction import SUM_MATTERS, Correction, correct, on_top_of
 from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, SYSTEMS, Status, system
+from lispac.survey.conventions.typed import matrix_of_text, product_of_matrix
 from lispac.survey.conventions.words import boresight_words, lever_arm_words, offsets_words
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.projects import open_project
@@ -67,9 +66,9 @@ def angles(arguments: Namespace) -> None:
         return
     given = _given(arguments)
     target = _setup(arguments, arguments.to)
-    if arguments.current is None and arguments.current_applied:
-        raise UsageError("angles: --current-applied goes with --current A B C.")
-    current = None if arguments.current is None else np.radians(arguments.current)
+    current = _current(arguments, target)
+    if current is None and arguments.current_applied:
+        raise UsageError("angles: --current-applied goes with --current or --current-matrix.")
     mounting, covariance = given.mounting, given.covariance
     if current is not None and arguments.current_applied:
         mounting, covariance = on_top_of(target, current, mounting, covariance)
@@ -114,11 +113,8 @@ def _given(arguments: Namespace) -> _Given:
         if shift is not None and has_lever_arm:
             raise UsageError("angles: the 4x4 matrix holds the lever arm; leave --lever out.")
         lever_arm = lever_arm if shift is None else shift
-        if setup.scanner_frame == "mounted":
-            # A matrix is read as it is printed: from the raw scanner axes.
-            rotation = rotation @ setup.scanner_matrix().T
-        product = rotation if setup.convention.direction == "lidar_to_body" else rotation.T
-        mounting = mounting_of(setup, product, lever_arm)
+        # Read as it is printed.
+        mounting = mounting_of(setup, product_of_matrix(setup, rotation), lever_arm)
         return _Given(setup, mounting, has_lever_arm or shift is not None, name="from matrix")
     if count == 1:
         if has_lever_arm or setup.convention.key != "lispac":
@@ -154,28 +150,21 @@ def _of_project(folder: Path, setup: Setup) -> _Given:
 
 
 def _read_matrix(path: Path) -> tuple[Array, Array | None]:
-    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    words = " ".join(line.partition("#")[0] for line in lines)
-    for mark in ",;[]()":
-        words = words.replace(mark, " ")
-    try:
-        numbers = np.array([float(word) for word in words.split()])
-    except ValueError as error:
-        raise InputError(f"{path.name}: {error}; give a matrix of 3x3 or 4x4 numbers.") from None
-    if numbers.size not in (9, 16):
-        raise InputError(
-            f"{path.name}: {numbers.size} numbers are no 3x3 or 4x4 matrix; give 9 or 16."
-        )
-    if numbers.size == 9:
-        return require_rotation(numbers.reshape(3, 3)), None
-    matrix = numbers.reshape(4, 4)
-    if not np.array_equal(matrix[3], [0, 0, 0, 1]):
-        raise InputError(
-            f"{path.name}: the last row of a 4x4 matrix is 0 0 0 1; give rows, not columns."
-        )
-    if not np.isfinite(matrix).all():
-        raise InputError(f"{path.name}: a number of the lever arm is not finite; correct it.")
-    return require_rotation(matrix[:3, :3]), matrix[:3, 3]
+    return matrix_of_text(path.read_text(encoding="utf-8", errors="replace"), path.name)
+
+
+def _current(arguments: Namespace, target: Setup) -> Array | None:
+    """Present settings of the --to system: three angles, or their product of shape (3, 3)."""
+    if arguments.current_matrix is None:
+        return None if arguments.current is None else np.radians(arguments.current)
+    if arguments.current is not None:
+        raise UsageError("angles: give --current or --current-matrix, one of them.")
+    words = arguments.current_matrix
+    if len(words) == 1:
+        rotation, _ = _read_matrix(Path(words[0]))
+    else:
+        rotation, _ = matrix_of_text(" ".join(words), "--current-matrix")
+    return product_of_matrix(target, rotation)
 
 
 # -- printing ------------------------------------------------------------------------------------
@@ -290,6 +279,9 @@ def _print_sigmas(stated: Stated, given: _Given) -> None:
 
 
 def _print_correction(correction: Correction, label: str, decimals: int) -> None:
+    assert correction.current is not None
+    assert correction.correction is not None
+    assert correction.new is not None
     print(_row("current", correction.current, decimals=decimals))
     print(_row("correction", correction.correction, decimals=decimals))
     print(_row(label, correction.new, decimals=decimals) + "  (replaces the current angles)")
@@ -309,8 +301,13 @@ def _print_matrices(given: _Given, stated: Stated, correction: Correction | None
         _line("3x3", f"{setup.convention.formula}, {DIRECTION_WORDS[setup.convention.direction]}")
         _print_rows(stated.rotation)
     if correction is not None:
-        _line("correction", "3x3, on the left of the matrix of the current angles")
+        _line("current", "3x3")
+        _print_rows(correction.present)
+        _line("correction", "3x3, on the left of the current one: new = correction · current")
         _print_rows(correction.rotation)
+        if stated.angles is None:
+            _line(_NEW[setup.status], "3x3, replaces the current one")
+            _print_rows(stated.rotation)
     lever = "lever arm in metres" if given.has_lever_arm else "no lever arm given: zeros"
     _line("4x4", f"scanner to body of {setup.convention.name}; {lever}")
     _print_rows(stated.transform)
@@ -370,6 +367,7 @@ def _numbers(given: _Given, stated: Stated, correction: Correction | None) -> di
             "current_deg": _named(stated.setup, correction.current),
             "new_deg": _named(stated.setup, correction.new),
             "correction_deg": _named(stated.setup, correction.correction),
+            "current_matrix": correction.present.tolist(),
             "matrix": correction.rotation.tolist(),
             "side": "left",
             "sum_error_deg": float(np.degrees(correction.sum_error)),

@@ -335,9 +335,15 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
         "present settings in the --to system (deg): also print the correction to them",
     )  # fmt: skip
     angles.add_argument(
+        "--current-matrix",
+        nargs="+", metavar="FILE | NUMBER",
+        help="instead: the present 3x3 matrix from scanner to body of --to, nine numbers or a file",
+    )  # fmt: skip
+    angles.add_argument(
         "--current-applied",
         action="store_true",
-        help="the lines were already turned by --current, so what was found comes on top of it",
+        help="the lines were already turned by the present settings, so what was found comes on "
+        "top of them",
     )
     angles.add_argument("--matrix", action="store_true", help="print the matrices too")
     angles.add_argument(

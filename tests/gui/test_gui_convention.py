@@ -5,6 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QTabBar
 from pytestqt.qtbot import QtBot
+from scipy.spatial.transform import Rotation
 
 from lispac.gui import theme
 from lispac.gui.panels.convention import TITLE, ConventionPanel
@@ -143,6 +144,31 @@ def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -
     # Angles typed for one program are not taken for another's.
     choose(qtbot, panel, "novatel")
     assert rows(panel)["Now set"] == [0.0, 0.0, 0.0]
+
+
+def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> None:
+    type_boresight(qtbot, panel, "0.125", "-1.192", "0.276")
+    current = panel.current
+    for box in (current.known, current.as_matrix):
+        qtbot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
+    assert current.matrix.isVisible()
+    assert not current.fields.isVisible()
+    assert "0 numbers are no 3x3" in panel.assumption.text()
+    turn = Rotation.from_euler("ZYX", [-3, 1.0, 0.1], degrees=True).as_matrix()
+    qtbot.mouseClick(current.matrix.viewport(), Left)
+    qtbot.keyClicks(current.matrix, "; ".join(" ".join(f"{v:.10f}" for v in row) for row in turn))
+    shown = rows(panel)
+    assert shown["Now set"] == [0.1, 1.0, -3.0]
+    assert shown["Type in"] == [0.125, 1.192, 0.276]
+    # PDAL has no angles, so a matrix is all there is to give; what was given for another is gone.
+    choose(qtbot, panel, "pdal")
+    assert current.matrix.isVisible()
+    assert not current.as_matrix.isVisible()
+    assert current.matrix.toPlainText() == ""
+    qtbot.keyClicks(current.matrix, "1 0 0 0 1 0 0 0 1")
+    assert "new = correction · present" in panel.remarks.text()
+    choose(qtbot, panel, "applanix")
+    assert current.fields.isVisible()
 
 
 def test_the_matrix_is_copied_with_all_digits(qtbot: QtBot, panel: ConventionPanel) -> None:

@@ -191,10 +191,10 @@ class ConventionPanel(QWidget):
     def _refresh(self) -> None:
         convention, given = self.convention, self.given
         mounting, covariance = given.mounting, given.covariance
-        current = self.current.angles if convention.has_angles else None
         try:
             body_axes = self.imu.axes if convention.open_axes else None
             setup = Setup(convention, body_axes, self.scanner.currentData())
+            current = self.current.of(setup)
             if current is not None and self.current.applied.isChecked():
                 mounting, covariance = on_top_of(setup, current, mounting, covariance)
             stated = state(mounting, setup, covariance)
@@ -246,7 +246,9 @@ class ConventionPanel(QWidget):
         self.table.setVisible(convention.has_angles)
         if stated.angles is None:
             self.values_head.setText("Taken as a matrix only: see below")
-            self.remarks.setVisible(False)
+            self.remarks.setVisible(correction is not None)
+            if correction is not None:
+                self.remarks.setText(_matrix_words(correction))
         else:
             self.values_head.setText(
                 "Type in there, degrees" if sure else "If the assumption holds, degrees"
@@ -255,6 +257,8 @@ class ConventionPanel(QWidget):
             new = ("Type in" if sure else "If so", stated.angles, "+", True)
             rows: list[tuple[str, np.ndarray, str, bool]] = [new]
             if correction is not None:
+                assert correction.current is not None
+                assert correction.correction is not None
                 rows = [("Now set", correction.current, "+", False),
                         ("Correction", correction.correction, "+", False), new]  # fmt: skip
             if stated.sigmas is not None:
@@ -305,6 +309,14 @@ class ConventionPanel(QWidget):
         self.matrix.setPlainText(_rows(stated.transform, 7))
         self._all_digits = _rows(stated.transform, 12)
         self.matrix.setToolTip(SCANNER_WORDS[stated.setup.scanner_frame])
+
+
+def _matrix_words(correction: Correction) -> str:
+    rows = _rows(correction.rotation, 7).replace(" ", "&nbsp;").replace("\n", "<br>")
+    return (
+        "The matrix below replaces the present one: new = correction · present. The correction:"
+        f"<br><code>{rows}</code>"
+    )
 
 
 def _lines(convention: Convention, angles: np.ndarray, decimals: int) -> str:

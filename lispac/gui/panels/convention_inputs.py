@@ -2,12 +2,22 @@
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QPlainTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
 
 from lispac.gui.panels import widgets
 from lispac.project import Project
 from lispac.survey.conventions.axes import DIRECTIONS, Axes, completed_axes
+from lispac.survey.conventions.conversion import Setup
 from lispac.survey.conventions.systems import Convention
+from lispac.survey.conventions.typed import matrix_of_text, product_of_matrix
 from lispac.survey.georeferencing import Mounting
 
 BY_HAND = "Typed by hand."
@@ -96,7 +106,7 @@ class CurrentSettings(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         self.known = QCheckBox("Correct what is set there now")
         self.known.setObjectName("convention_has_current")
-        self.known.setToolTip("Type the present angles of that program to see the correction")
+        self.known.setToolTip("Give the present settings of that program to see the correction")
         layout.addWidget(self.known)
         self._box = QWidget()
         inner = QVBoxLayout(self._box)
@@ -112,6 +122,24 @@ class CurrentSettings(QWidget):
             self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
         ]
         inner.addWidget(self.fields)
+        self.as_matrix = QCheckBox("Give them as a matrix")
+        self.as_matrix.setObjectName("convention_as_matrix")
+        self.as_matrix.setToolTip("Paste the present matrix of that program instead of its angles")
+        inner.addWidget(self.as_matrix)
+        self.matrix = QPlainTextEdit()
+        self.matrix.setObjectName("convention_current_matrix")
+        self.matrix.setAccessibleName("Present matrix from scanner to body")
+        self.matrix.setToolTip(
+            "Present matrix from scanner to body in that program: 3x3 or 4x4 numbers, row by row"
+        )
+        self.matrix.setPlaceholderText("1 0 0\n0 1 0\n0 0 1")
+        self.matrix.setTabChangesFocus(True)
+        self.matrix.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+        font.setPixelSize(11)
+        self.matrix.setFont(font)
+        self.matrix.setFixedHeight(4 * self.matrix.fontMetrics().lineSpacing() + 14)
+        inner.addWidget(self.matrix)
         self.applied = QCheckBox("The lines were already turned by them")
         self.applied.setObjectName("convention_applied")
         self.applied.setToolTip(
@@ -124,24 +152,50 @@ class CurrentSettings(QWidget):
         self.known.toggled.connect(self._box.setVisible)
         self.known.toggled.connect(self.changed)
         self.applied.toggled.connect(self.changed)
+        self.as_matrix.toggled.connect(self._show_fields)
+        self.as_matrix.toggled.connect(self.changed)
+        self.matrix.textChanged.connect(self.changed)
+        self._show_fields()
         for field in fields:
             field.valueChanged.connect(self.changed)
 
-    @property
-    def angles(self) -> np.ndarray | None:
-        """Radians, shape (3,), in the order of the program; None where they play no part."""
-        return np.radians(self.fields.value()) if self.known.isChecked() else None
+    def of(self, setup: Setup) -> np.ndarray | None:
+        """What is set there now; None where it plays no part.
+
+        Returns
+        -------
+        ndarray of shape (3,), radians, in the order of the program
+            Or the product of such angles, of shape (3, 3), where a matrix is given; `InputError`
+            where that is none.
+        """
+        if not self.known.isChecked():
+            return None
+        if not self.as_matrix.isChecked():
+            return np.radians(self.fields.value())
+        rotation, _ = matrix_of_text(self.matrix.toPlainText(), "Present matrix")
+        return product_of_matrix(setup, rotation)
+
+    def _show_fields(self) -> None:
+        self.fields.setVisible(not self.as_matrix.isChecked())
+        self.matrix.setVisible(self.as_matrix.isChecked())
 
     def show_convention(self, convention: Convention) -> None:
-        """Name the fields as the program does."""
-        self.setVisible(convention.has_angles)
+        """Name the fields as the program does; one without angles takes a matrix."""
+        for box in (self.as_matrix, self.matrix):
+            box.blockSignals(True)
+        self.as_matrix.setChecked(not convention.has_angles)
+        self.as_matrix.setVisible(convention.has_angles)
+        self.matrix.clear()
+        for box in (self.as_matrix, self.matrix):
+            box.blockSignals(False)
+        self._show_fields()
         for label, field, turn in zip(
             self._words, self.fields.fields, convention.turns, strict=False
         ):
             label.setText(turn.name.capitalize())
             field.setToolTip(f"Present {turn.name} in {convention.name}, degrees, {turn.meaning}")
             field.setAccessibleName(f"Present {turn.name}")
-        # Angles typed for one program mean nothing in another.
+        # Settings given for one program mean nothing in another.
         self.fields.set_value((0.0, 0.0, 0.0))
 
 

@@ -9,7 +9,7 @@ from lispac.survey.conventions.axes import axes_matrix, nearest_axes
 from lispac.survey.conventions.conversion import (
     Setup,
     angles_from,
-    mounting_of_angles,
+    mounting_of,
     require_angles,
     rotation_of,
     small_turns,
@@ -29,20 +29,24 @@ class Correction:
 
     Attributes
     ----------
-    current, new : ndarray of shape (3,), radians, in the order the system types them
-    correction : ndarray of shape (3,), radians
-        Angles of ``rotation`` in the same convention.
+    present : ndarray of shape (3, 3)
+        Product of the current settings.
     rotation : ndarray of shape (3, 3)
-        ``rotation @ matrix of the current angles`` is the matrix of the new ones.
+        ``rotation @ present`` is the product of the new settings.
+    current, new : ndarray of shape (3,), radians, in the order the system types them
+        None where it takes a matrix only.
+    correction : ndarray of shape (3,), radians
+        Angles of ``rotation`` in the same convention; None likewise.
     sum_error : float, radians
-        Turn by which ``current + correction`` would miss the new settings.
+        Turn by which ``current + correction`` would miss the new settings; 0 likewise.
     """
 
-    current: Array
-    new: Array
-    correction: Array
+    present: Array
     rotation: Array
-    sum_error: float
+    current: Array | None = None
+    new: Array | None = None
+    correction: Array | None = None
+    sum_error: float = 0.0
 
 
 def correct(convention: Convention, current: Array, wanted: Array) -> Correction:
@@ -51,20 +55,33 @@ def correct(convention: Convention, current: Array, wanted: Array) -> Correction
     Parameters
     ----------
     current : ndarray of shape (3,), radians, in the order the system types them
+        Or their product, of shape (3, 3).
     wanted : ndarray of shape (3, 3)
         The product of the new angles, as `Stated.rotation` holds it.
 
     Raises
     ------
     InputError
-        Where the system is not offered as angles.
+        Where the system is not offered as angles and these are given.
     """
-    require_angles(convention)
-    rotation = wanted @ rotation_of(convention, current).T
+    present = _product(convention, current)
+    rotation = wanted @ present.T
+    if not convention.has_angles:
+        return Correction(present, rotation)
+    if current.ndim == 2:
+        current, _ = angles_from(convention, present)
     new, _ = angles_from(convention, wanted)
     correction, _ = angles_from(convention, rotation)
     summed = rotation_of(convention, current + correction)
-    return Correction(current, new, correction, rotation, turn_between(summed, wanted))
+    off = turn_between(summed, wanted)
+    return Correction(present, rotation, current, new, correction, off)
+
+
+def _product(convention: Convention, current: Array) -> Array:
+    if current.ndim == 2:
+        return current
+    require_angles(convention)
+    return rotation_of(convention, current)
 
 
 def on_top_of(
@@ -78,6 +95,7 @@ def on_top_of(
     Parameters
     ----------
     current : ndarray of shape (3,), radians, in the order the system types them
+        Or their product, of shape (3, 3).
     found : Mounting
         Of the lines as they were given to this program.
     covariance : ndarray of shape (3, 3), radians squared, of the boresight found
@@ -89,7 +107,8 @@ def on_top_of(
     ndarray of shape (3, 3), or None
         Covariance of its boresight.
     """
-    old = mounting_of_angles(setup, current, np.zeros(3)).rotation_body_lidar
+    present = _product(setup.convention, current)
+    old = mounting_of(setup, present, np.zeros(3)).rotation_body_lidar
     remainder = found.rotation_body_lidar
     # The exported lines may use any axes along the body's, such as forward, starboard, down.
     rotation = remainder @ axes_matrix(nearest_axes(remainder)) @ old

@@ -1,0 +1,64 @@
+"""A matrix as somebody types or pastes it."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.survey.conventions.conversion import Setup, require_rotation
+
+Array = NDArray[np.float64]
+
+
+def matrix_of_text(text: str, where: str) -> tuple[Array, Array | None]:
+    """The rotation in 9 or 16 numbers, row by row, and the lever arm of a 4x4 matrix.
+
+    Brackets, commas, semicolons and what stands behind ``#`` are passed over.
+
+    Parameters
+    ----------
+    where : str
+        What an error names: the file, say.
+
+    Returns
+    -------
+    rotation : ndarray of shape (3, 3)
+    lever_arm : ndarray of shape (3,), metres, or None
+
+    Raises
+    ------
+    InputError
+    """
+    words = " ".join(line.partition("#")[0] for line in text.splitlines())
+    for mark in ",;[]()":
+        words = words.replace(mark, " ")
+    words = words.replace("−", "-")
+    try:
+        numbers = np.array([float(word) for word in words.split()])
+    except ValueError as error:
+        raise InputError(f"{where}: {error}; give a matrix of 3x3 or 4x4 numbers.") from None
+    if numbers.size not in (9, 16):
+        raise InputError(f"{where}: {numbers.size} numbers are no 3x3 or 4x4 matrix; give 9 or 16.")
+    if numbers.size == 9:
+        return require_rotation(numbers.reshape(3, 3)), None
+    matrix = numbers.reshape(4, 4)
+    if not np.array_equal(matrix[3], [0, 0, 0, 1]):
+        raise InputError(
+            f"{where}: the last row of a 4x4 matrix is 0 0 0 1; give rows, not columns."
+        )
+    if not np.isfinite(matrix).all():
+        raise InputError(f"{where}: a number of the lever arm is not finite; correct it.")
+    return require_rotation(matrix[:3, :3]), matrix[:3, 3]
+
+
+def product_of_matrix(setup: Setup, rotation: Array) -> Array:
+    """What the angles of a system multiply to, from its matrix from scanner to body.
+
+    Parameters
+    ----------
+    rotation : ndarray of shape (3, 3)
+        As `Stated.transform` holds it: from the raw scanner axes where a mounting lays them on the
+        body's.
+    """
+    if setup.scanner_frame == "mounted":
+        rotation = rotation @ setup.scanner_matrix().T
+    return rotation if setup.convention.direction == "lidar_to_body" else rotation.T
