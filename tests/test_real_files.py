@@ -1,0 +1,81 @@
+"""Files of points that other programs wrote, from the test suite of a library."""
+
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.io.formats import format_of, recognised
+from lispac.io.registry import SURE, Finding, PointChunk
+
+FOLDER = Path(__file__).parent / "data" / "laspy"
+LAS = format_of("las")
+POINTS = {
+    "autzen.las": 106, "simple.copc.laz": 1065, "simple.laz": 1065, "simple1_3.las": 999,
+    "test1_4.las": 1000,
+}  # fmt: skip
+
+
+def read(name: str) -> tuple[Finding, PointChunk]:
+    found = LAS.look(FOLDER / name, {})
+    (chunk,) = LAS.read(FOLDER / name, found.choice)  # type: ignore[misc]
+    return found, chunk
+
+
+@pytest.mark.parametrize("name", POINTS)
+def test_it_is_recognised_and_read_to_its_end(name: str) -> None:
+    assert recognised(FOLDER / name, "points")[0] == (LAS, SURE)
+    found, chunk = read(name)
+    assert found.choice["frame"] == "georeferenced"
+    assert len(chunk.time) == chunk.total == POINTS[name]
+    assert np.isfinite(chunk.xyz).all()
+    assert len(np.unique(chunk.time)) > 10
+    assert {len(values) for values in chunk.extra.values()} == {POINTS[name]}
+
+
+def test_every_file_is_read() -> None:
+    assert {path.name for path in FOLDER.glob("*.la[sz]")} == set(POINTS)
+
+
+def test_the_first_point_is_the_published_one() -> None:
+    """As libLAS and PDAL print it in their documentation: their sample is this cloud."""
+    _, chunk = read("simple.laz")
+    np.testing.assert_allclose(chunk.xyz[0], (637_012.24, 849_028.31, 431.66), atol=1e-6)
+    assert chunk.time[0] == pytest.approx(245_380.78254962614, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["autzen.las", "simple1_3.las", "test1_4.las"])
+def test_coordinates_and_times_are_those_in_the_bytes(name: str) -> None:
+    """Records taken apart by struct, after the LAS specification."""
+    content = (FOLDER / name).read_bytes()
+    (start,) = struct.unpack_from("<I", content, 96)
+    point_format, length = struct.unpack_from("<BH", content, 104)
+    scale, offset = struct.unpack_from("<3d", content, 131), struct.unpack_from("<3d", content, 155)
+    _, chunk = read(name)
+    for k in (0, 50, POINTS[name] - 1):
+        at = start + k * length
+        steps = struct.unpack_from("<3i", content, at)
+        place = [s * n + o for s, n, o in zip(scale, steps, offset, strict=True)]
+        np.testing.assert_allclose(chunk.xyz[k], place, rtol=1e-15)
+        (time,) = struct.unpack_from("<d", content, at + (20 if point_format < 6 else 22))
+        assert chunk.time[k] == time
+        (intensity,) = struct.unpack_from("<H", content, at + 12)
+        assert chunk.extra["intensity"][k] == intensity
+
+
+def test_compressed_and_indexed_points_are_those_of_the_plain_file() -> None:
+    """The COPC file holds the same points, projected anew: intensities and times tell."""
+    plain, copc = read("simple.laz")[1], read("simple.copc.laz")[1]
+    for name in ("intensity", "return_number"):
+        np.testing.assert_array_equal(np.sort(plain.extra[name]), np.sort(copc.extra[name]))
+    np.testing.assert_array_equal(np.sort(plain.time), np.sort(copc.time))
+
+
+def test_systems_and_waveforms_are_said() -> None:
+    assert read("autzen.las")[0].choice["crs"] == "EPSG:2994"
+    assert "New Mexico Central (ftUS)" in read("test1_4.las")[0].facts["coordinate system"]
+    assert "Oregon LCC" in read("simple.copc.laz")[0].facts["coordinate system"]
+    waves = read("simple1_3.las")[0]
+    assert "waveforms are not read" in waves.assumptions[0]
+    assert any("no known code" in doubt for doubt in waves.doubts)
