@@ -35,6 +35,8 @@ def shortcuts_box(parent: QWidget | None) -> QMessageBox:
         ("B", "switch the view between before and after"),
         ("F, 1, 2, 3, 4", "fit, isometric, top, front, side"),
         ("+, −", "larger, smaller points"),
+        ("C", "colour the points by line, height, intensity, range, time"),
+        ("Ctrl + E, Ctrl + Shift + E", "export the report, the georeferenced lines"),
         ("Ctrl + Z, Ctrl + Y", "undo, redo"),
     )
     table = "".join(f"<tr><td><b>{a}</b></td><td>&nbsp;&nbsp;{b}</td></tr>" for a, b in rows)
