@@ -4,6 +4,7 @@ import json
 import shutil
 import warnings
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 from zlib import crc32
@@ -68,7 +69,8 @@ def of_format(key: str) -> Subject:
                 if format == key
             ]
         else:
-            sound = [good(key, folder / "sound")]
+            made = point_files.cidco if key.startswith("cidco") else partial(good, key)
+            sound = [made(folder / "sound")]
         path = folder / f"any{sound[0].suffix}"
 
         def attempt(content: bytes) -> bool:

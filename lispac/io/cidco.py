@@ -72,7 +72,7 @@ def look(path: Path, choice: Choice) -> Finding:
     """
     path = require_filled(path, "CIDCO")
     settled = CIDCO.settled(choice)
-    records = next(_records(path, PREVIEW))
+    records = next(records_of(path, PREVIEW))
     seen = sight(records[:, 4:7], records[:, 3], crs="")
     facts = {
         "format": "CIDCO binary, 22 float64 a point",
@@ -96,12 +96,18 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     """
     path = require_filled(path, "CIDCO")
     scale, total = scale_of(CIDCO.settled(choice)), path.stat().st_size // RECORD
-    for records in _records(path, CHUNK):
+    for records in records_of(path, CHUNK):
         extra = {name: records[:, columns].copy() for name, columns in PARTS.items()}
         yield PointChunk(records[:, 4:7] * scale, records[:, 3].copy(), extra, total)
 
 
-def _records(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
+def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
+    """All records, shape (n, 22), some at a time.
+
+    Raises
+    ------
+    InputError
+    """
     size = path.stat().st_size
     if size % RECORD:
         raise InputError(

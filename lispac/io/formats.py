@@ -7,6 +7,8 @@ from lispac.io.point_formats import POINTS
 from lispac.io.registry import NOT, Format, Kind
 from lispac.io.trajectory_formats import (
     ASCII,
+    CIDCO_ACCURACY,
+    CIDCO_STATES,
     EXAIL,
     EXAIL_ACCURACY,
     POSPAC,
@@ -15,8 +17,8 @@ from lispac.io.trajectory_formats import (
     SMRMSG,
 )
 
-TRAJECTORIES: tuple[Format, ...] = (SBET, EXAIL, POSPAC, ASCII)
-ACCURACIES: tuple[Format, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY)
+TRAJECTORIES: tuple[Format, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
+ACCURACIES: tuple[Format, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
 
 __all__ = ["ACCURACIES", "POINTS", "TRAJECTORIES", "format_of", "formats_of", "recognised"]
 

@@ -9,6 +9,14 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.ascii_trajectory import DEFAULTS, look_ascii, read_ascii, sniff_ascii
+from lispac.io.cidco_states import (
+    ORIGIN,
+    look_sigmas,
+    look_states,
+    read_sigmas,
+    read_states,
+    sniff_states,
+)
 from lispac.io.exail import (
     look_exail,
     look_exail_accuracy,
@@ -256,6 +264,27 @@ ASCII = _format(
     sniff_ascii,
     look_ascii,
     read_ascii,
+)
+
+CIDCO_STATES = _format(
+    "CIDCO binary, states of its points",
+    "cidco-states",
+    "trajectory",
+    (),
+    (ORIGIN, TIME),
+    sniff_states,
+    look_states,
+    read_states,
+)
+CIDCO_ACCURACY = _format(
+    "CIDCO binary, sigmas of its states",
+    "cidco-sigmas",
+    "accuracy",
+    (),
+    (),
+    sniff_states,
+    look_sigmas,
+    read_sigmas,
 )
 
 SMRMSG = _format(

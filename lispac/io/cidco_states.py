@@ -1,0 +1,162 @@
+"""The POS states in CIDCO's binary points, as a trajectory of their own.
+
+Every point holds the state at its time: position in a local frame (north, west, up), roll, pitch
+and heading against it, and the sigmas. What lies between the objects that were cut out is not in
+the file, and neither is the place of its frame on Earth. Files of several lines are joined by
+copying them one after the other: records have no header.
+"""
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
+from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.io.cidco import NAMES, records_of
+from lispac.io.cidco import sniff as sniff_points
+from lispac.io.points import CHUNK, PREVIEW, plainly, require_filled, table
+from lispac.io.registry import NOT, POSSIBLE, Choice, Finding, Option
+from lispac.io.trajectory_facts import duration_words
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+Array = NDArray[np.float64]
+
+ORIGIN = Option(
+    "origin",
+    "Where the file's local frame stands on Earth: latitude and longitude in degrees, height in "
+    "metres above the ellipsoid, 46.8 -71.2 20 say.",
+    (),
+    "0 0 0",
+)
+STATES = slice(10, 22)
+SAME = 1e-6
+"""Metres or radians by which states of one time may differ."""
+
+
+def sniff_states(path: Path) -> float:
+    """Not likelier than the points that the same file holds."""
+    return POSSIBLE if sniff_points(path) > NOT else NOT
+
+
+def look_states(path: Path, choice: Choice) -> Finding:
+    """Read the whole file; such files are small.
+
+    Raises
+    ------
+    InputError
+    """
+    states = _states(path)
+    return Finding(
+        _facts(states),
+        _first(path),
+        {},
+        _doubts(choice),
+        _assumptions(choice),
+    )
+
+
+def read_states(path: Path, choice: Choice) -> Trajectory:
+    """Bring the states into geographic coordinates about the origin.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read, the origin is none, or states of one time differ.
+    """
+    states = _states(path)
+    frame = _frame(choice)
+    latitude, longitude, height = frame.to_geodetic(states[:, 7:10])
+    rotation_level_local = np.swapaxes(frame.rotation_local_level(latitude, longitude), -1, -2)
+    attitude = angles_of(rotation_level_local @ rotation_matrix(*states[:, 1:4].T))
+    return Trajectory(states[:, 0], latitude, longitude, height, attitude, _assumptions(choice))
+
+
+def look_sigmas(path: Path, choice: Choice) -> Finding:
+    """As `look_states`."""
+    return Finding(_facts(_states(path)), _first(path))
+
+
+def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
+    """The sigmas of the states: north, west and up are those of north, east and down.
+
+    Raises
+    ------
+    InputError
+    """
+    states = _states(path)
+    return TrajectoryAccuracy(states[:, 0], states[:, 10:13], states[:, 4:7])
+
+
+def _states(path: Path) -> Array:
+    """Time, attitude, its sigmas, position, its sigmas; shape (n, 13), each time once."""
+    path = require_filled(path, "CIDCO")
+    with plainly(path, "CIDCO binary"):
+        records = np.concatenate(list(records_of(path, CHUNK)))
+    states = np.column_stack([records[:, 3], records[:, STATES]])
+    states = states[np.argsort(states[:, 0], kind="stable")]
+    repeated = np.diff(states[:, 0]) == 0
+    unlike = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > SAME).any(axis=1)
+    if unlike.any():
+        raise InputError(
+            f"{path}: two points at {states[int(np.argmax(unlike)), 0]:.6f} s hold different POS "
+            "states, so these are not one trajectory: check that all files are of one survey."
+        )
+    states = states[np.concatenate([[True], ~repeated])]
+    if len(states) < 2:
+        raise InputError(f"{path}: a trajectory needs two states at least; join more files.")
+    return np.ascontiguousarray(states)
+
+
+def _frame(choice: Choice) -> LocalFrame:
+    text = choice.get("origin", ORIGIN.default) or ORIGIN.default
+    try:
+        latitude, longitude, height = (float(word) for word in text.replace(",", " ").split())
+    except ValueError:
+        latitude = longitude = height = np.nan
+    if not (abs(latitude) < 89 and abs(longitude) <= 360 and abs(height) < 1e5):
+        raise InputError(
+            f"The origin {text!r} is not latitude, longitude (degrees) and height (metres); check "
+            "it, or leave it out."
+        )
+    return LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
+
+
+def _first(path: Path) -> tuple[tuple[str, ...], ...]:
+    records = next(records_of(path, PREVIEW))
+    return table(NAMES, tuple(records.T))
+
+
+def _facts(states: Array) -> dict[str, str]:
+    time = states[:, 0]
+    low, high = states[:, 7:10].min(axis=0), states[:, 7:10].max(axis=0)
+    return {
+        "Records": f"{len(states):,} states of different times",
+        "Start": f"{time[0]:.3f} s",
+        "End": f"{time[-1]:.3f} s",
+        "Duration": duration_words(float(time[-1] - time[0])),
+        **{
+            f"Position {axis}": f"{a:.2f} to {b:.2f} m"
+            for axis, a, b in zip(("north", "west", "up"), low, high, strict=True)
+        },
+    }
+
+
+def _doubts(choice: Choice) -> tuple[str, ...]:
+    if choice.get("origin", ORIGIN.default) not in ("", ORIGIN.default):
+        return ()
+    return (
+        "The file does not say where its local frame stands on Earth, so 0 N 0 E is taken: the "
+        "boresight does not depend on it, but state the origin before clouds go on a map.",
+    )
+
+
+def _assumptions(choice: Choice) -> tuple[str, ...]:
+    origin = choice.get("origin", ORIGIN.default) or ORIGIN.default
+    return (
+        f"CIDCO states: positions are metres north, west, up about {origin} (deg, deg, m)",
+        "roll is positive starboard down, pitch positive bow down, heading clockwise from the "
+        "north of that frame, radians",
+        "times count as those of the points",
+    )
