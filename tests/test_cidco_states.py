@@ -111,3 +111,12 @@ def test_the_vessel_is_calibrated_from_the_command_line(
     assert found["joint_plane_rms_m"]["after"] < 0.7 * found["joint_plane_rms_m"]["before"]
     moved = np.array(list(found["boresight_deg"].values())) - STORED
     assert np.abs(moved).max() < 2.0
+
+
+def test_a_point_at_a_state_has_its_pose_beside_a_gap_too() -> None:
+    time = np.array([0.0, 1.0, 2.0, 100.0, 101.0, 200.0])
+    still = np.zeros((6, 3))
+    track = LocalTrajectory(LocalFrame(0.8, 0.1, 0.0), time, still, still, 1.5)
+    asked = np.array([-0.1, 0.0, 0.5, 2.0, 2.1, 99.9, 100.0, 100.5, 101.0, 150.0, 200.0, 201.0])
+    known = [False, True, True, True, False, False, True, True, True, False, False, False]
+    np.testing.assert_array_equal(track.covers(asked), known)

@@ -148,8 +148,12 @@ class LocalTrajectory:
         """Which of ``time`` have a pose: inside, not in a gap, and not where the pitch is steep."""
         inside = (time >= self.time[0]) & (time <= self.time[-1])
         if self.has_gaps:
-            before = np.clip(np.searchsorted(self.time, time) - 1, 0, len(self.time) - 2)
-            inside &= ~self._unbridged[before]
+            last = len(self.time) - 2
+            behind = np.searchsorted(self.time, time)
+            out = np.flatnonzero(self._unbridged[np.clip(behind - 1, 0, last)])
+            # At a state itself it is enough that what follows may be bridged.
+            at = np.minimum(behind[out], last)
+            inside[out] &= (self.time[at] == time[out]) & ~self._unbridged[at]
         return np.asarray(inside)
 
     def rate_at(self, time: Array) -> Array:
