@@ -1,16 +1,18 @@
 """Files of points that other programs wrote, from the test suite of a library."""
 
 import struct
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from lispac.errors import InputError
 from lispac.io.formats import format_of, recognised
 from lispac.io.registry import SURE, Finding, PointChunk
 
 FOLDER = Path(__file__).parent / "data" / "laspy"
-LAS = format_of("las")
+LAS, PLY = format_of("las"), format_of("ply")
 POINTS = {
     "autzen.las": 106, "simple.copc.laz": 1065, "simple.laz": 1065, "simple1_3.las": 999,
     "test1_4.las": 1000,
@@ -79,3 +81,15 @@ def test_systems_and_waveforms_are_said() -> None:
     waves = read("simple1_3.las")[0]
     assert "waveforms are not read" in waves.assumptions[0]
     assert any("no known code" in doubt for doubt in waves.doubts)
+
+
+@pytest.mark.parametrize("name", ["airplane.ply", "ant.ply", "nut.ply", "sphere.ply"])
+def test_meshes_without_times_are_refused_in_a_sentence(name: str) -> None:
+    """PLY as modelling programs write it, from the examples of pyvista: faces, and no times."""
+    path = Path(find_spec("pyvista").origin).parent / "examples" / name  # type: ignore[union-attr,arg-type]
+    assert recognised(path, "points")[0][0].key == "ply"
+    for task in (PLY.look, lambda path, choice: list(PLY.read(path, choice))):  # type: ignore[call-overload]
+        with pytest.raises(InputError) as refused:
+            task(path, {})
+        assert str(refused.value).startswith(str(path))
+        assert "time" in str(refused.value)
