@@ -26,19 +26,26 @@ from lispac.targets.finder import (
     neighbourhood,
 )
 from lispac.targets.lines import (
+    CANDIDATES,
     Shape,
     Surroundings,
     best_match,
+    near,
     search_lines,
     shifts_into,
     surroundings,
 )
-from lispac.targets.shift import Shift
+from lispac.targets.patches import flat_patches
+from lispac.targets.shift import Shift, rated
 
 Array = NDArray[np.float64]
 
 # Farthest a found plane may pass from where the translation puts it, metres.
 OFFSET = 0.3
+# A patch that reaches farther than this share of the radius goes on beyond it. Beside a seed that
+# was not clicked it counts as so much farther off, metres: the wrong boresight lays the wall behind
+# a target on the seed in one line and the target beside it in the next, and the target is meant.
+WHOLE, BACKDROP = 0.97, 1.0
 # Least part of the reference's outline that the patch must cover, and the most it may be larger.
 LEAST_COVERED, MOST_LARGER = 0.3, 3.0
 
@@ -72,8 +79,9 @@ def find_in_lines(
     settings : FinderSettings
     first_line : str, optional
         The line that was clicked. Without it, the line with a point at the seed; or else the
-        line whose plane passes nearest to the seed; or, when that plane is missing in some lines,
-        the one of the nearest three whose plane most lines share.
+        line whose plane passes nearest to the seed, one that ends within the radius first; or,
+        when that plane is missing in some lines, the one of the nearest three whose plane most
+        lines share.
     indices : mapping of line name to PointGrid, optional
         Prepared cells; lines without are read through.
     progress : Progress
@@ -102,16 +110,20 @@ def find_in_lines(
         word="plane",
         error=PlaneNotFound,
         find=lambda name: find_plane(clouds[name], seed, settings, index=grids.get(name)),
-        distance=lambda patch: _distance_to_seed(patch, seed),
+        distance=lambda name, patch: _distance_to_seed(clouds[name], patch, seed, settings.radius),
         follow=follow,
     )
     return search_lines(clouds, grids, seed, shape, first_line, progress)
 
 
-def _distance_to_seed(patch: PlanePatch, seed: Array) -> float:
+def _distance_to_seed(cloud: Array, patch: PlanePatch, seed: Array, radius: float) -> float:
     beside = (seed - patch.centre) @ in_plane_axes(patch.plane.normal).T
     outside = np.maximum(np.abs(beside) - 0.5 * patch.extent, 0.0)
-    return float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside)))
+    farthest = float(np.linalg.norm(cloud[patch.indices] - seed, axis=1).max())
+    goes_on = farthest > WHOLE * radius
+    return (
+        float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside))) + BACKDROP * goes_on
+    )
 
 
 def _reference(
@@ -145,8 +157,35 @@ def _find_in(
 
     shifts = shifts_into(cloud, grid, reference.around, reference.seed, settings)
     return best_match(
-        shifts, lambda shift: _match(cloud, grid, reference, shift, settings), contradiction
+        shifts,
+        lambda shift: _match(cloud, grid, reference, shift, settings),
+        contradiction,
+        lambda: _onto_patches(cloud, grid, reference, settings),
     )
+
+
+def _onto_patches(
+    cloud: Array, grid: PointGrid | None, reference: _Reference, settings: FinderSettings
+) -> list[Shift]:
+    """Translations that lay the target onto flat patches of its size and tilt.
+
+    Along a bare wall the surroundings leave open where on it the target is.
+    """
+    reach = settings.radius + settings.max_shift
+    around = cloud[near(cloud, grid, reference.seed, reach)]
+    patch = reference.patch
+    placed = reference.patch_points @ in_plane_axes(patch.plane.normal).T
+    area = outline.area(placed, reference.cell)
+    vectors = [
+        other.centre - patch.centre
+        for other in flat_patches(around, settings.threshold).patches
+        if LEAST_COVERED * area <= other.area <= MOST_LARGER * area
+        and other.plane.tilt_to(patch.plane) <= settings.max_tilt
+    ]
+    vectors = [v for v in vectors if np.linalg.norm(v) <= settings.max_shift]
+    told = reference.around
+    shifts = rated(told.points, told.weights, around, np.reshape(vectors, (-1, 3)))
+    return sorted(shifts, key=lambda shift: -shift.score)[:CANDIDATES]
 
 
 def _match(
@@ -158,8 +197,8 @@ def _match(
 ) -> tuple[PlanePatch, float]:
     """The plane where the translation predicts it, and how well it matches the reference."""
     moved = reference.patch_points + shift.vector
-    near = neighbourhood(cloud, reference.seed + shift.vector, settings, index=grid)
-    points = cloud[near]
+    there = neighbourhood(cloud, reference.seed + shift.vector, settings, index=grid)
+    points = cloud[there]
     normal = reference.patch.plane.normal
     axes = in_plane_axes(normal)
     offset = (points - reference.patch.centre - shift.vector) @ normal
@@ -168,7 +207,7 @@ def _match(
     if np.count_nonzero(inside & (np.abs(offset) <= OFFSET)) < settings.min_points:
         raise PlaneNotFound("The line has too few points where the target should be.")
     where = "the place where the target should be"
-    patch = extract(points, near, votes, settings, where, expected_normal=normal)
+    patch = extract(points, there, votes, settings, where, expected_normal=normal)
     placed = cloud[patch.indices] @ axes.T
     cell = max(reference.cell, outline.cell_size(placed, np.ones(len(placed))))
     coverage = float(outline.covered(moved @ axes.T, placed, cell).mean())

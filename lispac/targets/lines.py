@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from lispac.errors import TargetNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
 from lispac.progress import Progress
+from lispac.targets.patches import FlatPatches, flat_patches
 from lispac.targets.settings import FinderSettings
 from lispac.targets.shift import Shift, find_shifts
 
@@ -30,8 +31,12 @@ PATCH_SHARE = 0.5
 # A seed this near to a point of a line, metres, was taken from that line: coordinates are often
 # written with three decimals.
 CLICK = 0.002
+# Flat patches larger than this, square metres, speak with less than their area.
+LARGE = 0.25
 # Translations looked at, and how near in score a different patch makes the answer doubtful.
 CANDIDATES, DOUBT = 6, 0.97
+# A match that scores less than this share of its translation is little like the reference.
+ALIKE = 0.9
 
 
 @dataclass(frozen=True)
@@ -45,7 +50,7 @@ class Shape(Generic[Patch]):
     error : type of TargetNotFound
     find : callable of a line's name
         The patch at the seed; raises TargetNotFound.
-    distance : callable of a patch
+    distance : callable of a line's name and its patch
         From the seed, metres.
     follow : callable of a line's name and its patch
         What finds that patch again in another line, given by its name; it raises TargetNotFound.
@@ -54,7 +59,7 @@ class Shape(Generic[Patch]):
     word: str
     error: type[TargetNotFound]
     find: Callable[[str], Patch]
-    distance: Callable[[Patch], float]
+    distance: Callable[[str, Patch], float]
     follow: Callable[[str, Patch], Callable[[str], Patch]]
 
 
@@ -99,7 +104,7 @@ def search_lines(
     if clicked in patches:
         nearest = [clicked]
     else:
-        nearest = sorted(patches, key=lambda name: shape.distance(patches[name]))
+        nearest = sorted(patches, key=lambda name: shape.distance(name, patches[name]))
     best: tuple[dict[str, Patch], dict[str, str]] | None = None
     for name in nearest[:3]:
         both = _from_reference(clouds, name, patches[name], shape, progress)
@@ -127,16 +132,29 @@ def surroundings(
     """What surrounds a patch, its indices and ``centre`` given, out to the search radius."""
     around = near(cloud, grid, seed, settings.radius)
     on_patch = np.isin(around, patch, assume_unique=True)
+    beside, weights = _told_by(flat_patches(cloud[around[~on_patch]], settings.threshold))
     # Near the patch the surroundings have moved as it has; farther off a little differently.
-    distance = np.linalg.norm(cloud[around] - centre, axis=1)
-    weights = 1.0 / (1.0 + (distance / (0.5 * settings.radius)) ** 2)
-    beside = ~on_patch
-    if beside.any() and on_patch.any():
+    distance = np.linalg.norm(beside - centre, axis=1)
+    weights /= 1.0 + (distance / (0.5 * settings.radius)) ** 2
+    of_patch = cloud[around[on_patch]]
+    if len(beside) and len(of_patch):
         # Shares by voxel, as the comparison counts them, or a dense patch would have all the say.
-        ratio = _filled(cloud[around[on_patch]]) / max(1, _filled(cloud[around[beside]]))
-        weights[beside] *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights[beside].mean()
-        weights[on_patch] = 1.0
-    return Surroundings(cloud[around], weights)
+        ratio = _filled(of_patch) / _filled(beside)
+        weights *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights.mean()
+    return Surroundings(
+        np.concatenate([of_patch, beside]), np.concatenate([np.ones(len(of_patch)), weights])
+    )
+
+
+def _told_by(flat: FlatPatches) -> tuple[Array, Array]:
+    """The thinned points with what each can tell of a shift.
+
+    Along a wall the wall itself tells nothing: its many points would outvote the window or the
+    second board that do. A flat patch weighs by its side instead of its area.
+    """
+    areas = np.array([patch.area for patch in flat.patches])
+    weights = 1.0 / np.sqrt(np.maximum(np.append(areas, 0.0), LARGE))
+    return flat.thinned, weights[flat.label]
 
 
 def shifts_into(
@@ -146,7 +164,7 @@ def shifts_into(
     seed: Array,
     settings: FinderSettings,
 ) -> list[Shift]:
-    """Translations that lay the reference's surroundings onto another line's, the best first.
+    """The best translations that lay the reference's surroundings onto another line's, in order.
 
     Raises
     ------
@@ -164,13 +182,14 @@ def shifts_into(
     shifts = find_shifts(reference.points, reference.weights, around, settings.max_shift)
     if not shifts:
         raise TargetNotFound("Nothing in this line resembles the target and its surroundings.")
-    return shifts
+    return shifts[:CANDIDATES]
 
 
 def best_match(
     shifts: list[Shift],
     match: Callable[[Shift], tuple[Patch, float]],
     contradiction: Callable[[Patch, Patch], str | None],
+    further: Callable[[], list[Shift]] = list,
 ) -> Patch:
     """The patch that matches the reference best, of those at the most likely translations.
 
@@ -181,21 +200,18 @@ def best_match(
         The patch there and its score, no higher than the translation's; raises TargetNotFound.
     contradiction : callable of the best patch and another
         What to say when these cannot both be meant, else None.
+    further : callable
+        More translations, the best first, for where these lead to nothing like the reference.
 
     Raises
     ------
     TargetNotFound
         There is none at any, or two contradict each other.
     """
-    matches: list[tuple[Patch, float]] = []
     refused: list[str] = []
-    for shift in shifts[:CANDIDATES]:
-        if matches and shift.score < DOUBT * max(score for _, score in matches):
-            break  # a match never scores above its translation: no better one can follow
-        try:
-            matches.append(match(shift))
-        except TargetNotFound as reason:
-            refused.append(str(reason))
+    matches = _matches(shifts, match, refused)
+    if max((score for _, score in matches), default=0.0) < ALIKE * shifts[0].score:
+        matches += _matches(further(), match, refused)
     if not matches:
         raise TargetNotFound(refused[0])
     matches.sort(key=lambda scored: -scored[1])
@@ -205,6 +221,20 @@ def best_match(
         if said is not None:
             raise TargetNotFound(said)
     return best
+
+
+def _matches(
+    shifts: list[Shift], match: Callable[[Shift], tuple[Patch, float]], refused: list[str]
+) -> list[tuple[Patch, float]]:
+    found: list[tuple[Patch, float]] = []
+    for shift in shifts:
+        if found and shift.score < DOUBT * max(score for _, score in found):
+            break  # a match never scores above its translation: no better one can follow
+        try:
+            found.append(match(shift))
+        except TargetNotFound as reason:
+            refused.append(str(reason))
+    return found
 
 
 def _in_each(

@@ -80,6 +80,29 @@ def find_shifts(
     return found
 
 
+def rated(
+    first: Array, weights: Array, second: Array, vectors: Array, *, prefer_small: float = 0.02
+) -> list[Shift]:
+    """Given translations with their scores, as `find_shifts` rates the ones it finds.
+
+    Parameters
+    ----------
+    first, second : ndarrays of shape (n, 3) and (m, 3), metres
+    weights : ndarray of shape (n,)
+    vectors : ndarray of shape (k, 3), metres
+    """
+    if len(vectors) == 0:
+        return []
+    origin = first.mean(axis=0)
+    scores = _scores(first - origin, weights, second - origin, vectors, LEVELS[-1])
+    scores -= prefer_small * np.linalg.norm(vectors, axis=1)
+    return [
+        Shift(vector, float(score))
+        for vector, score in zip(vectors, scores, strict=True)
+        if score > 0.0
+    ]
+
+
 def _scores(first: Array, weights: Array, second: Array, tried: Array, voxel: float) -> Array:
     low = np.minimum(first.min(axis=0) + tried.min(axis=0), second.min(axis=0)) - 3.0 * voxel
     high = np.maximum(first.max(axis=0) + tried.max(axis=0), second.max(axis=0)) + 3.0 * voxel

@@ -89,7 +89,7 @@ def find_spheres_in_lines(
         word="sphere",
         error=SphereNotFound,
         find=lambda name: find_sphere(clouds[name], seed, sought, settings, index=grids.get(name)),
-        distance=lambda patch: max(0.0, float(patch.sphere.distances(seed))),
+        distance=lambda _, patch: max(0.0, float(patch.sphere.distances(seed))),
         follow=follow,
     )
     return search_lines(clouds, grids, seed, shape, first_line, progress)

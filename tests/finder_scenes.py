@@ -1,0 +1,107 @@
+"""Small sites seen by the project's own simulator, every point with the surface it is on."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from lispac.geometry.frames import LocalFrame
+from lispac.simulation.port import ORIGIN, six_passes
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.simulation.scanner import Echoes, Profiler, scan
+from lispac.simulation.scene import Rectangle, Scene, Surface, tilted
+from lispac.simulation.survey import BORESIGHT_DEG, LEVER_ARM
+from lispac.simulation.vessel import RATE, sail
+from lispac.survey.georeferencing import Mounting, georeference
+from lispac.survey.trajectory import LocalTrajectory
+
+WALL = -15.0  # metres west: 15 m to starboard of the line along it
+REACH = 7.0  # metres before and after abeam that are recorded
+NEAR = 7.0  # metres about the targets: what lies farther off only takes time
+
+
+@dataclass(frozen=True, eq=False)
+class Site:
+    """Lines past a scene, with the truth."""
+
+    scene: Scene
+    boresight: np.ndarray
+    trajectory: LocalTrajectory
+    echoes: Mapping[str, Echoes]
+
+    def clouds(self, off_deg: Iterable[float] = (0.0, 0.0, 0.0)) -> dict[str, np.ndarray]:
+        """Every line, placed with a boresight that is off by so much."""
+        mounting = Mounting(np.array(LEVER_ARM), self.boresight + np.radians(off_deg))
+        return {
+            name: georeference(echo.points_lidar, echo.time, self.trajectory, mounting)
+            for name, echo in self.echoes.items()
+        }
+
+    def on(self, line: str, *names: str) -> np.ndarray:
+        """Which points of a line are on the surfaces of these names."""
+        wanted = [k for k, name in enumerate(self.scene.names) if name in names]
+        return np.isin(self.echoes[line].label, wanted)
+
+    def points_lidar(self, line: str) -> np.ndarray:
+        return self.echoes[line].points_lidar
+
+
+def site(
+    surfaces: Sequence[Surface],
+    *,
+    lines: int = 6,
+    seed: int = 11,
+    pulses_per_second: float = 100_000.0,
+) -> Site:
+    """The first of the six passes along such a scene, with POS errors, noise and mixed echoes."""
+    sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + lines)
+    passes = [replace(each, run_in=REACH, run_out=REACH) for each in six_passes()[:lines]]
+    motion = sail(passes, 1.1, sea)
+    off_position, off_attitude = HYDROGRAPHIC_INS.draw(len(motion.time), 1 / RATE, errors)
+    states = (motion.time, motion.position, motion.attitude)
+    scene, boresight = Scene.of(surfaces), np.radians(BORESIGHT_DEG)
+    middle = np.mean([s.centre for s in scene.surfaces if s.name.startswith("T")], axis=0)
+    echoes = {}
+    for k, (each, recorded) in enumerate(zip(passes, motion.recorded, strict=True)):
+        whole = scan(
+            Profiler(pulses_per_second), scene, states, recorded, each.starboard,
+            np.array(LEVER_ARM), boresight, scanners[k],
+        )  # fmt: skip
+        near = np.linalg.norm(whole.true_points_local - middle, axis=1) < NEAR
+        echoes[f"L{k + 1}"] = Echoes(
+            whole.time[near], whole.points_lidar[near], whole.true_points_local[near],
+            whole.intensity[near], whole.label[near],
+        )  # fmt: skip
+    trajectory = LocalTrajectory(
+        LocalFrame(*ORIGIN),
+        motion.time,
+        motion.position + off_position,
+        motion.attitude + off_attitude,
+    )
+    return Site(scene, boresight, trajectory, echoes)
+
+
+def rippled(
+    name: str, centre: tuple[float, float, float], width: float, height: float, *,
+    period: float = 0.2, slope_deg: float = 12.0,
+) -> list[Rectangle]:  # fmt: skip
+    """A corrugated sheet facing east: strips that lean to and fro about the vertical."""
+    strip = period / 2
+    half = np.radians(slope_deg)
+    return [
+        tilted(
+            name,
+            (float(north), centre[1], centre[2]),
+            strip / float(np.cos(half)),
+            height,
+            270 + slope_deg * (-1) ** k,
+            0,
+        )
+        for k, north in enumerate(centre[0] + np.arange(-width / 2 + strip / 2, width / 2, strip))
+    ]
+
+
+def precision_and_recall(indices: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
+    """Share of the found points that are right, and of the right ones that are found."""
+    right = np.count_nonzero(truth[indices])
+    return right / max(len(indices), 1), right / max(np.count_nonzero(truth), 1)

@@ -1,0 +1,191 @@
+"""One seed, every line, on sites of the project's own simulator that tempt the finder to err.
+
+Precision and recall are against the simulator's labels. The prior boresight is off by up to two
+degrees on every axis, which puts a target up to a metre and a half elsewhere in each line.
+"""
+
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.geometry.planes import fit_plane
+from lispac.simulation.scene import Cylinder, Surface, upright
+from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.targets.across_lines import find_in_lines
+from lispac.targets.finder import FinderSettings, PlanePatch
+from tests.finder_scenes import WALL, Site, precision_and_recall, rippled, site
+from tests.test_finder import SharedSurvey
+from tests.test_simulation import placed
+
+SETTINGS = FinderSettings()
+OFF_DEG = [(0, 0, 0), (1, 1, 1), (2, -2, 2), (-2, 2, -2)]
+AIMED = np.array([-0.3, 0.0, -0.25])  # metres: the click, off the middle of the target
+
+
+def wall(gap: float) -> Surface:
+    """A bare wall behind the targets, wider and higher than anything nearby."""
+    return upright("wall", (0.0, WALL - gap), 0.0, 13.0, 30.0, 270)
+
+
+def board(facing_deg: float = 270) -> Surface:
+    return upright("T1", (0.0, WALL), 7.4, 8.62, 1.23, facing_deg)
+
+
+SCENES = {
+    "5 cm proud": lambda: [board(), wall(0.05)],
+    "twins": lambda: [
+        upright("T1", (-0.5, WALL), 7.4, 8.2, 0.6, 270),
+        upright("T2", (0.5, WALL), 7.4, 8.2, 0.6, 270),
+        wall(0.5),
+    ],
+    "bollard": lambda: [board(), wall(0.4), Cylinder("bollard", 0.3, WALL + 0.8, 6, 10, 0.3)],
+    "grazing": lambda: [board(270 - 78), wall(1.5)],
+    "rippled": lambda: [*rippled("T1", (0.0, WALL, 8.0), 1.4, 1.2), wall(0.5)],
+}
+
+
+@cache
+def scenery(name: str) -> Site:
+    return site(SCENES[name]())
+
+
+def click(seen: Site, clouds: dict[str, np.ndarray], line: str = "L1") -> np.ndarray:
+    """The point of a line that is clicked."""
+    boards = [s.centre for s in seen.scene.surfaces if s.name == "T1"]
+    on = seen.on(line, "T1")
+    truly = seen.echoes[line].true_points_local[on]
+    nearest = np.argmin(np.linalg.norm(truly - np.mean(boards, axis=0) - AIMED, axis=1))
+    return clouds[line][on][nearest]
+
+
+def picked(name: str, off_deg: tuple[float, ...]) -> tuple[Site, dict[str, PlanePatch]]:
+    seen = scenery(name)
+    clouds = seen.clouds(off_deg)
+    found, missing = find_in_lines(clouds, click(seen, clouds), SETTINGS)
+    assert missing == {}
+    return seen, found
+
+
+@pytest.mark.parametrize("off_deg", OFF_DEG)
+@pytest.mark.parametrize("name", ["5 cm proud", "twins", "bollard", "grazing"])
+def test_every_line_gives_the_target_and_nothing_else(name, off_deg):
+    """Not the wall 5 cm behind it, not its twin a metre beside it, not what hides half of it."""
+    seen, found = picked(name, off_deg)
+    for line, patch in found.items():
+        precision, recall = precision_and_recall(patch.indices, seen.on(line, "T1"))
+        assert precision > 0.99, (line, precision, recall)
+        assert recall > 0.95, (line, precision, recall)
+
+
+def test_a_rippled_sheet_is_kept_apart_from_the_wall():
+    """It is no plane, which its quality says; what is picked is the sheet all the same."""
+    seen, found = picked("rippled", (1, 1, 1))
+    for line, patch in found.items():
+        precision, recall = precision_and_recall(patch.indices, seen.on(line, "T1"))
+        assert precision > 0.99
+        assert recall > 0.7
+        assert patch.rms > 0.004
+
+
+@pytest.fixture(scope="module")
+def port() -> SimulatedSurvey:
+    return port_survey()
+
+
+@pytest.mark.parametrize("target", ["T1", "T2"])
+@pytest.mark.parametrize(
+    "off_deg",
+    [
+        (0, 0, 0), (1, 1, 1), (2, -2, 2), (0, 0, 2),
+        *(
+            pytest.param(off, marks=pytest.mark.long)
+            for off in [(1, 0, 0), (0, 1, 0), (0, 0, 1), (2, 0, 0), (0, 2, 0), (0, 0, -2),
+                        (2, 2, 2), (-2, 2, -2), (-1, -1, 1)]
+        ),
+    ],
+)  # fmt: skip
+def test_on_the_demo_one_seed_a_target_is_enough(port, target, off_deg):
+    """Clicked near its border on one line; then typed, 0.4 m off where the target truly is.
+
+    With two degrees of yaw the wall behind lies on the typed seed in two lines of six.
+    """
+    clouds = {
+        line.name: placed(port, line, port.boresight + np.radians(off_deg)) for line in port.lines
+    }
+    number, centre = port.surface_names.index(target), port.targets[target]
+    first = port.lines[0]
+    on = np.flatnonzero(first.label == number)
+    aimed = centre + 0.4 * port.scene[target].across
+    nearest = np.argmin(np.linalg.norm(first.true_points_local[on] - aimed, axis=1))
+    for seed in (clouds[first.name][on[nearest]], centre + [0.3, 0.1, 0.24]):
+        found, missing = find_in_lines(clouds, seed, SETTINGS)
+        assert missing == {}
+        for line in port.lines:
+            truth = line.label == number
+            precision, recall = precision_and_recall(found[line.name].indices, truth)
+            assert precision > 0.99, (line.name, precision, recall)
+            assert recall > 0.95, (line.name, precision, recall)
+
+
+@pytest.mark.parametrize("lost", ["empty", "far", "sparse"])
+def test_a_line_with_nothing_near_gives_its_reason(lost):
+    seen = scenery("grazing")
+    clouds = dict(list(seen.clouds().items())[:2])
+    clouds["L9"] = {
+        "empty": np.empty((0, 3)),
+        "far": clouds["L1"] + [0.0, 500.0, 0.0],
+        "sparse": clouds["L1"][::20_000],
+    }[lost]
+    found, missing = find_in_lines(clouds, click(seen, clouds), SETTINGS, first_line="L1")
+    assert set(found) == {"L1", "L2"}
+    assert missing["L9"].endswith(".")
+    # The seed taken from no line: the line without points must not stand in the way either.
+    assert set(find_in_lines(clouds, click(seen, clouds) + 0.01, SETTINGS)[0]) == {"L1", "L2"}
+
+
+# P6 of the truck crosses P2 at 17 deg within its own width, and its seed lies among five times as
+# many points of P2; line 2 saw P4 of the tent with a tenth of line 1's points, among those of P2.
+UNDECIDED = {("lanl_truck", "P6"), ("lanl_tent", "P4")}
+
+
+@pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
+def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: str) -> None:
+    """Precision among the labelled points, once the lines are calibrated.
+
+    Before, the boresight that is off by 1.5 deg smears each plane by 0.1 to 0.2 m within a line:
+    what is found there is printed, and serves the first adjustment.
+    """
+    survey = SharedSurvey(shared_data / name)
+    labels = np.load(shared_data / name / "labels.npz")
+    reference = json.loads((shared_data / name / "reference.json").read_text())["boresight_deg"]
+    settings = FinderSettings(threshold=0.03)
+    prior, after = survey.clouds(np.zeros(3)), survey.clouds(reference)
+    counts = np.zeros(2)
+    for key, seed in survey.site["seeds_nwu_on_line1"].items():
+        number = int(key[1:]) - 1
+        own = {line: labels[line] == number for line in after}
+        plane = fit_plane(np.concatenate([after[line][own[line]] for line in after]))
+        clicked = int(np.argmin(np.linalg.norm(prior["line1"] - seed, axis=1)))
+        for state, clouds in (("before", prior), ("after", after)):
+            found, missing = find_in_lines(
+                clouds, clouds["line1"][clicked], settings, first_line="line1"
+            )
+            if state == "before" and missing:
+                print(f"{name} {key} before on line 2: {missing['line2']}")
+                continue
+            assert missing == {}, key
+            taken = found["line2"].indices
+            label = labels["line2"][taken]
+            right, labelled = np.count_nonzero(own["line2"][taken]), np.count_nonzero(label >= 0)
+            print(
+                f"{name} {key} {state} on line 2: {len(taken)} points, precision "
+                f"{right / labelled:.3f} of the labelled, recall "
+                f"{right / np.count_nonzero(own['line2']):.3f}, "
+                f"{np.mean(np.abs(plane.distances(after['line2'][taken])) < 0.06):.3f} within 6 cm"
+            )
+            if state == "after" and (name, key) not in UNDECIDED:
+                counts += right, labelled
+    assert counts[0] / counts[1] > 0.95, counts
