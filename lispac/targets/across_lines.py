@@ -46,6 +46,8 @@ OFFSET = 0.3
 # was not clicked it counts as so much farther off, metres: the wrong boresight lays the wall behind
 # a target on the seed in one line and the target beside it in the next, and the target is meant.
 WHOLE, BACKDROP = 0.97, 1.0
+# Flat patches larger than this, square metres, speak with less than their area.
+LARGE = 0.25
 # Least part of the reference's outline that the patch must cover, and the most it may be larger.
 LEAST_COVERED, MOST_LARGER = 0.3, 3.0
 
@@ -143,11 +145,13 @@ def _reference(
 def _find_in(
     cloud: Array, grid: PointGrid | None, reference: _Reference, settings: FinderSettings
 ) -> PlanePatch:
+    def same(best: PlanePatch, other: PlanePatch) -> bool:
+        return bool(np.isin(other.indices, best.indices, assume_unique=True).mean() >= 0.2)
+
     def contradiction(best: PlanePatch, other: PlanePatch) -> str | None:
-        shared = np.isin(other.indices, best.indices, assume_unique=True).mean()
         # Two parts of one wide surface are no contradiction: either gives the same plane.
         off = abs(float(best.plane.distances(other.centre)))
-        if shared >= 0.2 or off <= settings.threshold:
+        if same(best, other) or off <= settings.threshold:
             return None
         apart = float(np.linalg.norm(other.centre - best.centre))
         return (
@@ -161,7 +165,30 @@ def _find_in(
         lambda shift: _match(cloud, grid, reference, shift, settings),
         contradiction,
         lambda: _onto_patches(cloud, grid, reference, settings),
+        lambda rivals: _by_what_stands_out(cloud, grid, reference, rivals, settings),
+        same,
     )
+
+
+def _by_what_stands_out(
+    cloud: Array,
+    grid: PointGrid | None,
+    reference: _Reference,
+    rivals: list[Shift],
+    settings: FinderSettings,
+) -> list[float]:
+    """How well translations lay what is not a wide surface onto the line.
+
+    Along a wall the wall itself tells nothing: its many points would outvote the window or the
+    second board that do. A flat patch weighs by its side here instead of its area.
+    """
+    told = reference.around
+    flat = flat_patches(told.points, settings.threshold)
+    areas = np.array([patch.area for patch in flat.patches])
+    weights = 1.0 / np.sqrt(np.maximum(np.append(areas, 0.0), LARGE))[flat.label]
+    around = cloud[near(cloud, grid, reference.seed, settings.radius + settings.max_shift)]
+    vectors = np.array([shift.vector for shift in rivals])
+    return [shift.score for shift in rated(flat.thinned, weights, around, vectors)]
 
 
 def _onto_patches(

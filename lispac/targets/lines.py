@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 from lispac.errors import TargetNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
 from lispac.progress import Progress
-from lispac.targets.patches import FlatPatches, flat_patches
 from lispac.targets.settings import FinderSettings
 from lispac.targets.shift import Shift, find_shifts
 
@@ -31,8 +30,6 @@ PATCH_SHARE = 0.5
 # A seed this near to a point of a line, metres, was taken from that line: coordinates are often
 # written with three decimals.
 CLICK = 0.002
-# Flat patches larger than this, square metres, speak with less than their area.
-LARGE = 0.25
 # Translations looked at, and how near in score a different patch makes the answer doubtful.
 CANDIDATES, DOUBT = 6, 0.97
 # A match that scores less than this share of its translation is little like the reference.
@@ -132,29 +129,16 @@ def surroundings(
     """What surrounds a patch, its indices and ``centre`` given, out to the search radius."""
     around = near(cloud, grid, seed, settings.radius)
     on_patch = np.isin(around, patch, assume_unique=True)
-    beside, weights = _told_by(flat_patches(cloud[around[~on_patch]], settings.threshold))
     # Near the patch the surroundings have moved as it has; farther off a little differently.
-    distance = np.linalg.norm(beside - centre, axis=1)
-    weights /= 1.0 + (distance / (0.5 * settings.radius)) ** 2
-    of_patch = cloud[around[on_patch]]
-    if len(beside) and len(of_patch):
+    distance = np.linalg.norm(cloud[around] - centre, axis=1)
+    weights = 1.0 / (1.0 + (distance / (0.5 * settings.radius)) ** 2)
+    beside = ~on_patch
+    if beside.any() and on_patch.any():
         # Shares by voxel, as the comparison counts them, or a dense patch would have all the say.
-        ratio = _filled(of_patch) / _filled(beside)
-        weights *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights.mean()
-    return Surroundings(
-        np.concatenate([of_patch, beside]), np.concatenate([np.ones(len(of_patch)), weights])
-    )
-
-
-def _told_by(flat: FlatPatches) -> tuple[Array, Array]:
-    """The thinned points with what each can tell of a shift.
-
-    Along a wall the wall itself tells nothing: its many points would outvote the window or the
-    second board that do. A flat patch weighs by its side instead of its area.
-    """
-    areas = np.array([patch.area for patch in flat.patches])
-    weights = 1.0 / np.sqrt(np.maximum(np.append(areas, 0.0), LARGE))
-    return flat.thinned, weights[flat.label]
+        ratio = _filled(cloud[around[on_patch]]) / max(1, _filled(cloud[around[beside]]))
+        weights[beside] *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights[beside].mean()
+        weights[on_patch] = 1.0
+    return Surroundings(cloud[around], weights)
 
 
 def shifts_into(
@@ -190,6 +174,8 @@ def best_match(
     match: Callable[[Shift], tuple[Patch, float]],
     contradiction: Callable[[Patch, Patch], str | None],
     further: Callable[[], list[Shift]] = list,
+    closer: Callable[[list[Shift]], list[float]] | None = None,
+    same: Callable[[Patch, Patch], bool] = lambda best, other: False,
 ) -> Patch:
     """The patch that matches the reference best, of those at the most likely translations.
 
@@ -202,6 +188,10 @@ def best_match(
         What to say when these cannot both be meant, else None.
     further : callable
         More translations, the best first, for where these lead to nothing like the reference.
+    closer : callable of translations, optional
+        Scores by a closer look, where several matches are about equally good.
+    same : callable of the best patch and another
+        Whether these are one and the same, so that nothing is to be decided.
 
     Raises
     ------
@@ -210,28 +200,40 @@ def best_match(
     """
     refused: list[str] = []
     matches = _matches(shifts, match, refused)
-    if max((score for _, score in matches), default=0.0) < ALIKE * shifts[0].score:
+    if max((score for _, score, _ in matches), default=0.0) < ALIKE * shifts[0].score:
         matches += _matches(further(), match, refused)
     if not matches:
         raise TargetNotFound(refused[0])
-    matches.sort(key=lambda scored: -scored[1])
-    best, highest = matches[0]
-    for other, score in matches[1:]:
-        said = contradiction(best, other) if score > DOUBT * highest else None
+    matches = _near_best(matches)
+    if closer is not None and not all(same(matches[0][0], other) for other, _, _ in matches[1:]):
+        scores = closer([shift for _, _, shift in matches])
+        matches = _near_best([
+            (patch, score * closely / shift.score, shift)
+            for (patch, score, shift), closely in zip(matches, scores, strict=True)
+        ])  # fmt: skip
+    best = matches[0][0]
+    for other, _, _ in matches[1:]:
+        said = contradiction(best, other)
         if said is not None:
             raise TargetNotFound(said)
     return best
 
 
+def _near_best(matches: list[tuple[Patch, float, Shift]]) -> list[tuple[Patch, float, Shift]]:
+    """Those that could be meant as well as the best, this first."""
+    ranked = sorted(matches, key=lambda scored: -scored[1])
+    return [scored for scored in ranked if scored[1] > DOUBT * ranked[0][1]]
+
+
 def _matches(
     shifts: list[Shift], match: Callable[[Shift], tuple[Patch, float]], refused: list[str]
-) -> list[tuple[Patch, float]]:
-    found: list[tuple[Patch, float]] = []
+) -> list[tuple[Patch, float, Shift]]:
+    found: list[tuple[Patch, float, Shift]] = []
     for shift in shifts:
-        if found and shift.score < DOUBT * max(score for _, score in found):
+        if found and shift.score < DOUBT * max(score for _, score, _ in found):
             break  # a match never scores above its translation: no better one can follow
         try:
-            found.append(match(shift))
+            found.append((*match(shift), shift))
         except TargetNotFound as reason:
             refused.append(str(reason))
     return found

@@ -127,8 +127,9 @@ def _thinned(points: Array, voxel: float) -> Array:
         return finite
     cell = np.floor((finite - finite.min(axis=0)) / voxel).astype(np.int64)
     across = cell.max(axis=0) + 1
-    _, first = np.unique((cell[:, 0] * across[1] + cell[:, 1]) * across[2] + cell[:, 2], True)
-    return np.ascontiguousarray(finite[np.sort(first)])
+    key = (cell[:, 0] * across[1] + cell[:, 1]) * across[2] + cell[:, 2]
+    _, first = np.unique(key, return_index=True)
+    return np.ascontiguousarray(finite[first])
 
 
 @njit(nogil=True, cache=True)

@@ -96,11 +96,7 @@ def rated(
     origin = first.mean(axis=0)
     scores = _scores(first - origin, weights, second - origin, vectors, LEVELS[-1])
     scores -= prefer_small * np.linalg.norm(vectors, axis=1)
-    return [
-        Shift(vector, float(score))
-        for vector, score in zip(vectors, scores, strict=True)
-        if score > 0.0
-    ]
+    return [Shift(vector, float(score)) for vector, score in zip(vectors, scores, strict=True)]
 
 
 def _scores(first: Array, weights: Array, second: Array, tried: Array, voxel: float) -> Array:
