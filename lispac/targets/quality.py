@@ -1,0 +1,239 @@
+"""How good one sighting is, with a traffic light and its reason in words."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, Delaunay, QhullError
+from scipy.stats import f as f_distribution
+
+from lispac.geometry.planes import Plane, extent_in_plane, in_plane_axes, rms_distance
+from lispac.geometry.spheres import Sphere, rms_from_sphere, share_seen
+from lispac.targets import outline
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Light = Literal["good", "doubtful", "poor"]
+
+# Each pair: doubtful beyond the first, poor beyond the second.
+# Below, strays and the outline's chance decide over the plane.
+FEW_POINTS = (200, 50)
+# Times the noise: with noise alone the RMS is one, and mixed pixels add a tenth.
+ROUGH = (2.0, 3.0)
+# Degrees: the footprint of the beam grows with the tangent, four times at 75.
+OBLIQUE_DEG = (65.0, 75.0)
+# Share of the outline: with half of it missing, tilts hang on the parts that are left.
+SPARSE = (0.7, 0.5)
+# Times the noise by which the surface departs from flat: what one point can no longer hide, and
+# what moves the plane by more than its own points' noise.
+CURVED = (1.0, 3.0)
+# Chance at which a departure counts as there.
+CERTAIN = 1e-3
+# Share of a sphere's surface; a full view shows half of it.
+LITTLE_SEEN = (0.2, 0.12)
+
+
+@dataclass(frozen=True, eq=False)
+class SightingQuality:
+    """What can be said of one target on one line.
+
+    Attributes
+    ----------
+    points : int
+    rms : float, metres
+        Of the points to the plane or sphere.
+    range : float, metres
+        Median, from the scanner.
+    density : float or None, points per square metre
+    incidence : float or None, radians
+        Median angle between beam and normal; None where the scanner's place is not known.
+    extent : ndarray of shape (2,) or None, metres
+        Width (level) and height (up the slope).
+    coverage : float
+        Share of the outline's cells that hold points; of a sphere, share of its surface seen.
+    curvature : float or None, metres
+        Sagitta of the surface over its extent, along the direction in which it bends most.
+    curved : bool
+        Whether the bend is more than chance.
+    unevenness : float or None, metres
+        RMS by which the surface departs from its smooth shape, noise taken off.
+    light : "good", "doubtful" or "poor"
+    reasons : tuple of str
+        Why it is not good, the worst first.
+    """
+
+    points: int
+    rms: float
+    range: float
+    density: float | None
+    incidence: float | None
+    extent: Array | None
+    coverage: float
+    curvature: float | None
+    curved: bool
+    unevenness: float | None
+    light: Light
+    reasons: tuple[str, ...]
+
+
+def plane_quality(
+    points_lidar: Array,
+    points_local: Array,
+    indices: Indices,
+    plane: Plane,
+    noise: float,
+    *,
+    scanner_local: Array | None = None,
+) -> SightingQuality:
+    """Judge a plane as one line saw it.
+
+    Parameters
+    ----------
+    points_lidar, points_local : ndarray of shape (n, 3), metres
+        Of the line, LiDAR frame and local frame.
+    indices : ndarray of shape (m,)
+        The sighting's points.
+    plane : Plane, local frame
+    noise : float, metres
+        Of a point across the plane.
+    scanner_local : ndarray of shape (3,) or (m, 3), metres, optional
+        Where the scanner was when it measured the sighting's points.
+    """
+    points = points_local[indices]
+    ranges = np.linalg.norm(points_lidar[indices], axis=1)
+    off = plane.distances(points)
+    placed = (points - points.mean(axis=0)) @ in_plane_axes(plane.normal).T
+    cell = _cell(placed)
+    area = outline.area(placed, cell)
+    coverage = _coverage(placed, cell)
+    sagitta, curved, uneven = _shape(placed, off, cell)
+    incidence = None
+    if scanner_local is not None:
+        beams = points - scanner_local
+        cosines = np.abs(beams @ plane.normal) / np.linalg.norm(beams, axis=1)
+        incidence = float(np.median(np.arccos(np.minimum(cosines, 1.0))))
+    rms = rms_distance(plane, points)
+    said = [*_few(len(points)), *_rough(rms, noise)]
+    if incidence is not None:
+        degrees = float(np.degrees(incidence))
+        said += _beyond(
+            degrees, OBLIQUE_DEG, f"The beams meet it at {degrees:.0f} deg from its normal"
+        )
+    said += _beyond(
+        -coverage, (-SPARSE[0], -SPARSE[1]),
+        f"Points cover only {100 * coverage:.0f} % of its outline",
+    )  # fmt: skip
+    if curved:
+        said += _beyond(
+            sagitta / noise, CURVED, f"It is curved: {1000 * sagitta:.1f} mm over its extent"
+        )
+    said += _beyond(
+        uneven / noise, CURVED, f"It is not flat: it departs by {1000 * uneven:.1f} mm (RMS)"
+    )
+    light, reasons = _judged(said)
+    return SightingQuality(
+        len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
+        extent_in_plane(plane, points), coverage, sagitta, curved, uneven, light, reasons,
+    )  # fmt: skip
+
+
+def sphere_quality(
+    points_lidar: Array, points_local: Array, indices: Indices, sphere: Sphere, noise: float
+) -> SightingQuality:
+    """Judge a sphere as one line saw it; the parameters are those of `plane_quality`."""
+    points = points_local[indices]
+    share = share_seen(sphere, points)
+    rms = rms_from_sphere(sphere, points)
+    said = [*_few(len(points)), *_rough(rms, noise)]
+    said += _beyond(
+        -share, (-LITTLE_SEEN[0], -LITTLE_SEEN[1]),
+        f"Only {100 * share:.0f} % of its surface is seen",
+    )  # fmt: skip
+    light, reasons = _judged(said)
+    ranges = np.linalg.norm(points_lidar[indices], axis=1)
+    return SightingQuality(
+        len(points), rms, float(np.median(ranges)), None, None, None, share, None, False, None,
+        light, reasons,
+    )  # fmt: skip
+
+
+def _few(points: int) -> list[tuple[int, str]]:
+    return _beyond(-points, (-FEW_POINTS[0], -FEW_POINTS[1]), f"It has only {points} points")
+
+
+def _rough(rms: float, noise: float) -> list[tuple[int, str]]:
+    text = (
+        f"Its RMS of {1000 * rms:.1f} mm is {rms / noise:.1f} times the noise: "
+        "it is rough or not flat"
+    )
+    return _beyond(rms / noise, ROUGH, text)
+
+
+def _beyond(value: float, limits: tuple[float, float], text: str) -> list[tuple[int, str]]:
+    """The sentence with how bad it is (1 doubtful, 2 poor), or nothing."""
+    grade = int(value > limits[0]) + int(value > limits[1])
+    return [(grade, f"{text}.")] if grade else []
+
+
+def _judged(said: list[tuple[int, str]]) -> tuple[Light, tuple[str, ...]]:
+    lights: tuple[Light, ...] = ("good", "doubtful", "poor")
+    ranked = sorted(said, key=lambda each: -each[0])
+    return lights[ranked[0][0] if ranked else 0], tuple(text for _, text in ranked)
+
+
+def _cell(placed: Array) -> float:
+    """Side of a cell that a patch without holes fills, metres: 2.5 mean spacings of its points."""
+    try:
+        spacing = np.sqrt(ConvexHull(placed).volume / len(placed))
+    except QhullError:  # all in one row
+        spacing = float(np.ptp(placed, axis=0).max()) / len(placed)
+    return float(np.clip(2.5 * spacing, 0.02, 0.5))
+
+
+def _coverage(placed: Array, cell: float) -> float:
+    """Share of the cells inside the convex outline that hold points."""
+    low = placed.min(axis=0)
+    at = np.floor((placed - low) / cell).astype(np.int64)
+    filled = np.zeros(at.max(axis=0) + 1, dtype=bool)
+    filled[at[:, 0], at[:, 1]] = True
+    middles = low + (np.argwhere(np.ones_like(filled)) + 0.5) * cell
+    try:
+        inside = Delaunay(placed).find_simplex(middles) >= 0
+    except QhullError:  # all in one row: it is its own outline
+        return 1.0
+    inside |= filled.ravel()
+    return float(np.count_nonzero(filled) / np.count_nonzero(inside))
+
+
+def _shape(placed: Array, off: Array, cell: float) -> tuple[float, bool, float]:
+    """Sagitta of the best quadric, whether it is more than chance, and what departs from it.
+
+    From the means of the cells: neighbours see the same roughness, and cells do not.
+    """
+    at = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
+    _, key, count = np.unique(at[:, 0] * (at[:, 1].max() + 1) + at[:, 1], False, True, True)
+    key = key.reshape(-1)
+    x, y, w = (np.bincount(key, values) / count for values in (*placed.T, off))
+    if len(count) < 12:
+        return 0.0, False, 0.0
+    root = np.sqrt(count)
+    flat = np.stack([np.ones_like(x), x, y], axis=1)
+    bent = np.stack([*flat.T, x * x, x * y, y * y], axis=1)
+    left = []
+    for design in (flat, bent):
+        solved = np.linalg.lstsq(design * root[:, None], w * root, rcond=None)[0]
+        left.append(root * (w - design @ solved))
+    _, _, _, xx, xy, yy = solved
+    bends, directions = np.linalg.eigh(np.array([[2 * xx, xy], [xy, 2 * yy]]))
+    lengths = np.ptp(placed @ directions, axis=0)
+    sagitta = float(np.max(np.abs(bends) * lengths**2 / 8))
+    plain, smooth = (float(each @ each) for each in left)
+    freedom = len(count) - 6
+    ratio = (plain - smooth) / 3 / max(smooth / freedom, 1e-30)
+    curved = bool(f_distribution.sf(ratio, 3, freedom) < CERTAIN)
+    # Within a cell there is only noise; what the means have beyond it is the surface's own.
+    within = float(np.sum((off - w[key]) ** 2)) / max(len(off) - len(count), 1)
+    beyond = smooth / freedom - within
+    uneven = float(np.sqrt(max(beyond, 0.0) / np.mean(count)))
+    return sagitta, curved, uneven

@@ -1,0 +1,157 @@
+"""Quality of a sighting and agreement with what was expected, on surfaces of known shape."""
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.geometry.planes import Plane, fit_plane
+from lispac.geometry.spheres import Sphere
+from lispac.simulation.survey import LEVER_ARM
+from lispac.survey.georeferencing import Mounting, georeference
+from lispac.targets.expected import ExpectedTarget, deviations
+from lispac.targets.finder import patch_of
+from lispac.targets.quality import SightingQuality, plane_quality, sphere_quality
+from tests.test_finder_sites import picked, scenery
+
+NOISE = 0.002
+
+
+def judged(points: np.ndarray, **also: object) -> SightingQuality:
+    return plane_quality(
+        points, points, np.arange(len(points)), fit_plane(points), NOISE, **also
+    )  # fmt: skip
+
+
+def board(shape=lambda x, z: 0 * x, *, count=3000, size=(1.2, 1.0), noise=NOISE) -> np.ndarray:
+    """Points 20 m west of the scanner, off an upright board by some shape."""
+    rng = np.random.default_rng(3)
+    x, z = rng.uniform(-0.5, 0.5, (2, count)) * np.array(size)[:, None]
+    west = 20.0 + shape(x, z) + rng.normal(0, noise, count)
+    return np.stack([x, west, z], axis=1)
+
+
+def test_a_flat_board_is_good_and_its_numbers_are_true():
+    quality = judged(board(), scanner_local=np.zeros(3))
+    assert quality.light == "good"
+    assert quality.reasons == ()
+    assert quality.points == 3000
+    assert quality.rms == pytest.approx(NOISE, rel=0.05)
+    assert quality.range == pytest.approx(20.0, abs=0.02)
+    assert quality.density == pytest.approx(2500, rel=0.15)
+    np.testing.assert_allclose(quality.extent, [1.2, 1.0], atol=0.01)
+    assert quality.coverage > 0.97
+    assert np.degrees(quality.incidence) < 2.0
+    assert not quality.curved
+    assert quality.unevenness < 0.0004
+
+
+def test_a_bend_is_measured_and_said():
+    sagitta = 0.004  # over 1.2 m
+    quality = judged(board(lambda x, z: 4 * sagitta * (x / 1.2) ** 2))
+    assert quality.curved
+    assert quality.curvature == pytest.approx(sagitta, rel=0.1)
+    assert quality.light == "doubtful"
+    assert "curved: 4." in quality.reasons[0] or "curved: 3.9" in quality.reasons[0]
+    assert judged(board(lambda x, z: 0.04 * (x / 1.2) ** 2)).light == "poor"
+
+
+def test_chance_alone_is_not_called_a_bend():
+    rng = np.random.default_rng(0)
+    called = sum(
+        judged(np.stack([*(rng.uniform(-0.6, 0.6, (2, 600))), rng.normal(0, NOISE, 600)], 1)).curved
+        for _ in range(200)
+    )
+    assert called <= 2
+
+
+@pytest.mark.parametrize(
+    ("points", "light", "words"),
+    [
+        (board(count=150), "doubtful", "only 150 points"),
+        (board(count=40), "poor", "only 40 points"),
+        (board(noise=0.005), "doubtful", "2.5 times the noise"),
+        (board(noise=0.008), "poor", "times the noise"),
+        (board()[np.abs(board()[:, 0]) > 0.4], "poor", "of its outline"),
+        (board(lambda x, z: 0.006 * np.sin(20 * x)), "doubtful", "not flat"),
+    ],
+)
+def test_what_is_wrong_is_said(points, light, words):
+    quality = judged(points)
+    assert quality.light == light
+    assert any(words in reason for reason in quality.reasons), quality.reasons
+
+
+def test_grazing_incidence_is_poor():
+    points = board()
+    scanner = points.mean(axis=0) + 10 * np.array(
+        [np.sin(np.radians(78)), -np.cos(np.radians(78)), 0]
+    )
+    quality = judged(points, scanner_local=scanner)
+    assert np.degrees(quality.incidence) == pytest.approx(78, abs=0.5)
+    assert quality.light == "poor"
+    assert "78 deg from its normal" in quality.reasons[0]
+
+
+def test_a_sphere_shows_its_share():
+    rng = np.random.default_rng(1)
+    directions = rng.normal(size=(20_000, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    sphere = Sphere(np.array([0.0, 15.0, 2.0]), 0.15)
+    for edge, light in ((0.2, "good"), (0.7, "doubtful"), (0.8, "poor")):
+        cap = directions[-directions[:, 1] > edge][:1000]
+        points = sphere.centre + cap * (sphere.radius + rng.normal(0, NOISE, (len(cap), 1)))
+        quality = sphere_quality(points, points, np.arange(len(points)), sphere, NOISE)
+        assert quality.coverage == pytest.approx((1 - edge) / 2, abs=0.02)
+        assert quality.light == light, quality
+        assert quality.rms == pytest.approx(NOISE, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("name", "lights", "words"),
+    [
+        ("5 cm proud", {"good"}, ""),
+        ("bollard", {"good", "doubtful", "poor"}, ""),
+        ("rippled", {"doubtful", "poor"}, "not flat"),
+    ],
+)
+def test_on_simulated_sites(name, lights, words):
+    seen, found = picked(name, (0, 0, 0))
+    clouds = seen.clouds()
+    for line, patch in found.items():
+        mounting = Mounting(np.array(LEVER_ARM), seen.boresight)
+        time = seen.echoes[line].time[patch.indices]
+        scanner = georeference(np.zeros((len(time), 3)), time, seen.trajectory, mounting)
+        quality = plane_quality(
+            seen.points_lidar(line), clouds[line], patch.indices, patch.plane, 0.0025,
+            scanner_local=scanner,
+        )  # fmt: skip
+        assert quality.light in lights, (line, quality)
+        assert words in " ".join(quality.reasons), (line, quality)
+
+
+def test_the_expected_target_is_compared_in_words():
+    seen = scenery("5 cm proud")
+    cloud = seen.clouds()["L1"]
+    patch = patch_of(cloud, np.flatnonzero(seen.on("L1", "T1")), np.array([0.0, 1.0, 0.0]))
+    upright = np.pi / 2
+    assert deviations(ExpectedTarget(1.23, 1.22, upright), patch) == ()
+    said = deviations(ExpectedTarget(2.0, 1.22, np.radians(45)), patch)
+    assert len(said) == 2
+    assert "m wide, 0.7" in said[0]
+    assert "less than the 2.00 m expected" in said[0]
+    assert "45.0 deg more than the 45.0 deg expected" in said[1] or "44." in said[1]
+    for wrong in ({"width": 0.0}, {"height": -1.0}, {"inclination": 2.0}):
+        with pytest.raises(InputError):
+            ExpectedTarget(**({"width": 1.0, "height": 1.0} | wrong))
+
+
+def test_the_planes_side_does_not_matter():
+    points = board(lambda x, z: 0.02 * (x / 1.2) ** 2)
+    plane = fit_plane(points)
+    turned = Plane(-plane.normal, -plane.d)
+    first, second = (
+        plane_quality(points, points, np.arange(len(points)), each, NOISE)
+        for each in (plane, turned)
+    )
+    assert first.curvature == pytest.approx(second.curvature, rel=0.05)
+    assert first.light == second.light
