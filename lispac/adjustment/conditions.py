@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.passes import in_chunks, kernel
+from lispac.adjustment.turns import turns_of
 from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.survey.georeferencing import Mounting
 
@@ -87,7 +88,7 @@ class Points(NamedTuple):
 
     seen: Array  # by the scanner, in its frame
     position: Array
-    attitude: Array
+    turns: Array  # cosines and sines of roll, pitch, heading
     rate: Array  # of no rows where it is unknown
     target: NDArray[np.int64]
     sighting: NDArray[np.int64]
@@ -100,16 +101,17 @@ class Points(NamedTuple):
     @classmethod
     def of(cls, observations: Observations, mounting: Mounting) -> "Points":
         """Take the columns of ``observations``, with the latency the poses do not hold yet."""
-        position, attitude = observations.position, observations.attitude
+        position, turns = observations.position, observations.turns
         rate, late = observations.pose_rate, mounting.latency - observations.latency
         if rate is None:
             rate = np.zeros((0, 6))
         elif late != 0:
-            position, attitude = position + late * rate[:, :3], attitude + late * rate[:, 3:]
+            position = position + late * rate[:, :3]
+            turns = turns_of(observations.attitude + late * rate[:, 3:])
         return cls(
             observations.points_lidar,
             position,
-            attitude,
+            turns,
             rate,
             observations.target_of_sighting[observations.sighting],
             observations.sighting,
@@ -143,13 +145,11 @@ class Placing(NamedTuple):
 
 
 @kernel(inline="always")
-def pose(i, position, attitude):  # type: ignore[no-untyped-def]
+def pose(i, position, turns):  # type: ignore[no-untyped-def]
     """Position of point ``i`` and cosines and sines of its attitude."""
-    roll, pitch, heading = attitude[i, 0], attitude[i, 1], attitude[i, 2]
-    px, py, pz = position[i, 0], position[i, 1], position[i, 2]
     return (
-        px, py, pz, np.cos(roll), np.sin(roll), np.cos(pitch), np.sin(pitch),
-        np.cos(heading), np.sin(heading),
+        position[i, 0], position[i, 1], position[i, 2], turns[i, 0], turns[i, 1], turns[i, 2],
+        turns[i, 3], turns[i, 4], turns[i, 5],
     )  # fmt: skip
 
 
@@ -222,12 +222,12 @@ def row(  # type: ignore[no-untyped-def]
 
 @kernel()
 def _linearise(  # type: ignore[no-untyped-def]
-    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, rows, by_lidar,
 ):  # fmt: skip
     for i in range(first, last):
-        at = pose(i, position, attitude)
+        at = pose(i, position, turns)
         row(
             i, target[i], seen[i, 0], seen[i, 1], seen[i, 2], at, rate, spheres, values, rotation,
             derivatives, turn, shapes, rows[i], by_lidar[i],
@@ -236,13 +236,13 @@ def _linearise(  # type: ignore[no-untyped-def]
 
 @kernel()
 def _evaluate(  # type: ignore[no-untyped-def]
-    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, begin, wanted,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
     for i in range(first, last):
-        at = pose(i, position, attitude)
+        at = pose(i, position, turns)
         row(
             i, target[i], seen[i, 0], seen[i, 1], seen[i, 2], at, rate, spheres, values, rotation,
             derivatives, turn, shapes, out, lidar,

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.turns import turns_of
 from lispac.errors import AdjustmentError
 
 Array = NDArray[np.float64]
@@ -107,7 +108,7 @@ class Observations:
     def reordered(self, order: NDArray[np.int64]) -> "Observations":
         """The points in another order, or some of them; ``sightings`` stays as it is."""
         columns: dict[str, Any] = {
-            column.name: values[order]
+            column.name: values.take(order, axis=0)
             for column in fields(self)
             if isinstance(values := getattr(self, column.name), np.ndarray)
         }
@@ -137,6 +138,11 @@ class Observations:
     def of_sightings(self, keep: NDArray[np.bool_]) -> "Observations":
         """The points of the sightings of ``keep``, shape (sightings,), alone."""
         return self.where(keep[self.sighting])
+
+    @cached_property
+    def turns(self) -> Array:
+        """Cosine and sine of roll, pitch and heading, shape (n, 6): no pass works them out anew."""
+        return turns_of(self.attitude)
 
     @cached_property
     def counts(self) -> NDArray[np.int64]:
@@ -173,7 +179,8 @@ class Observations:
         ):
             if not np.isfinite(values).all():
                 raise AdjustmentError(f"A {name} is not a number; leave that point out.")
-        if not (self.points_lidar != 0).any(axis=1).all():
+        x, y, z = self.points_lidar.T
+        if not ((x != 0) | (y != 0) | (z != 0)).all():
             raise AdjustmentError("A point lies in the scanner itself; leave it out.")
         for name, sigma in (
             ("LiDAR", self.sigma_lidar),

@@ -186,7 +186,7 @@ def _points(linearised: Linearised, local: Array) -> tuple[Array, Array, Array, 
 
 @kernel()
 def _test(  # type: ignore[no-untyped-def]
-    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
     loss, tuning, tangent, scale, noise, active, local, found,
@@ -197,7 +197,7 @@ def _test(  # type: ignore[no-untyped-def]
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
             t = target[i]
-            at = pose(i, position, attitude)
+            at = pose(i, position, turns)
             misclosure, variance = opened(
                 i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,

@@ -67,7 +67,8 @@ def grouped(
     left = np.zeros(len(observations), dtype=np.int64) if knots is None else knots.left
     count = len(observations.sightings)
     key = left * count + observations.sighting
-    order = np.argsort(key, kind="stable")
+    # NumPy sorts short integers by their digits, four times as fast
+    order = np.argsort(key.astype(np.min_scalar_type(key.max())), kind="stable")
     key = key[order]
     start = np.flatnonzero(np.diff(key, prepend=-1))
     found = key[start]
@@ -77,7 +78,7 @@ def grouped(
         found // count,
         None if knots is None else knots.reordered(order),
     )
-    if (np.diff(order) == 1).all():
+    if (order[1:] > order[:-1]).all():
         return observations, groups, order
     return observations.reordered(order), groups, order
 
@@ -249,7 +250,7 @@ BLOCK = 64
 
 @kernel()
 def _accumulate(  # type: ignore[no-untyped-def]
-    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
     loss, tuning, tangent, scale, noise, active, sums,
@@ -264,7 +265,7 @@ def _accumulate(  # type: ignore[no-untyped-def]
             for place in range(count):
                 i = begin + place
                 t = target[i]
-                at = pose(i, position, attitude)
+                at = pose(i, position, turns)
                 misclosure, variance = opened(
                     i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                     sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
@@ -317,7 +318,7 @@ def residuals(observations: Observations, groups: Groups, state: State) -> Array
 
 @kernel()
 def _residuals(  # type: ignore[no-untyped-def]
-    first, last, seen, position, attitude, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
     found,
@@ -325,7 +326,7 @@ def _residuals(  # type: ignore[no-untyped-def]
     out, lidar = np.empty(20), np.empty(3)
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
-            at = pose(i, position, attitude)
+            at = pose(i, position, turns)
             misclosure, variance = opened(
                 i, target[i], sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
