@@ -1,4 +1,4 @@
-"""Cosines and sines of the attitudes: they do not change from one pass over the points to the next."""
+"""Cosines and sines of the attitudes: the same in every pass over the points."""
 
 import numpy as np
 from numpy.typing import NDArray
