@@ -69,7 +69,7 @@ def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
     drop(dialog, [tmp_path / "field"])
     rest(qtbot, dialog)
     assert texts(dialog, ROLE) == ["Line", "Leave out", "Leave out"]
-    assert texts(dialog, STATE)[1:] == ["Not known", "Left out"]
+    assert texts(dialog, STATE)[1:] == ["Not known", "Not known"]
     dialog.table.selectRow(1)
     shown = [label.text() for label in dialog.file_page.remarks.findChildren(QWidget)
              if hasattr(label, "text")]  # fmt: skip
