@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from lispac.adjustment.components import surface_sigma
-from lispac.adjustment.noise import noise_factors, scale_of_targets
+from lispac.adjustment.noise import at_target, noise_factors, scale_of_targets
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.sums import State
 
@@ -31,12 +31,13 @@ def with_noise(problem: Problem, state: State, *, falling: bool = True) -> Probl
 
 def _noise_of(problem: Problem, state: State) -> Problem:
     observations, residuals = problem.observations, problem.residuals(state)[1]
+    near = None
     if problem.model.loss != "none":
-        problem = replace(problem, scale=scale_of_targets(observations, residuals))
+        near = at_target(observations, residuals)
+        problem = replace(problem, scale=scale_of_targets(observations, residuals, near))
     if not problem.model.correlated:
         return problem
-    robust = problem.model.loss != "none"
-    noise = noise_factors(observations, residuals, problem.blocks, robust=robust)
+    noise = noise_factors(observations, residuals, problem.blocks, near)
     return replace(problem, noise=noise)
 
 

@@ -43,18 +43,27 @@ def blocks_of(observations: Observations, mounting: Mounting) -> NDArray[np.int6
     return block
 
 
-def scale_of_targets(observations: Observations, residuals: Array) -> Array:
-    """Spread of each target's standardised residuals, strays aside, at least 1, (targets,)."""
+def scale_of_targets(
+    observations: Observations, residuals: Array, near: NDArray[np.bool_]
+) -> Array:
+    """Spread of each target's standardised residuals, strays aside, at least 1, (targets,).
+
+    Parameters
+    ----------
+    near : ndarray of shape (n,), bool
+        From `at_target`.
+    """
+    target = observations.target_of_sighting[observations.sighting]
     each = range(len(observations.targets))
-    return np.array([robust_scale(residuals[_belonging(observations, residuals, k)]) for k in each])
+    return np.array([robust_scale(residuals[near & (target == k)]) for k in each])
 
 
 def noise_factors(
     observations: Observations,
     residuals: Array,
     blocks: NDArray[np.int64],
+    near: NDArray[np.bool_] | None,
     *,
-    robust: bool,
     denser: float = 1.0,
 ) -> Array:
     """Noise of each target over the stated one, at least 1, shape (targets,).
@@ -63,19 +72,19 @@ def noise_factors(
     ----------
     residuals : ndarray of shape (n,)
         Over the standard deviations of their conditions.
-    robust : bool
-        Whether strays have no weight in the adjustment.
+    near : ndarray of shape (n,), bool, or None
+        From `at_target`, where strays have no weight in the adjustment.
     denser : float
         How many times more points there are than those given: a design effect grows with them.
     """
     target = observations.target_of_sighting[observations.sighting]
     factors = np.empty(len(observations.targets))
     for k in range(len(factors)):
-        mine = _belonging(observations, residuals, k) if robust else target == k
+        mine = target == k if near is None else near & (target == k)
         own = residuals[mine]
-        size = robust_scale(own) if robust else max(1.0, float(np.sqrt(np.mean(own**2))))
-        near = np.clip(own / size, -FAR, FAR) if robust else own / size
-        effect = 1 + denser * (_design_effect(near, blocks[mine]) - 1)
+        size = max(1.0, float(np.sqrt(np.mean(own**2)))) if near is None else robust_scale(own)
+        told = own / size if near is None else np.clip(own / size, -FAR, FAR)
+        effect = 1 + denser * (_design_effect(told, blocks[mine]) - 1)
         factors[k] = size * np.sqrt(effect)
     return factors
 
@@ -89,14 +98,15 @@ def astray(observations: Observations, residuals: Array) -> NDArray[np.int64]:
     return np.array(found, dtype=np.int64)
 
 
-def _belonging(observations: Observations, residuals: Array, target: int) -> NDArray[np.bool_]:
-    """Which points are of a target's sightings that do not lie off it as a whole.
+def at_target(observations: Observations, residuals: Array) -> NDArray[np.bool_]:
+    """Which points are of sightings that do not lie off their target as a whole, shape (n,).
 
     One that does, on another surface or misplaced by metres, says nothing of the others' noise.
     """
-    off = _off(observations, residuals, target)
     near = np.zeros(len(observations.sightings), dtype=bool)
-    near[[s for s, size in off.items() if size <= FAR]] = True
+    for k in range(len(observations.targets)):
+        off = _off(observations, residuals, k)
+        near[[s for s, size in off.items() if size <= FAR]] = True
     return near[observations.sighting]
 
 

@@ -11,7 +11,7 @@ from lispac.adjustment.adaptation import SCALE_SETTLED, differ, with_noise, with
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
 from lispac.adjustment.components import FACTORS, variance_components
-from lispac.adjustment.noise import astray, noise_factors
+from lispac.adjustment.noise import astray, at_target, noise_factors
 from lispac.adjustment.observability import require_determined, require_two_facings, unseen
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Estimate, Parameter
@@ -53,6 +53,9 @@ RAISED = 1.05
 PATIENCE, SLACK = 60, np.array([1e3, 1e5])
 """After so many iterations larger changes will do: 1e-6 deg, and 1 mm of a sighting whose points
 hesitate between some weight and none."""
+
+NEARLY = 100
+"""Times the limits to go: a step that foresees nothing will do, and the sigmas come from it."""
 
 FORESEEN = 10
 """Steps that foresee how the weights will change; where they do not settle, plain ones will."""
@@ -223,13 +226,10 @@ def _completed(near: Solution, observations: Observations, progress: Progress) -
         problem, noise=sample.noise, scale=sample.scale, surface_sigma=sample.surface_sigma
     )
     if problem.model.correlated:
-        noise = noise_factors(
-            sample.observations,
-            sample.residuals(near.state)[1],
-            sample.blocks,
-            robust=problem.model.loss != "none",
-            denser=len(observations) / len(sample.observations),
-        )
+        few, residuals = sample.observations, sample.residuals(near.state)[1]
+        mine = None if problem.model.loss == "none" else at_target(few, residuals)
+        denser = len(observations) / len(few)
+        noise = noise_factors(few, residuals, sample.blocks, mine, denser=denser)
         problem = replace(problem, noise=noise)
     state = problem.resumed(near.state, sample)
     return _iterate(problem, state, progress, earlier=near.path, told=True)
@@ -308,14 +308,15 @@ def _iterate(
     loss = final if told else final.start
     weighted = final.name != "none"
     settled = told or not (problem.model.correlated or weighted)
-    adaptations, steps = 0, 0
+    adaptations, steps, nearly = 0, 0, False
     limits = np.array([ANGLES_SETTLED, OTHERS_SETTLED])
-    last = np.full(2, np.inf)
+    last = np.zeros(2)
     path = [] if earlier is None else list(earlier)
     for iteration in range(1, MAX_ITERATIONS + 1):
         progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
         # Weights that go with the residuals settle slowly unless the step foresees them.
-        foreseen = weighted and settled and (told or steps > 0) and steps <= FORESEEN
+        foreseen = settled and weighted and not nearly and (told or steps > 0)
+        foreseen = foreseen and steps <= FORESEEN
         try:
             linearised = problem.linearised(state, loss, tangent=foreseen)
             state, correction = linearised.step()
@@ -339,7 +340,9 @@ def _iterate(
             steps += 1
             ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
             # A pass over many points is dear, so the last one is foretold; few tell it themselves.
-            left = _to_come(change, last) if told else change
+            to_come = _to_come(change, last)
+            left = to_come if told else change
+            nearly = bool((to_come < NEARLY * limits).all())
             if (left < ease * limits).all():
                 if foreseen:  # the sigmas come from the weights as they are
                     linearised = problem.linearised(state, loss)
