@@ -4,7 +4,8 @@ import sys
 from collections.abc import Sequence
 
 from lispac.cli.console import UsageError
-from lispac.cli.parser import build_parser, plain_numbers
+from lispac.cli.parser import build_parser
+from lispac.cli.values import plain_numbers
 from lispac.errors import Cancelled, LispacError
 
 

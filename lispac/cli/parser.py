@@ -1,21 +1,18 @@
 """The commands and their options."""
 
 import argparse
-import math
-import re
-from collections.abc import Sequence
-from decimal import Decimal
 from pathlib import Path
 
 from lispac import __version__
-
-
-def plain_numbers(words: Sequence[str]) -> list[str]:
-    """Write ``-1e-3`` as ``-0.001``: argparse takes the first for an option."""
-    return [
-        f"{Decimal(word):f}" if re.fullmatch(r"-\d*\.?\d+[eE][+-]?\d+", word) else word
-        for word in words
-    ]
+from lispac.cli.values import (
+    finite,
+    json_option,
+    named_value,
+    not_negative,
+    positive,
+    surface,
+    triple,
+)
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -55,20 +52,13 @@ def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
     demo = _command(commands, "demo", "simulate the built-in survey and calibrate it, all the way")
     demo.add_argument("--output", type=Path, required=True, metavar="DIR", help="project folder")
     demo.add_argument("--no-window", action="store_true", help="do not open the window at the end")
-    _json(demo)
+    json_option(demo)
 
 
 def _look(commands: "Commands[argparse.ArgumentParser]") -> None:
     look = _command(commands, "look", "say what a file is, what it assumes, and what to doubt")
     look.add_argument("file", type=Path, metavar="FILE", help="trajectory, accuracies or points")
-    _json(look)
-
-
-def _option(text: str) -> tuple[str, str]:
-    name, separator, value = text.partition("=")
-    if not (name and separator):
-        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
-    return name.strip(), value.strip()
+    json_option(look)
 
 
 def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -95,32 +85,32 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
             f"--{file}-format", metavar="KEY", help=f"format of {what} (default: as found in it)"
         )
         new.add_argument(
-            f"--{file}-option", type=_option, action="append", default=[], metavar="NAME=VALUE",
+            f"--{file}-option", type=named_value, action="append", default=[], metavar="NAME=VALUE",
             help=f"what the files do not say of {what}; `lispac look FILE` lists the options",
         )  # fmt: skip
     new.add_argument(
         "--time-shift", type=float, default=0.0, metavar="SECONDS",
         help="added to the times of the lines to bring them into the trajectory's",
     )  # fmt: skip
-    _triple(
+    triple(
         new, "--lever-arm", ("X", "Y", "Z"), "LiDAR from POS: forward, left, up (m)", required=True
     )
-    _triple(new, "--boresight", ("ROLL", "PITCH", "YAW"), "prior boresight (deg), default 0 0 0")
-    _triple(new, "--origin", ("LAT", "LON", "HEIGHT"), "origin of the local frame (deg, m)")
-    _triple(new, "--position-sigma", ("N", "E", "D"), "position sigmas without accuracy file (m)")
-    _triple(
+    triple(new, "--boresight", ("ROLL", "PITCH", "YAW"), "prior boresight (deg), default 0 0 0")
+    triple(new, "--origin", ("LAT", "LON", "HEIGHT"), "origin of the local frame (deg, m)")
+    triple(new, "--position-sigma", ("N", "E", "D"), "position sigmas without accuracy file (m)")
+    triple(
         new, "--attitude-sigma", ("ROLL", "PITCH", "HEADING"),
         "attitude sigmas without accuracy file (deg)",
     )  # fmt: skip
     new.add_argument(
-        "--lidar-sigma", type=_positive, metavar="METRES", help="LiDAR noise on each axis"
+        "--lidar-sigma", type=positive, metavar="METRES", help="LiDAR noise on each axis"
     )
     new.add_argument(
         "--columns",
         metavar="NAMES",
         help="columns of text lines from the left, e.g. time,x,y,z,intensity",
     )
-    _json(new)
+    json_option(new)
 
 
 def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -138,15 +128,13 @@ def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
     imported.add_argument(
         "--check", action="store_true", help="read all of what is imported and compare checksums"
     )
-    _json(imported)
+    json_option(imported)
 
 
 def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
     pick = _command(commands, "pick", "find the plane or sphere at a seed, in every line")
     pick.add_argument("project", type=Path, metavar="PROJECT")
-    _triple(
-        pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True
-    )
+    triple(pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True)
     pick.add_argument("--name", required=True, help="name of the target, e.g. T1")
     pick.add_argument("--role", choices=("target", "validation"), default="target")
     pick.add_argument(
@@ -157,7 +145,7 @@ def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
     pick.add_argument(
         "--sphere-radius",
-        type=_positive,
+        type=positive,
         metavar="METRES",
         help="with --shape sphere: the radius of the ball, where it is known (otherwise 0.05 to "
         "0.5 m are sought)",
@@ -165,13 +153,13 @@ def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
     pick.add_argument("--line", help="seek in this line only")
     pick.add_argument(
         "--threshold",
-        type=_positive,
+        type=positive,
         metavar="METRES",
         help="RANSAC distance threshold (default 0.01, or 3 LiDAR sigma where larger; for spheres "
         "at least 0.03, or 0.3 of a known radius where that is smaller)",
     )
-    pick.add_argument("--radius", type=_positive, metavar="METRES", help="search radius")
-    _json(pick)
+    pick.add_argument("--radius", type=positive, metavar="METRES", help="search radius")
+    json_option(pick)
 
 
 def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -183,7 +171,7 @@ def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
     estimate.add_argument("project", type=Path, nargs="?", metavar="PROJECT")
     estimate.add_argument(
         "--subsample",
-        type=_not_negative,
+        type=not_negative,
         metavar="METRES",
         help="points closer than this are averaged, in thesis mode one of them kept (default "
         "0.10; 0 keeps all)",
@@ -197,14 +185,14 @@ def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
     for name, default in (("position", 300), ("attitude", 600)):
         estimate.add_argument(
             f"--{name}-time",
-            type=_positive,
+            type=positive,
             metavar="SECONDS",
             help=f"correlation time of the {name} error (default {default}; see the processing "
             "report; too short is safer than too long)",
         )
     estimate.add_argument(
         "--surface",
-        type=_surface,
+        type=surface,
         metavar="METRES",
         help="sigma by which what one line sees of a target departs from its shape (default auto: "
         "from the data)",
@@ -236,20 +224,16 @@ def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--no-cross-checks", action="store_true", help="do not adjust parts of the data too"
     )
     estimate.add_argument("--planes", type=Path, nargs="+", metavar="FILE", help="25-column files")
-    _triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes (m)")
-    _triple(estimate, "--boresight", ("R", "P", "Y"), "with --planes: prior (deg), default 0 0 0")
-    estimate.add_argument("--lidar-sigma", type=_positive, metavar="METRES", help="with --planes")
-    _json(estimate)
-
-
-def _surface(text: str) -> float | str:
-    return text if text == "auto" else _not_negative(text)
+    triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes (m)")
+    triple(estimate, "--boresight", ("R", "P", "Y"), "with --planes: prior (deg), default 0 0 0")
+    estimate.add_argument("--lidar-sigma", type=positive, metavar="METRES", help="with --planes")
+    json_option(estimate)
 
 
 def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
     validate = _command(commands, "validate", "compare the lines on the validation planes")
     validate.add_argument("project", type=Path, metavar="PROJECT")
-    _json(validate)
+    json_option(validate)
 
 
 def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -264,7 +248,7 @@ def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--lines", nargs="+", metavar="NAME", help="these lines only (default all)"
     )
     georeference.add_argument("--format", choices=("laz", "las"), default="laz")
-    _json(georeference)
+    json_option(georeference)
 
 
 def _system(parser: argparse.ArgumentParser, default: str) -> None:
@@ -283,7 +267,7 @@ def _system(parser: argparse.ArgumentParser, default: str) -> None:
         help="geographic system of the trajectory where it is not that of --crs, e.g. EPSG:7912",
     )  # fmt: skip
     parser.add_argument(
-        "--epoch", type=_finite, metavar="YEAR", help="date of the survey where datums drift apart"
+        "--epoch", type=finite, metavar="YEAR", help="date of the survey where datums drift apart"
     )
 
 
@@ -302,7 +286,7 @@ def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
     export.add_argument("--boresight", choices=("prior", "estimated"), default="estimated")
     export.add_argument("--targets", nargs="+", metavar="NAME", help="these only (default all)")
     _system(export, "local")
-    _json(export)
+    json_option(export)
 
 
 def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -329,8 +313,8 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--from", dest="from_system", default="lispac", metavar="SYSTEM", help="default lispac"
     )
     angles.add_argument("--to", default="lispac", metavar="SYSTEM", help="default lispac")
-    _triple(angles, "--lever", ("X", "Y", "Z"), "lever arm along the body axes of --from (m)")
-    _triple(
+    triple(angles, "--lever", ("X", "Y", "Z"), "lever arm along the body axes of --from (m)")
+    triple(
         angles, "--current", ("A", "B", "C"),
         "present settings in the --to system (deg): also print the correction to them",
     )  # fmt: skip
@@ -358,48 +342,9 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="scanner axes of the other system: turned as its body axes, kept as in the raw "
         "points, or laid on the body axes by a mounting (default: as that system usually does)",
     )
-    for option, text in (
+    for name, text in (
         ("--body-axes", "where the other system's body axes point, e.g. forward starboard down"),
         ("--mounting", "where the raw scanner axes nominally point, e.g. forward port up"),
     ):
-        angles.add_argument(option, nargs=3, metavar=("X", "Y", "Z"), help=text)
-    _json(angles)
-
-
-def _json(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--json", action="store_true", help="one JSON object on stdout")
-
-
-def _triple(
-    parser: argparse.ArgumentParser,
-    name: str,
-    parts: tuple[str, str, str],
-    text: str,
-    *,
-    required: bool = False,
-) -> None:
-    parser.add_argument(name, type=_finite, nargs=3, metavar=parts, help=text, required=required)
-
-
-def _finite(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(f"{text} is not a number") from error
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text} is not a finite number")
-    return value
-
-
-def _positive(text: str) -> float:
-    value = _finite(text)
-    if not value > 0:
-        raise argparse.ArgumentTypeError(f"{text} is not larger than zero")
-    return value
-
-
-def _not_negative(text: str) -> float:
-    value = _finite(text)
-    if not value >= 0:
-        raise argparse.ArgumentTypeError(f"{text} is negative")
-    return value
+        angles.add_argument(name, nargs=3, metavar=("X", "Y", "Z"), help=text)
+    json_option(angles)

@@ -6,9 +6,10 @@ middle.
 """
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,16 @@ from lispac.targets.finder import FinderSettings, PlanePatch
 from lispac.targets.patches import FlatPatch, flat_patches, voxel_for
 
 Array = NDArray[np.float64]
+
+Found = tuple[Mapping[str, PlanePatch], Mapping[str, str]]
+Find = Callable[[Array, str, Progress], Found]
+
+
+class Points(Protocol):
+    """Points by their index: an array, or a line on disk."""
+
+    def __getitem__(self, indices: NDArray[np.int64], /) -> Array: ...
+
 
 # Side of the voxels of the first look, metres: a board of half a metre still has 25 of them.
 VOXEL = 0.1
@@ -66,6 +77,8 @@ def detect_planes(
     clouds: Mapping[str, Array],
     settings: FinderSettings,
     *,
+    lines: Mapping[str, Points] | None = None,
+    find: Find | None = None,
     most: int = MOST,
     progress: Progress = no_progress,
 ) -> tuple[DetectedPlane, ...]:
@@ -74,11 +87,22 @@ def detect_planes(
     Parameters
     ----------
     clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
-        Placed with the prior boresight.
+        Placed with the prior boresight; of lines on disk, a sample.
     settings : FinderSettings
+    lines : mapping of line name to points by their index, optional
+        What the indices of the planes mean; ``clouds`` where not given.
+    find : callable, optional
+        Seeks the plane at a seed, shape (3,), in all lines, in the named one first;
+        `find_in_lines` in ``clouds`` where not given.
     most : int
         Surfaces to follow through the lines.
     """
+    lines = clouds if lines is None else lines
+    find = find or (
+        lambda seed, line, step: find_in_lines(
+            clouds, seed, settings, first_line=line, progress=step
+        )
+    )
     voxel = voxel_for(settings.threshold, VOXEL)
     progress(0.0, "Looking for flat surfaces in every line")
     with ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds)))) as pool:
@@ -96,10 +120,10 @@ def detect_planes(
         step = part(progress, 0.4 + 0.6 * k / len(surfaces), 0.4 + 0.6 * (k + 1) / len(surfaces))
         # The middle of a surface may be a hole; a point of it is not.
         seed = patch.points[np.argmin(np.linalg.norm(patch.points - patch.centre, axis=1))]
-        if any(_holds(plane, clouds[line], line, seed, settings) for plane in detected):
+        if any(_holds(plane, lines[line], line, seed, settings) for plane in detected):
             continue
         try:
-            found, missing = find_in_lines(clouds, seed, settings, first_line=line, progress=step)
+            found, missing = find(seed, line, step)
         except TargetNotFound:
             continue
         if len(found) >= 2 and not any(_same(plane.found, found) for plane in detected):
@@ -150,12 +174,12 @@ def _one_surface(patch: FlatPatch, other: FlatPatch, same_line: bool) -> bool:
 
 
 def _holds(
-    plane: DetectedPlane, cloud: Array, line: str, seed: Array, settings: FinderSettings
+    plane: DetectedPlane, points: Points, line: str, seed: Array, settings: FinderSettings
 ) -> bool:
     patch = plane.found.get(line)
     if patch is None or abs(float(patch.plane.distances(seed))) > settings.threshold:
         return False
-    return float(np.linalg.norm(cloud[patch.indices] - seed, axis=1).min()) < VOXEL
+    return float(np.linalg.norm(points[patch.indices] - seed, axis=1).min()) < VOXEL
 
 
 def _same(first: Mapping[str, PlanePatch], second: Mapping[str, PlanePatch]) -> bool:

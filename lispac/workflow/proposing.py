@@ -13,10 +13,11 @@ from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Role, Target, Triple
-from lispac.targets.detection import DetectedPlane, detect_planes
+from lispac.targets.detection import DetectedPlane, Found, detect_planes
 from lispac.targets.finder import FinderSettings
 from lispac.validation.comparison import reciprocal
 from lispac.workflow.calibration import observations_of
+from lispac.workflow.seeking import planes_in_lines
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
@@ -60,10 +61,19 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     """
     threshold = project.settings.threshold
     noise = threshold / PLANAR
+    settings = FinderSettings(threshold=threshold)
+
+    def find(seed: Array, line: str, step: Progress) -> Found:
+        return planes_in_lines(survey.clouds, seed, settings, first_line=line, progress=step)
+
     planes = [
         plane
         for plane in detect_planes(
-            survey.clouds, FinderSettings(threshold=threshold), progress=part(progress, 0.0, 0.9)
+            {name: cloud.sample for name, cloud in survey.clouds.items()},
+            settings,
+            lines=survey.clouds,
+            find=find,
+            progress=part(progress, 0.0, 0.9),
         )
         if np.median([patch.rms for patch in plane.found.values()]) <= PLANAR * noise
     ]

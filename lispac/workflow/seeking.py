@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
 Array = NDArray[np.float64]
 Patch = PlanePatch | SpherePatch
+OnePatch = TypeVar("OnePatch", PlanePatch, SpherePatch)
 
 DEFAULT_RADII: dict[Role, tuple[float, ...]] = {"target": (2.0,), "validation": (4.0, 10.0, 20.0)}
 """Metres about the seed, tried in turn until two lines have the plane.
@@ -125,25 +127,42 @@ class Sought:
         ------
         TargetNotFound
         """
-        seed, reach = checked_seed(seed), settings.radius + settings.max_shift
-        regions = {name: cloud.within(seed, reach) for name, cloud in clouds.items()}
-        points = {name: found for name, (_, found) in regions.items()}
-        found: Mapping[str, Patch]
-        if self.shape == "sphere":
-            found, missing = find_spheres_in_lines(
-                points, seed, self.radii, settings, first_line=first_line, progress=progress
-            )
-        else:
-            found, missing = find_in_lines(
-                points, seed, settings, first_line=first_line, progress=progress
-            )
-        numbered: dict[str, Patch] = {}
-        for name, patch in found.items():
-            numbered[name] = _numbered(patch, regions[name][0])
-        return numbered, missing
+        if self.shape == "plane":
+            return planes_in_lines(clouds, seed, settings, first_line=first_line, progress=progress)
+        numbers, points = _regions(clouds, seed, settings)
+        found, missing = find_spheres_in_lines(
+            points, seed, self.radii, settings, first_line=first_line, progress=progress
+        )
+        return {name: _numbered(patch, numbers[name]) for name, patch in found.items()}, missing
 
 
-def _numbered(patch: Patch, numbers: NDArray[np.int64]) -> Patch:
+def planes_in_lines(
+    clouds: Mapping[str, Cloud],
+    seed: Array,
+    settings: FinderSettings,
+    *,
+    first_line: str | None = None,
+    progress: Progress = no_progress,
+) -> tuple[dict[str, PlanePatch], dict[str, str]]:
+    """As `Sought.in_lines`, for a plane."""
+    numbers, points = _regions(clouds, seed, settings)
+    found, missing = find_in_lines(points, seed, settings, first_line=first_line, progress=progress)
+    return {name: _numbered(patch, numbers[name]) for name, patch in found.items()}, missing
+
+
+def _regions(
+    clouds: Mapping[str, Cloud], seed: Array, settings: FinderSettings
+) -> tuple[dict[str, NDArray[np.int64]], dict[str, Array]]:
+    """Of each line what the target may be in: numbers and points."""
+    seed, reach = checked_seed(seed), settings.radius + settings.max_shift
+    regions = {name: cloud.within(seed, reach) for name, cloud in clouds.items()}
+    return (
+        {name: numbers for name, (numbers, _) in regions.items()},
+        {name: points for name, (_, points) in regions.items()},
+    )
+
+
+def _numbered(patch: OnePatch, numbers: NDArray[np.int64]) -> OnePatch:
     """The patch with the numbers of its points in the line, not in the region it was found in."""
     return replace(patch, indices=numbers[patch.indices])
 

@@ -1,0 +1,72 @@
+"""What is typed at the command line: numbers, triples of them, and names with a value."""
+
+import argparse
+import math
+import re
+from collections.abc import Sequence
+from decimal import Decimal
+
+
+def plain_numbers(words: Sequence[str]) -> list[str]:
+    """Write ``-1e-3`` as ``-0.001``: argparse takes the first for an named_value."""
+    return [
+        f"{Decimal(word):f}" if re.fullmatch(r"-\d*\.?\d+[eE][+-]?\d+", word) else word
+        for word in words
+    ]
+
+
+def named_value(text: str) -> tuple[str, str]:
+    """``NAME=VALUE``."""
+    name, separator, value = text.partition("=")
+    if not (name and separator):
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    return name.strip(), value.strip()
+
+
+def surface(text: str) -> float | str:
+    """A sigma, or ``auto``."""
+    return text if text == "auto" else not_negative(text)
+
+
+def json_option(parser: argparse.ArgumentParser) -> None:
+    """Let a command print JSON."""
+    parser.add_argument("--json", action="store_true", help="one JSON object on stdout")
+
+
+def triple(
+    parser: argparse.ArgumentParser,
+    name: str,
+    parts: tuple[str, str, str],
+    text: str,
+    *,
+    required: bool = False,
+) -> None:
+    """Let a command take three numbers."""
+    parser.add_argument(name, type=finite, nargs=3, metavar=parts, help=text, required=required)
+
+
+def finite(text: str) -> float:
+    """A number."""
+    try:
+        value = float(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(f"{text} is not a number") from error
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text} is not a finite number")
+    return value
+
+
+def positive(text: str) -> float:
+    """A number over zero."""
+    value = finite(text)
+    if not value > 0:
+        raise argparse.ArgumentTypeError(f"{text} is not larger than zero")
+    return value
+
+
+def not_negative(text: str) -> float:
+    """A number that is zero or more."""
+    value = finite(text)
+    if not value >= 0:
+        raise argparse.ArgumentTypeError(f"{text} is negative")
+    return value
