@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.cli.main import main
 from lispac.project import Project
 from lispac.targets.detection import detect_planes
 from lispac.targets.finder import FinderSettings
@@ -101,3 +102,10 @@ def test_natural_planes_are_detected(shared_data: Path, name: str, least: int) -
         print(name, plane.centre.round(2), round(plane.area, 1), len(plane.found))
         for patch in plane.found.values():
             assert patch.rms < 3 * 0.02
+
+
+def test_a_proposal_is_not_added_to_targets_of_ones_own(
+    copy: Project, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["propose", str(copy.folder), "--accept"]) == 1
+    assert "leave out --accept" in capsys.readouterr().err

@@ -18,6 +18,7 @@ from lispac.cli.georeference import georeference as georeference
 from lispac.cli.import_lines import import_lines as import_lines
 from lispac.cli.look import look as look
 from lispac.cli.pick import pick as pick
+from lispac.cli.propose import propose as propose
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.workflow import demo as demo_survey
 from lispac.workflow import projects

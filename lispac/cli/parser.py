@@ -30,6 +30,7 @@ def build_parser() -> argparse.ArgumentParser:
     _new(commands)
     _import(commands)
     _pick(commands)
+    _propose(commands)
     _estimate(commands)
     _validate(commands)
     _georeference(commands)
@@ -137,12 +138,7 @@ def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
     triple(pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True)
     pick.add_argument("--name", required=True, help="name of the target, e.g. T1")
     pick.add_argument("--role", choices=("target", "validation"), default="target")
-    pick.add_argument(
-        "--shape",
-        choices=("plane", "sphere"),
-        default="plane",
-        help="of the target (default plane)",
-    )
+    pick.add_argument("--shape", choices=("plane", "sphere"), default="plane", help="default plane")
     pick.add_argument(
         "--sphere-radius",
         type=positive,
@@ -160,6 +156,13 @@ def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
     pick.add_argument("--radius", type=positive, metavar="METRES", help="search radius")
     json_option(pick)
+
+
+def _propose(commands: "Commands[argparse.ArgumentParser]") -> None:
+    propose = _command(commands, "propose", "propose targets and validation planes, with reasons")
+    propose.add_argument("project", type=Path, metavar="PROJECT")
+    propose.add_argument("--accept", action="store_true", help="add them to the project")
+    json_option(propose)
 
 
 def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:

@@ -25,6 +25,8 @@ Array = NDArray[np.float64]
 MOST_TARGETS, LEAST_VALIDATION = 4, 4
 WORTH_IT = 0.85
 """A target that leaves more than this share of every sigma is left for validation."""
+LARGE = 2.0
+"""Square metres from which a plane is large enough for validation, where there are others."""
 PLANAR = 3.0
 """Times the noise: a plane with a larger RMS is proposed for nothing."""
 
@@ -208,6 +210,8 @@ def _opposite(plane: DetectedPlane, survey: Survey) -> bool:
 
 def _validation(planes: list[DetectedPlane], survey: Survey) -> list[DetectedPlane]:
     """The planes on opposite lines first, each next one the farthest from those before."""
+    large = [plane for plane in planes if plane.area >= LARGE]
+    planes = large if len(large) >= LEAST_VALIDATION else planes
     left = sorted(planes, key=lambda plane: (not _opposite(plane, survey), -plane.area))
     kept = left[:1]
     while len(left) > len(kept) and len(kept) < LEAST_VALIDATION + 1:

@@ -1,0 +1,48 @@
+"""The command that proposes targets and validation planes."""
+
+from argparse import Namespace
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.errors import ProjectError
+from lispac.workflow import projects
+from lispac.workflow.proposing import propose as proposal_for
+from lispac.workflow.survey import load_survey
+
+
+def propose(arguments: Namespace) -> None:
+    """Detect planes in all lines, say which to use and why, and add them where that is wanted."""
+    project = projects.open_project(arguments.project)
+    if arguments.accept and project.targets:
+        raise ProjectError(
+            f"{project.name}: it has targets of its own; leave out --accept to see the proposal, "
+            "or make a new project for it."
+        )
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+    with ConsoleProgress() as progress:
+        proposal = proposal_for(project, survey, progress=progress)
+    if arguments.accept:
+        for target in proposal.targets:
+            project = project.with_target(target)
+        projects.save_project(project)
+    sigma = dict(zip(ANGLES, (float(s) for s in np.degrees(proposal.sigma)), strict=True))
+    if arguments.json:
+        targets = [
+            {
+                "name": target.name, "role": target.role, "seed_m": list(target.seed),
+                "lines": {s.line: {"points": len(s.indices), "rms_m": s.rms}
+                          for s in target.sightings},
+                "reason": proposal.reasons[target.name],
+            }
+            for target in proposal.targets
+        ]  # fmt: skip
+        print_json({"targets": targets, "sigma_deg": sigma, "accepted": arguments.accept})
+        return
+    for target in proposal.targets:
+        north, west, up = target.seed
+        print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
+        print(f"     {proposal.reasons[target.name]}")
+    print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
