@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from lispac.errors import Cancelled, InputError
+from lispac.io.las import write_points
 from lispac.progress import no_progress
-from lispac.project import Project
+from lispac.project import LineSource, Project
 from lispac.survey import cloud as cloud_module
 from lispac.survey.cloud import CloudInMemory, CloudOnDisk
 from lispac.workflow import survey as survey_module
@@ -45,12 +46,18 @@ def stored(project: Project) -> Survey:
 
 def test_imported_lines_are_opened_where_they_lie(project: Project, stored: Survey) -> None:
     assert all(isinstance(cloud, CloudOnDisk) for cloud in stored.clouds.values())
-    # Without their files, too.
+    # Without their files, too, and that is said.
     line = project.lines[0]
     moved = line.path.with_suffix(".moved")
     line.path.rename(moved)
     try:
-        assert load_survey(project).lines == stored.lines
+        without = load_survey(project)
+        assert without.lines == stored.lines
+        assert any(f"{line.path} is not there" in note for note in without.notes)
+        elsewhere = replace(line, path=line.path.with_name("another.laz"))
+        renamed = replace(project, lines=(elsewhere, *project.lines[1:]))
+        with pytest.raises(InputError, match=r"another\.laz"):
+            load_survey(renamed)
     finally:
         moved.rename(line.path)
 
@@ -137,9 +144,9 @@ def test_large_line_is_imported_when_the_project_is_opened(
         tmp_path / "p", trajectory=source.trajectory, lines=source.lines[:2],
         settings=source.settings,
     )  # fmt: skip
-    sizes = [line.path.stat().st_size for line in project.lines]
     assert isinstance(load_survey(project).clouds[project.lines[0].name], CloudInMemory)
-    monkeypatch.setattr(survey_module, "LARGE", max(sizes) - 1)
+    counts = [len(calibrated[1].scans[line.name]) for line in project.lines]
+    monkeypatch.setattr(survey_module, "LARGE", max(counts) - 1)
     opened = load_survey(project)
     kinds = {name: type(cloud) for name, cloud in opened.clouds.items()}
     assert CloudOnDisk in kinds.values()
@@ -182,3 +189,41 @@ def test_new_project_of_large_lines_is_whole_or_leaves_nothing(
     made, survey = make()
     assert all(isinstance(cloud, CloudOnDisk) for cloud in survey.clouds.values())
     assert [item.seconds for item in import_lines(made)] == [0, 0]
+
+
+def test_file_mended_in_place_is_imported_again(
+    calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    source, path = calibrated[0], tmp_path / "own.las"
+    scan = calibrated[1].scans[source.lines[0].name]
+    points = np.array(scan.points_lidar)
+    write_points(path, points, scan.time)
+    project = create_project(
+        tmp_path / "p", trajectory=source.trajectory, lines=[LineSource("own", path)],
+        settings=source.settings,
+    )  # fmt: skip
+    import_lines(project)
+    changed = np.arange(100_000, 101_000)
+    points[changed] += [0.0, 0.0, 1.0]
+    size = path.stat().st_size
+    write_points(path, points, scan.time)
+    assert path.stat().st_size == size
+    found, _ = load_survey(project).scans["own"].take(changed)
+    np.testing.assert_allclose(found, points[changed], atol=1e-3)
+
+
+def test_folder_of_another_purpose_is_left_alone(
+    calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    source = calibrated[0]
+    line = source.lines[0]
+    project = create_project(
+        tmp_path / "p", trajectory=source.trajectory, lines=[line], settings=source.settings
+    )
+    own = line_folder(project, line) / "raw.part"
+    own.parent.mkdir(parents=True)
+    own.write_text("mine")
+    assert isinstance(load_survey(project).clouds[line.name], CloudInMemory)
+    import_lines(project)
+    assert isinstance(load_survey(project).clouds[line.name], CloudOnDisk)
+    assert own.read_text() == "mine"

@@ -52,6 +52,8 @@ def export(arguments: Namespace) -> None:
                     project, survey, arguments.output, arguments.boresight, system=system,
                     ending=form, names=names, progress=progress,
                 )  # fmt: skip
+                for note in () if system is None else system.assumptions:
+                    print(f"note: {note}", file=sys.stderr)
     if arguments.json:
         print_json({"files": [str(path) for path in paths]})
         return

@@ -189,6 +189,17 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
             )
 
 
+def point_count(path: Path) -> int:
+    """Points of a LAS or LAZ file, as its header says.
+
+    Raises
+    ------
+    InputError
+    """
+    with plainly(path, "LAS or LAZ"), _opened(path) as reader:
+        return int(reader.header.point_count)
+
+
 def _opened(path: Path) -> laspy.LasReader:
     require_sound_header(path)
     reader = laspy.open(path)

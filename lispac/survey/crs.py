@@ -229,6 +229,11 @@ def _settled(
     elif vertical is None and len(crs.axis_info) < 3:
         assumptions.append("the coordinate system names no heights: taken above the ellipsoid")
     if horizontal.is_geocentric:
+        if height:
+            raise InputError(
+                f"{_short(crs.name)}: earth-centred coordinates have no heights to choose; leave "
+                "the height out."
+            )
         grid = vertical = None
     source = (
         horizontal.to_3d() if vertical is None

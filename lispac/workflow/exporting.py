@@ -88,7 +88,7 @@ def export_targets(
                 _write_csv(temporary, own, placed, survey.lines, system)
             else:
                 _write_las(temporary, path, own, placed, system)
-    progress(1.0, "Targets written")
+        progress(1.0, "Targets written")
     return paths
 
 
@@ -146,7 +146,7 @@ def export_planes(
                 stack.enter_context(written_whole(path)), observations, target.name, points,
                 np.append(plane.normal, plane.d),
             )  # fmt: skip
-    progress(1.0, "Plane files written")
+        progress(1.0, "Plane files written")
     return paths
 
 

@@ -28,6 +28,8 @@ from lispac.workflow.reading import LAS_ENDINGS, local_trajectory
 
 Which = Literal["prior", "estimated"]
 Ending = Literal["laz", "las"]
+DOUBT = "Mistyped?"
+"""Begins what is said of a coordinate system that is not meant for the place."""
 LOCAL = "local"
 """Asks for the local frame instead of a coordinate system."""
 
@@ -126,10 +128,12 @@ def georeference_project(
     require_other_files(project, paths)
     way = PointMapper(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
+    gone: list[str] = []
     for chunks in chosen:
         if not chunks.line.path.exists() and chunks.line.name not in stores:
             stored = stored_line(project, chunks.line, trajectory)
             stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading.time_shift)
+            gone.append(chunks.line.name)
     sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
     written: list[Written] = []
     made = _missing_folders(output)
@@ -156,7 +160,14 @@ def georeference_project(
                     compressed=ending == "laz",
                     progress=step,
                 )
-                written.append(replace(done, notes=(*done.notes, *_said(target))))
+                notes = (*done.notes, *_said(target))
+                if chunks.line.name in gone:
+                    notes += (
+                        f"{chunks.line.name}: its file is not there; the points have all their "
+                        "attributes, but other records of the file's header, and the scaling and "
+                        "descriptions of its extra attributes, are not kept",
+                    )
+                written.append(replace(done, notes=notes))
             progress(1.0, "Lines written")
     except BaseException:
         for folder in made:
@@ -185,6 +196,11 @@ def chosen_system(
         Where there is none, or it is not known.
     """
     if text == LOCAL:
+        if height or trajectory_datum:
+            raise InputError(
+                "The local frame has heights and a datum of its own; give a coordinate system, "
+                "or neither heights nor a datum."
+            )
         return None
     if not text:
         raise InputError(
@@ -192,7 +208,30 @@ def chosen_system(
             f"({utm_zone(trajectory)} is the UTM zone of the trajectory), or {LOCAL} for the "
             "local frame (North, West, Up)."
         )
-    return coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
+    found = coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
+    return replace(found, assumptions=(*found.assumptions, *_far_away(found, trajectory)))
+
+
+BEYOND_AREA = 3.0
+"""Degrees beyond the area of a coordinate system that a survey may lie: half a UTM zone."""
+
+
+def _far_away(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[str, ...]:
+    """What is said where a coordinate system is meant for another part of the world."""
+    area = system.crs.area_of_use
+    if area is None:
+        return ()
+    latitude = math.degrees(trajectory.frame.latitude)
+    longitude = math.degrees(trajectory.frame.longitude)
+    width = (area.east - area.west) % 360 or 360.0
+    east = (longitude - area.west + BEYOND_AREA) % 360 <= width + 2 * BEYOND_AREA
+    if east and area.south - BEYOND_AREA <= latitude <= area.north + BEYOND_AREA:
+        return ()
+    return (
+        f"{DOUBT}: {system.name} is meant for {area.name.split('.')[0]}, and the trajectory is at "
+        f"latitude {latitude:.1f}, longitude {longitude:.1f} deg; {utm_zone(trajectory)} is the "
+        "UTM zone there",
+    )
 
 
 def _target(

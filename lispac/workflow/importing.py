@@ -158,8 +158,13 @@ def stored_line(project: Project, line: LineSource, trajectory: LocalTrajectory)
         )
     try:
         same = stored.is_of(line.path)
-    except OSError:
-        same = True  # the store needs its file no more
+    except FileNotFoundError:  # the store needs its file no more
+        same = line.path.name == Path(stored.manifest.original.path).name
+    except OSError as error:
+        raise InputError(
+            f"{line.path}: the file of {line.name} cannot be read ({error.strerror or error}), so "
+            "nothing tells whether it is still what was imported; bring it back, or take it away."
+        ) from error
     if not same:
         raise ProjectError(
             f"{line.name}: {line.path} has changed since it was imported; import it again."

@@ -8,21 +8,24 @@ from typing import Literal
 import numpy as np
 
 from lispac.errors import InputError
+from lispac.io.las_chunks import point_count
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
+from lispac.survey.store.layout import is_import
 from lispac.survey.time_base import matches, sentence
 from lispac.survey.time_quality import coverage
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.workflow.importing import import_line, line_folder
-from lispac.workflow.reading import local_trajectory, read_accuracy, read_line
+from lispac.workflow.reading import LAS_ENDINGS, local_trajectory, read_accuracy, read_line
 
-LARGE = 30_000_000
-"""Bytes; lines whose file is larger are imported into the project's store, smaller ones are read
-into memory whenever the project is opened. This is about 3 million points of LAZ, 200 MB in memory.
-"""
+LARGE = 4_000_000
+"""Points; lines with more are imported into the project's store, smaller ones are read into memory
+whenever the project is opened, with 64 bytes a point."""
+TEXT_POINT = 40
+"""Bytes that a point takes in a file that does not say how many there are, about."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,7 +134,12 @@ def _opened(
     if _belongs_on_disk(project, line):
         stored = import_line(project, line, trajectory, progress=progress).stored
         cloud = CloudOnDisk(stored, Georeferencer.of(trajectory, mounting))
-        return stored, cloud, stored.assumptions
+        said = stored.assumptions
+        if not line.path.exists():
+            said += (
+                f"{line.path} is not there; {line.name} is used as it was imported from it before",
+            )
+        return stored, cloud, said
     progress(0.0, f"Reading {line.path.name}")
     scan, said = _inside(read_line(line, trajectory, mounting), trajectory, line.path)
     progress(0.7, f"Georeferencing {line.name}")
@@ -140,9 +148,19 @@ def _opened(
 
 
 def _belongs_on_disk(project: Project, line: LineSource) -> bool:
-    if line_folder(project, line).is_dir():
+    if is_import(line_folder(project, line)):
         return True
-    return line.path.is_file() and line.path.stat().st_size > LARGE
+    return line.path.is_file() and _points_of(line.path) > LARGE
+
+
+def _points_of(path: Path) -> int:
+    """About how many points a line has; its reader says what is wrong with it."""
+    if path.suffix.lower() in LAS_ENDINGS:
+        try:
+            return point_count(path)
+        except InputError:
+            return 0
+    return path.stat().st_size // TEXT_POINT
 
 
 def _require_picked_on(project: Project, line: LineSource, scan: Line) -> None:

@@ -28,7 +28,7 @@ from lispac.workflow.export_request import (
     What,
     system_of,
 )
-from lispac.workflow.georeferencing import LOCAL, Which, common_system, utm_zone
+from lispac.workflow.georeferencing import DOUBT, LOCAL, Which, common_system, utm_zone
 
 THINGS: dict[What, str] = {
     "lines": "Georeferenced lines, all attributes kept",
@@ -128,14 +128,17 @@ class ExportDialog(QDialog):
     def request(self) -> ExportRequest:
         """What was asked for."""
         what, form = self._what, self._form
-        output = Path(self.folder.text().strip()).expanduser()
+        # A relative name is meant beside the project, not where the program was started.
+        output = self._project.folder / Path(self.folder.text().strip()).expanduser()
         if what == "trajectory":
             ending = ".out" if form == "sbet" else ".txt"
             output = output / f"{self._project.trajectory.stem}_export{ending}"
         which = list(BORESIGHTS)[self.boresight.currentIndex()]
-        return ExportRequest(
-            what, output, which, form, self._system_text, self.height.text().strip()
-        )
+        return ExportRequest(what, output, which, form, self._system_text, self._height)
+
+    @property
+    def _height(self) -> str:
+        return self.height.text().strip() if self.height.isEnabled() else ""
 
     @property
     def _what(self) -> What:
@@ -190,10 +193,13 @@ class ExportDialog(QDialog):
     def _judge(self) -> None:
         """Say what the coordinates mean, or what is wrong with them."""
         self._settle.stop()
+        local = self._system_text == LOCAL
+        self.height.setEnabled(not local)
         good = bool(self.folder.text().strip())
         if self._what in ("lines", "targets"):
             try:
-                text, role = self._meaning(), "muted"
+                text = self._meaning()
+                role = "error" if DOUBT in text else "muted"
             except LispacError as error:
                 text, role, good = str(error), "error", False
             self.said.setText(text)
@@ -203,7 +209,7 @@ class ExportDialog(QDialog):
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
 
     def _meaning(self) -> str:
-        height = self.height.text().strip()
+        height = self._height
         found = system_of(self._project, self._trajectory, self._system_text, height)
         if found is None:
             return "Metres North, West and Up from the project's origin."

@@ -286,12 +286,17 @@ def flushed(file: Any) -> None:
     os.fsync(file.fileno())
 
 
+def is_import(folder: Path) -> bool:
+    """Whether a line was imported into a folder, or an import into it was interrupted."""
+    return (folder / MANIFEST).exists() or (folder / SPOOL).is_dir()
+
+
 def remove_leftovers(folder: Path, keep: str = "") -> None:
     """Remove what interrupted imports left, but not the columns ``keep`` nor complete blocks."""
     for path in folder.glob(f"{COLUMNS}*"):
         if path.name != keep:
             shutil.rmtree(path, ignore_errors=True)
-    for path in (*folder.glob(f"*{PART}"), *(folder / SPOOL).glob(f"*{PART}")):
+    for path in (folder / f"{MANIFEST}{PART}", *(folder / SPOOL).glob(f"*{PART}")):
         path.unlink(missing_ok=True)
 
 
