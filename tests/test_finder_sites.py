@@ -21,7 +21,10 @@ from tests.test_finder import SharedSurvey
 from tests.test_simulation import placed
 
 SETTINGS = FinderSettings()
-OFF_DEG = [(0, 0, 0), (1, 1, 1), (2, -2, 2), (-2, 2, -2)]
+OFF_DEG = [
+    (0, 0, 0), (2, -2, 2),
+    *(pytest.param(off, marks=pytest.mark.long) for off in [(1, 1, 1), (-2, 2, -2)]),
+]  # fmt: skip
 AIMED = np.array([-0.3, 0.0, -0.25])  # metres: the click, off the middle of the target
 
 
@@ -99,10 +102,10 @@ def port() -> SimulatedSurvey:
 @pytest.mark.parametrize(
     "off_deg",
     [
-        (0, 0, 0), (1, 1, 1), (2, -2, 2), (0, 0, 2),
+        (0, 0, 0), (2, -2, 2),
         *(
             pytest.param(off, marks=pytest.mark.long)
-            for off in [(1, 0, 0), (0, 1, 0), (0, 0, 1), (2, 0, 0), (0, 2, 0), (0, 0, -2),
+            for off in [(1, 1, 1), (0, 0, 2), (1, 0, 0), (0, 1, 0), (0, 0, 1), (2, 0, 0), (0, 2, 0), (0, 0, -2),
                         (2, 2, 2), (-2, 2, -2), (-1, -1, 1)]
         ),
     ],
