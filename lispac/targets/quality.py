@@ -222,8 +222,8 @@ def _shape(placed: Array, off: Array, cell: float) -> tuple[float, bool, float]:
     bent = np.stack([*flat.T, x * x, x * y, y * y], axis=1)
     left = []
     for design in (flat, bent):
-        solved = np.linalg.lstsq(design * root[:, None], w * root, rcond=None)[0]
-        left.append(root * (w - design @ solved))
+        solved = _solved(design, w, count.astype(float))
+        left.append(root * (w - np.einsum("nk,k->n", design, solved)))
     _, _, _, xx, xy, yy = solved
     bends, directions = np.linalg.eigh(np.array([[2 * xx, xy], [xy, 2 * yy]]))
     lengths = np.ptp(placed @ directions, axis=0)
@@ -237,3 +237,17 @@ def _shape(placed: Array, off: Array, cell: float) -> tuple[float, bool, float]:
     beyond = smooth / freedom - within
     uneven = float(np.sqrt(max(beyond, 0.0) / np.mean(count)))
     return sagitta, curved, uneven
+
+
+def _solved(design: Array, values: Array, weights: Array) -> Array:
+    """Weighted least squares with a few unknowns, shape (k,).
+
+    Not by the matrix library's threads, which on a busy machine wait for each other far longer than
+    so little takes.
+    """
+    scale = np.maximum(np.abs(design).max(axis=0), 1e-12)
+    scaled = design / scale
+    normal = np.einsum("n,ni,nj->ij", weights, scaled, scaled)
+    right = np.einsum("n,ni,n->i", weights, scaled, values)
+    # Cells in one row leave a direction open; the shortest solution serves.
+    return np.asarray(np.linalg.lstsq(normal, right, rcond=1e-12)[0] / scale)
