@@ -169,6 +169,34 @@ class Component:
 
 
 @dataclass(frozen=True, eq=False)
+class Contradiction:
+    """A value of the mounting, not estimated, that the data contradict.
+
+    Attributes
+    ----------
+    name : str
+        A value of the mounting other than its angles.
+    change, sigma : float, radians, metres or seconds
+        What the data would add to the stated value.
+    moved : ndarray of shape (3,), radians
+        What roll, pitch, yaw would change by with it.
+    surface : float, metres
+        Sigma of the surfaces that would be left.
+    """
+
+    name: str
+    change: float
+    sigma: float
+    moved: Array
+    surface: float
+
+    @property
+    def w(self) -> float:
+        """Test value, a unit normal variable where the value is right."""
+        return self.change / self.sigma
+
+
+@dataclass(frozen=True, eq=False)
 class AdjustmentResult:
     """Boresight, its uncertainty, and how well the model fits.
 
@@ -197,6 +225,8 @@ class AdjustmentResult:
     elapsed : float, seconds
     left_out : int
         Points that stood out from their sighting and went into no average.
+    contradictions : tuple of Contradiction
+        Stated values that the data contradict; empty in thesis mode.
     """
 
     mounting: Mounting
@@ -220,6 +250,7 @@ class AdjustmentResult:
     components: tuple[Component, ...]
     elapsed: float
     left_out: int = 0
+    contradictions: tuple[Contradiction, ...] = ()
 
     @property
     def boresight(self) -> Array:

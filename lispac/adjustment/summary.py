@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.conditions import misclosures
 from lispac.adjustment.observability import observability
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.omitted import contradictions
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.reliability import reliability
@@ -92,6 +93,7 @@ def summary(
         components=components,
         elapsed=time.perf_counter() - started,
         left_out=observations.left_out,
+        contradictions=contradictions(linearised) if diagnostics and correlated else (),
     )
 
 

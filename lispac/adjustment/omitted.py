@@ -1,0 +1,71 @@
+"""Whether the data contradict a value of the mounting that was not estimated.
+
+A lever arm that is stated wrongly hides: the angles give way, and where they do not the surfaces
+seem to differ from line to line, so that every test against sigmas from the data passes. Hence the
+opposite question, a score test of each value that is held (Rao 1948): would the data rather have
+another one? The surfaces' sigma is taken anew with the value let go of, for it has swallowed the
+error.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import scipy.stats
+from numpy.typing import NDArray
+
+from lispac.adjustment.components import surface_sigma
+from lispac.adjustment.observability import unseen
+from lispac.adjustment.parameters import SWITCHED, Parameter
+from lispac.adjustment.problem import Linearised
+from lispac.adjustment.result import Contradiction
+
+Array = NDArray[np.float64]
+
+FAMILY = 0.01
+"""Chance that anything is called wrong where nothing is."""
+
+OF_CONSEQUENCE = 0.5
+"""Sigmas by which an angle would move at least for an error that is worth telling."""
+
+
+def contradictions(linearised: Linearised) -> tuple[Contradiction, ...]:
+    """Values that the data contradict, the most surprising first (correlated model).
+
+    What the geometry does not see is left alone, and so is what no angle feels.
+    """
+    problem = linearised.problem
+    estimated = {parameter.name for parameter in problem.parameters}
+    omitted = [Parameter(name) for name in SWITCHED if name not in estimated]
+    if problem.observations.pose_rate is None:
+        omitted = [parameter for parameter in omitted if parameter.name != "latency"]
+    if not omitted:
+        return ()
+    every = problem.with_parameters((*problem.parameters, *omitted))
+    all_let_go = every.linearised(linearised.state, linearised.loss)
+    sigma_now = np.sqrt(np.diag(linearised.normal.covariance)[:3])
+    critical = scipy.stats.norm.isf(FAMILY / 2 / len(SWITCHED))
+    found = []
+    for parameter in omitted:
+        let_go = _only(all_let_go, (*problem.parameters, parameter))
+        if any(hidden.name == parameter.name for hidden in unseen(let_go)):
+            continue
+        if problem.layout.surfaces and problem.model.surface is None:
+            let_go = let_go.of(let_go.problem.with_surface(surface_sigma(let_go)))
+        correction, _ = let_go.normal.solve()
+        k = int(np.searchsorted(let_go.problem.active, parameter.index))
+        change, sigma = float(correction[k]), float(np.sqrt(let_go.normal.covariance[k, k]))
+        moved = correction[:3]
+        if abs(change) > critical * sigma and (np.abs(moved) > OF_CONSEQUENCE * sigma_now).any():
+            found.append(
+                Contradiction(parameter.name, change, sigma, moved, let_go.problem.usual_surface)
+            )
+    return tuple(sorted(found, key=lambda each: -abs(each.w)))
+
+
+def _only(every: Linearised, parameters: tuple[Parameter, ...]) -> Linearised:
+    """The equations with some of the parameters, from sums with all of them."""
+    problem = every.problem.with_parameters(parameters)
+    columns = np.arange(every.sums.shape[1])
+    wanted = np.isin(every.problem.active, problem.active)
+    kept = np.r_[columns[: len(wanted)][wanted], columns[len(wanted) :]]
+    return replace(every, problem=problem, sums=every.sums[:, kept[:, None], kept])
