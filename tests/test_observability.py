@@ -168,6 +168,34 @@ def test_a_further_line_brings_what_was_foretold() -> None:
     assert "off the face of T1" in said
 
 
+def test_what_was_foretold_holds_with_a_latency_too() -> None:
+    """A latency is seen by how the platform moves, and the further line moves another way."""
+    courses, wanted = six_courses()[:2] + six_courses()[4:5], (Parameter("latency"),)
+    data, model = survey(courses=courses), StochasticModel(surface=0.0)
+    result = adjust(data, PRIOR, model, parameters=wanted)
+    lines = {round(np.degrees(line.heading)): line for line in further_lines(data, result)}
+    more = (*courses, replace(six_courses()[2], name="L9", time=courses[-1].time + 180.0))
+    sailed = adjust(survey(courses=more), PRIOR, model, parameters=wanted)
+    np.testing.assert_allclose(lines[45].sigma, sailed.sigma, rtol=0.05)
+
+
+def test_a_sighting_that_was_let_go_of_promises_nothing() -> None:
+    """The further line is foretold from the sightings that the answer rests on."""
+    from tests.test_robustness import shifted
+
+    clean = survey(courses=six_courses()[:5])
+    data, model = shifted(clean, 9, 0.3), StochasticModel(loss="tukey")
+    result = adjust(data, PRIOR, model)
+    assert result.suspects == (data.sightings[9],)
+    without = data.of_sightings(np.arange(len(data.sightings)) != 9)
+    plain = adjust(without, PRIOR, model)
+    told = {line.heading: line.sigma for line in further_lines(data, result)}
+    same = {line.heading: line.sigma for line in further_lines(without, plain)}
+    assert told.keys() == same.keys()
+    for heading, sigma in told.items():
+        np.testing.assert_allclose(sigma, same[heading], rtol=0.005)
+
+
 def test_where_no_line_helps_the_advice_says_so() -> None:
     twice = six_courses() + tuple(
         replace(c, name=f"{c.name}b", time=c.time + 600) for c in six_courses()

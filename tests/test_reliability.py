@@ -10,10 +10,11 @@ from lispac.adjustment.blunders import Blunder
 from lispac.adjustment.components import variance_components
 from lispac.adjustment.conditions import lidar_variance
 from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.iteration import iterate
 from lispac.adjustment.problem import Problem
 from lispac.adjustment.reliability import _local, _points, reliability, sighting_tests
 from lispac.adjustment.shapes import about, fit_shapes, middles
-from lispac.adjustment.solver import _iterate, adjust
+from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.progress import no_progress
 from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
@@ -31,7 +32,7 @@ def linearised():
     data = survey(1, 0.3)
     data = about(data, middles(data, PRIOR))
     problem = Problem.of(data, PRIOR, FIXED)
-    return _iterate(problem, problem.start(PRIOR, fit_shapes(data, PRIOR)), no_progress).linearised
+    return iterate(problem, problem.start(PRIOR, fit_shapes(data, PRIOR)), no_progress).linearised
 
 
 def dense(linearised):
@@ -82,7 +83,7 @@ def test_a_shift_is_what_the_adjustment_without_the_sightings_prior_finds(linear
     tests = sighting_tests(linearised)
     for s in (0, 5, 9):
         problem = Blunder("surface", (s,)).out_of(linearised.problem)
-        free = _iterate(problem, linearised.state, no_progress).linearised
+        free = iterate(problem, linearised.state, no_progress).linearised
         # Released with its tilts too, so nearly the same only
         offset = free.departures[s, 2]
         assert tests.shift[s] == pytest.approx(offset, abs=0.7 * tests.sigma[s])

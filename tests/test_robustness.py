@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment import solver
+from lispac.adjustment import iteration, solver
 from lispac.adjustment.blunders import Blunder
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.result import AdjustmentResult
@@ -130,8 +130,8 @@ def test_steps_that_foresee_the_weights_lead_where_plain_ones_do(loss) -> None:
     model = StochasticModel(loss=loss)
     quick = adjust(dirty, PRIOR, model, diagnostics=False)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(solver, "FORESEEN", -1)
-        patch.setattr(solver, "ANGLES_SETTLED", 1e-13)
+        patch.setattr(iteration, "FORESEEN", -1)
+        patch.setattr(iteration, "ANGLES_SETTLED", 1e-13)
         plain = adjust(dirty, PRIOR, model, diagnostics=False)
     assert plain.iterations > quick.iterations
     assert np.degrees(np.abs(quick.boresight - plain.boresight)).max() < 1e-9

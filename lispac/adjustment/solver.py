@@ -2,22 +2,22 @@
 
 import time
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adaptation import SCALE_SETTLED, differ, with_noise, with_surface
+from lispac.adjustment.adaptation import SCALE_SETTLED
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
 from lispac.adjustment.components import FACTORS, variance_components
+from lispac.adjustment.iteration import Solution, iterate
 from lispac.adjustment.noise import astray, at_target, noise_factors
 from lispac.adjustment.observability import require_determined, require_two_facings, unseen
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Estimate, Parameter
-from lispac.adjustment.problem import Linearised, Problem
+from lispac.adjustment.problem import Problem
 from lispac.adjustment.result import AdjustmentResult, Component
-from lispac.adjustment.robust import Loss
 from lispac.adjustment.shapes import (
     about,
     counted_from,
@@ -35,37 +35,13 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-MAX_ITERATIONS = 200
-ANGLES_SETTLED, OTHERS_SETTLED = 1e-11, 1e-8
-"""Largest change of an angle (rad) and of another unknown (rad, m, s) that is still to come."""
-
 MANY = 50_000
 """Points that lead near the answer; where there are more, all of them take the last steps only."""
-
-NEAR = 1e-5
-"""Change of an angle (rad) below which noise, surfaces and strays can be told apart."""
 
 COMPONENT_ROUNDS = 5
 
 RAISED = 1.05
 """Factor on a stated sigma below which raising it would change nothing worth telling."""
-
-PATIENCE, SLACK = 60, np.array([1e3, 1e5])
-"""After so many iterations larger changes will do: 1e-6 deg, and 1 mm of a sighting whose points
-hesitate between some weight and none."""
-
-NEARLY = 100
-"""Times the limits to go: a step that foresees nothing will do, and the sigmas come from it."""
-
-FORESEEN = 10
-"""Steps that foresee how the weights will change; where they do not settle, plain ones will."""
-
-FREELY = 10
-"""Iterations far from the answer in which the noise may fall again."""
-
-ADAPTATIONS = 12
-"""Times that noise and surfaces are taken from the data; a limit between two of their values would
-be crossed for ever."""
 
 MOST_RELEASED = 3
 """No more than one sighting in so many is let go of."""
@@ -157,7 +133,7 @@ def _adjusted(
     kept, held = _seen(problem, state)
     problem = problem.with_parameters(kept)
     if first is not few:
-        state = _iterate(problem, state, progress).state
+        state = iterate(problem, state, progress).state
         problem = Problem.of(few, mounting, model, kept)
         state = problem.start(state.mounting, state.shapes)
     solution, gone = _led_by_most(problem, state, progress)
@@ -175,6 +151,8 @@ def _adjusted(
     if len(few) < len(observations):
         observations = about(observations.with_sigmas(*factors), origins)
         solution = _completed(solution, observations, progress)
+    # Without what was let go of, the rest may not be enough.
+    require_determined(solution.linearised)
     return summary(
         solution.linearised, solution.state, fitted, origins,
         path=solution.path, held=held, components=found, diagnostics=diagnostics,
@@ -182,31 +160,21 @@ def _adjusted(
     )  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
-class Solution:
-    """Where the iterations ended."""
-
-    linearised: Linearised
-    state: State
-    path: Array
-
-
 def _seen(problem: Problem, state: State) -> tuple[tuple[Parameter, ...], tuple[Estimate, ...]]:
     """The parameters to estimate, and those the geometry hides; refuse a hopeless boresight."""
     linearised = problem.linearised(state)
-    hidden = unseen(linearised)
+    # Thesis mode would see with its sigmas what no geometry shows.
+    judged = linearised
+    if not problem.model.correlated:
+        shared = problem.with_shared_errors()
+        judged = shared.linearised(shared.start(state.mounting, state.shapes))
+    hidden = unseen(judged)
     held = {estimate.name for estimate in hidden if estimate.prior_sigma is None}
     kept = tuple(p for p in problem.parameters if p.name not in held)
     if held:
         linearised = problem.with_parameters(kept).linearised(state)
     require_determined(linearised)
     return kept, hidden
-
-
-def _to_come(change: Array, last: Array) -> Array:
-    """How far there still is to go if every change is to the next as the last to this one."""
-    rate = np.minimum(change / np.maximum(last, np.finfo(float).tiny), 0.5)
-    return np.asarray(change * rate / (1 - rate))
 
 
 def _sampled(observations: Observations) -> Observations:
@@ -232,7 +200,7 @@ def _completed(near: Solution, observations: Observations, progress: Progress) -
         noise = noise_factors(few, residuals, sample.blocks, mine, denser=denser)
         problem = replace(problem, noise=noise)
     state = problem.resumed(near.state, sample)
-    return _iterate(problem, state, progress, earlier=near.path, told=True)
+    return iterate(problem, state, progress, earlier=near.path, told=True)
 
 
 def _may_release(model: StochasticModel) -> bool:
@@ -256,7 +224,7 @@ def _led_by_most(
         for found in gone:
             without = found.out_of(without)
         with suppress(RankDeficient, NotConverged):  # then they are needed after all
-            solution = _iterate(without, start, progress)
+            solution = iterate(without, start, progress)
             plain = plainly_off(solution.linearised, gone)
             if plain == gone:
                 return solution, gone
@@ -265,8 +233,8 @@ def _led_by_most(
                 problem = found.back_in(problem)
             for found in plain:
                 problem = found.out_of(problem)
-            return _iterate(problem, solution.state, progress, earlier=solution.path), plain
-    return _iterate(problem, start, progress), []
+            return iterate(problem, solution.state, progress, earlier=solution.path), plain
+    return iterate(problem, start, progress), []
 
 
 def _without_blunders(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:
@@ -290,69 +258,7 @@ def _without_blunders(solution: Solution, gone: list[Blunder], progress: Progres
                 return solution
             gone.append(worst)
             problem = worst.out_of(here.problem)
-        solution = _iterate(problem, solution.state, progress, earlier=solution.path)
-
-
-def _iterate(
-    problem: Problem,
-    state: State,
-    progress: Progress,
-    earlier: Array | None = None,
-    *,
-    told: bool = False,
-) -> Solution:
-    """Iterate; ``told`` says that the sigmas from the data are in the problem already."""
-    final = Loss(problem.model.loss)
-    if not told:
-        problem = problem.with_blocks()
-    loss = final if told else final.start
-    weighted = final.name != "none"
-    settled = told or not (problem.model.correlated or weighted)
-    adaptations, steps, nearly = 0, 0, False
-    limits = np.array([ANGLES_SETTLED, OTHERS_SETTLED])
-    last = np.zeros(2)
-    path = [] if earlier is None else list(earlier)
-    for iteration in range(1, MAX_ITERATIONS + 1):
-        progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
-        # Weights that go with the residuals settle slowly unless the step foresees them.
-        foreseen = settled and weighted and not nearly and (told or steps > 0)
-        foreseen = foreseen and steps <= FORESEEN
-        try:
-            linearised = problem.linearised(state, loss, tangent=foreseen)
-            state, correction = linearised.step()
-        except (RankDeficient, np.linalg.LinAlgError):
-            if not foreseen:
-                raise
-            steps = FORESEEN + 1  # too far off for that
-            continue
-        path.append(state.mounting.boresight)
-        change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
-        if change[0] > NEAR:
-            if not settled:  # far from the answer all points are noisy
-                problem = with_noise(problem, state, falling=iteration <= FREELY)
-        elif not settled:
-            adapted = with_surface(with_noise(problem, state), linearised)
-            adaptations += 1
-            same = adaptations >= ADAPTATIONS or not differ(problem, adapted)
-            settled = loss == final and same
-            problem, loss = adapted, final
-        else:
-            steps += 1
-            ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
-            # A pass over many points is dear, so the last one is foretold; few tell it themselves.
-            to_come = _to_come(change, last)
-            left = to_come if told else change
-            nearly = bool((to_come < NEARLY * limits).all())
-            if (left < ease * limits).all():
-                if foreseen:  # the sigmas come from the weights as they are
-                    linearised = problem.linearised(state, loss)
-                return Solution(linearised, state, np.array(path))
-        last = change
-    raise NotConverged(
-        f"The adjustment did not settle in {MAX_ITERATIONS} iterations (last change "
-        f"{np.degrees(change[0]):.1e} deg of the angles, {change[1]:.1e} m of the rest); check "
-        "that each target is the same surface on every line, and the prior boresight."
-    )
+        solution = iterate(problem, solution.state, progress, earlier=solution.path)
 
 
 def _with_components(
@@ -377,7 +283,7 @@ def _with_components(
             break
         problem = solution.linearised.problem.with_sigmas(*factors)
         problem = problem.with_surface(found.rough * problem.usual_surface)
-        solution = _iterate(problem, solution.state, progress, earlier=solution.path)
+        solution = iterate(problem, solution.state, progress, earlier=solution.path)
     final = variance_components(solution.linearised)
     return (
         solution,

@@ -1,6 +1,6 @@
 """What a further line over the same targets would bring, before anybody sails it."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.problem import Problem
+from lispac.adjustment.problem import RELEASED, Problem
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.shapes import points_local
 from lispac.survey.georeferencing import to_lidar
@@ -45,7 +45,8 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
     """Every heading that sees a target, with the sigmas the survey would have then.
 
     The line passes the targets at the distance and height of those there are, on the same side.
-    Sigmas follow from the geometry alone: the same model and Jacobians as in the adjustment.
+    Sigmas follow from the geometry alone: the same model and Jacobians as in the adjustment. The
+    observations carry the sigmas that the result was found with (`AdjustmentResult.sigma_factors`).
     """
     shapes = np.stack([target.plane for target in result.targets])
     # What is held without a sigma takes no part; what no line sees keeps its stated one.
@@ -54,6 +55,8 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
         for each in result.parameters
         if each.value is not None or each.prior_sigma is not None
     )
+    suspects = set(result.suspects)
+    released = [k for k, s in enumerate(observations.sightings) if s in suspects]
     found = []
     with one_thread():
         for heading in HEADINGS:
@@ -63,6 +66,7 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
             problem = Problem.of(added, result.mounting, result.model, parameters)
             noise = np.array([target.noise for target in result.targets])
             problem = replace(problem, noise=noise).with_surface(max(result.surface, 1e-5))
+            problem = problem.with_surface_of(released, slice(0, 3), RELEASED)
             state = problem.start(result.mounting, shapes)
             information = problem.linearised(state).normal.information(3)
             sigma = np.sqrt(np.diag(np.linalg.inv(information)))
@@ -106,7 +110,8 @@ def _with_line(
     observations: Observations, result: AdjustmentResult, heading: float
 ) -> Observations | None:
     places = points_local(observations, result.mounting)
-    seen = [_best_sighting(observations, k) for k in range(len(observations.targets))]
+    suspects = set(result.suspects)
+    seen = [_best_sighting(observations, k, suspects) for k in range(len(observations.targets))]
     vessel = np.stack([observations.position[own].mean(axis=0) for own in seen])
     centres = np.stack([places[own].mean(axis=0) for own in seen])
     reach = float(np.median(np.linalg.norm((vessel - centres)[:, :2], axis=1)))
@@ -133,9 +138,11 @@ def _with_line(
         attitude[:] = [0.0, 0.0, heading]
         scan = to_lidar(points, Poses(position, attitude), result.mounting)
         part = observations.reordered(own)
+        rate = np.broadcast_to([*(SPEED * course), 0.0, 0.0, 0.0], (len(own), 6))
         parts.append(
             replace(
                 part, points_lidar=scan, position=position, attitude=attitude,
+                pose_rate=None if part.pose_rate is None else rate.copy(),
                 time=begin + along / SPEED,
                 sighting=np.full(len(own), len(observations.sightings) + len(sightings)),
             )
@@ -162,8 +169,12 @@ def _joined(
     )
 
 
-def _best_sighting(observations: Observations, target: int) -> NDArray[np.intp]:
+def _best_sighting(
+    observations: Observations, target: int, suspects: Collection[Sighting]
+) -> NDArray[np.intp]:
     own = np.flatnonzero(observations.target_of_sighting == target)
+    good = [k for k in own if observations.sightings[k] not in suspects]
+    own = np.array(good) if good else own
     most = own[int(np.argmax(observations.counts[own]))]
     return np.flatnonzero(observations.sighting == most)
 

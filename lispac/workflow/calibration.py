@@ -92,7 +92,6 @@ def observations_of(
     time = np.concatenate([times for _, times in taken])
     poses = survey.trajectory.at(time + settings.latency)
     sigma_position, sigma_attitude = survey.accuracy.at(time)
-    times_matter = any(parameter.name == "latency" for parameter in settings.parameters)
     observations = Observations(
         points_lidar=points,
         position=poses.position,
@@ -101,7 +100,7 @@ def observations_of(
         beam_sigmas=settings.lidar_beam_sigma is not None,
         sigma_position=sigma_position,
         sigma_attitude=sigma_attitude,
-        pose_rate=survey.trajectory.rate_at(time + settings.latency) if times_matter else None,
+        pose_rate=survey.trajectory.rate_at(time + settings.latency),
         latency=settings.latency,
         time=time,
         sighting=np.repeat(np.arange(len(sightings)), [len(i) for i in indices]),
@@ -247,6 +246,8 @@ def solve(
         accept_one_facing=settings.accept_one_facing,
         progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
     )
+    # A further line and the parts are judged by the sigmas of the whole.
+    observations = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability
     if seen is not None and (said := advice(observations, result)):
         said_too = replace(seen, sentences=(*seen.sentences, said))
@@ -254,8 +255,6 @@ def solve(
     solved = project.with_result(result)
     if not cross_check:
         return solved
-    # The parts are judged by the sigmas of the whole.
-    observations = observations.with_sigmas(*result.sigma_factors)
     checks = cross_checks(
         observations, prior, result, settings.parameters, progress=part(progress, 0.4, 1.0)
     )

@@ -1,0 +1,129 @@
+"""The iterations of the adjustment: step after step until what is still to come does not matter."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.adaptation import differ, with_noise, with_surface
+from lispac.adjustment.problem import Linearised, Problem
+from lispac.adjustment.robust import Loss
+from lispac.adjustment.sums import State
+from lispac.errors import NotConverged, RankDeficient
+from lispac.progress import Progress
+
+Array = NDArray[np.float64]
+
+MAX_ITERATIONS = 200
+ANGLES_SETTLED, OTHERS_SETTLED = 1e-11, 1e-8
+"""Largest change of an angle (rad) and of another unknown (rad, m, s) that is still to come."""
+
+NEAR = 1e-5
+"""Change of an angle (rad) below which noise, surfaces and strays can be told apart."""
+
+PATIENCE, SLACK = 60, np.array([1e3, 1e5])
+"""After so many iterations larger changes will do: 1e-6 deg, and 1 mm of a sighting whose points
+hesitate between some weight and none."""
+
+NEARLY = 100
+"""Times the limits to go: a step that foresees nothing will do, and the sigmas come from it."""
+
+FORESEEN = 10
+"""Steps that foresee how the weights will change; where they do not settle, plain ones will."""
+
+FREELY = 10
+"""Iterations far from the answer in which the noise may fall again."""
+
+ADAPTATIONS = 12
+"""Times that noise and surfaces are taken from the data; a limit between two of their values would
+be crossed for ever."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """Where the iterations ended."""
+
+    linearised: Linearised
+    state: State
+    path: Array
+
+
+def iterate(
+    problem: Problem,
+    state: State,
+    progress: Progress,
+    earlier: Array | None = None,
+    *,
+    told: bool = False,
+) -> Solution:
+    """Iterate until what is still to come does not matter.
+
+    Parameters
+    ----------
+    earlier : ndarray of shape (iterations, 3), radians, optional
+        Roll, pitch, yaw after the iterations before.
+    told : bool
+        Whether the sigmas from the data are in the problem already.
+
+    Raises
+    ------
+    NotConverged
+    RankDeficient
+    """
+    final = Loss(problem.model.loss)
+    if not told:
+        problem = problem.with_blocks()
+    loss = final if told else final.start
+    weighted = final.name != "none"
+    settled = told or not (problem.model.correlated or weighted)
+    adaptations, steps, nearly = 0, 0, False
+    limits = np.array([ANGLES_SETTLED, OTHERS_SETTLED])
+    last = np.zeros(2)
+    path = [] if earlier is None else list(earlier)
+    for iteration in range(1, MAX_ITERATIONS + 1):
+        progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
+        # Weights that go with the residuals settle slowly unless the step foresees them.
+        foreseen = settled and weighted and not nearly and (told or steps > 0)
+        foreseen = foreseen and steps <= FORESEEN
+        try:
+            linearised = problem.linearised(state, loss, tangent=foreseen)
+            state, correction = linearised.step()
+        except (RankDeficient, np.linalg.LinAlgError):
+            if not foreseen:
+                raise
+            steps = FORESEEN + 1  # too far off for that
+            continue
+        path.append(state.mounting.boresight)
+        change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
+        if change[0] > NEAR:
+            if not settled:  # far from the answer all points are noisy
+                problem = with_noise(problem, state, falling=iteration <= FREELY)
+        elif not settled:
+            adapted = with_surface(with_noise(problem, state), linearised)
+            adaptations += 1
+            same = adaptations >= ADAPTATIONS or not differ(problem, adapted)
+            settled = loss == final and same
+            problem, loss = adapted, final
+        else:
+            steps += 1
+            ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
+            # A pass over many points is dear, so the last one is foretold; few tell it themselves.
+            to_come = _to_come(change, last)
+            left = to_come if told else change
+            nearly = bool((to_come < NEARLY * limits).all())
+            if (left < ease * limits).all():
+                if foreseen:  # the sigmas come from the weights as they are
+                    linearised = problem.linearised(state, loss)
+                return Solution(linearised, state, np.array(path))
+        last = change
+    raise NotConverged(
+        f"The adjustment did not settle in {MAX_ITERATIONS} iterations (last change "
+        f"{np.degrees(change[0]):.1e} deg of the angles, {change[1]:.1e} m of the rest); check "
+        "that each target is the same surface on every line, and the prior boresight."
+    )
+
+
+def _to_come(change: Array, last: Array) -> Array:
+    """How far there still is to go if every change is to the next as the last to this one."""
+    rate = np.minimum(change / np.maximum(last, np.finfo(float).tiny), 0.5)
+    return np.asarray(change * rate / (1 - rate))
