@@ -286,7 +286,7 @@ def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed:
     unseen = Estimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
     content = changed(covariance_all=large, parameters=(unseen,))
     said = _caution(content, "large_sigma")
-    assert "roll to 0.50 deg" in said
+    assert "roll to 0.50\u00a0deg" in said
     assert "scan-angle offset" in said
     assert not [c for c in changed().cautions if c.code == "large_sigma"]
 

@@ -84,7 +84,7 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     printed = capsys.readouterr().out
     assert "\nSpread, one line left out " in printed
     assert printed.count("half") == 2
-    assert "\nFirst half less second half: differs" in printed
+    assert "by more than chance explains: first half less second half (roll " in printed
     assert "Spread,<br>one line left out" in spread_words(checks)
     names = [name for name, _ in named_parts(checks)]
     assert names == [row.cells[0].text for row in check_rows(checks)]
@@ -96,7 +96,10 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
 
 def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> None:
     result = sample[0]
-    one = replace(result, targets=result.targets[:1], sightings=result.sightings[:1], left_out=1)
+    one = replace(
+        result, targets=result.targets[:1], sightings=result.sightings[:1],
+        reliability=result.reliability[:1], left_out=1,
+    )  # fmt: skip
     print_result(one, None)
     printed = capsys.readouterr().out
     assert "1 sighting, 1 target, " in printed

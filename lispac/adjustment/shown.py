@@ -1,10 +1,11 @@
 """How an adjustment is told to people, alike in the window, the report and the command line."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
-from lispac.adjustment.result import CrossCheck, CrossChecks
+from lispac.adjustment.result import CrossCheck, CrossChecks, SightingReliability
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,9 @@ STATED: Mapping[str, tuple[float, str]] = {
 }
 """Factor from what is stored to what is typed in a terminal and written as JSON, and its unit."""
 
+UNCHECKED = 1.0
+"""Metres: a shift that has to be larger to be found is not checked by anything."""
+
 SPREAD_LINES = "Spread, one line left out"
 SPREAD_TARGETS = "Spread, one target left out"
 HALVES = "First half less second half"
@@ -58,3 +62,60 @@ def named_parts(checks: CrossChecks) -> Iterator[tuple[str, CrossCheck]]:
         yield HALVES, halves[0]
         return
     yield from ((f"{half.without.capitalize()} half alone", half) for half in halves)
+
+
+def parameter(name: str) -> str:
+    """A value of the mounting in words; an angle's name is its own."""
+    if name not in QUANTITIES:
+        return name
+    words = QUANTITIES[name].title
+    return words[0].lower() + words[1:]
+
+
+def capitalised(text: str) -> str:
+    """The text with a capital first letter, all others as they are."""
+    return text[:1].upper() + text[1:]
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names as in a sentence: a, b and c."""
+    *head, last = names
+    return f"{', '.join(head)} and {last}" if head else last
+
+
+def minus(text: str) -> str:
+    """The text with true minus signs."""
+    # A hyphen is easily overlooked in print, and a line may break after it.
+    return text.replace("-", "\u2212")
+
+
+def plain(text: str) -> str:
+    """The text without true minus signs and fixed spaces, which not every terminal can show."""
+    return text.replace("\u2212", "-").replace("\u00a0", " ")
+
+
+def signed(value: float, decimals: int) -> str:
+    """A number that always shows its sign."""
+    return minus(f"{value:+.{decimals}f}")
+
+
+def mm(metres: float) -> str:
+    """Metres as millimetres, one decimal."""
+    return f"{1000 * metres:,.1f}"
+
+
+def times(factor: float) -> str:
+    """How many times something is as large as something else."""
+    return f"{factor:.1f}\u00a0times"
+
+
+Standing = Literal["left out", "not checked", "disagrees", "agrees"]
+
+
+def standing(item: SightingReliability, critical: float) -> Standing:
+    """How a sighting stands with the others; ``critical`` is the largest test value by chance."""
+    if item.released:
+        return "left out"
+    if not item.detectable < UNCHECKED:
+        return "not checked"
+    return "disagrees" if abs(item.w) > critical else "agrees"

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.doubts import doubts
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.result import (
     ANGLES,
@@ -22,7 +23,6 @@ from lispac.adjustment.shown import (
     SPREAD_TARGETS,
     STATED,
     counted,
-    named_parts,
 )
 from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
@@ -36,9 +36,6 @@ DEFAULT_LIDAR_SIGMA = 0.005
 
 LABEL = 29
 """Characters before the numbers."""
-
-NOISY = 30.0
-"""Noise over the stated one that is worth a line; rough ground may have half of it."""
 
 
 def estimate(arguments: Namespace) -> None:
@@ -211,6 +208,10 @@ def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, A
             for c in result.components
         },
         "cross_checks": checks and _checks(checks),
+        "doubts": [
+            {"code": each.code, "serious": each.serious, "text": each.plain}
+            for each in doubts(result, checks)
+        ],
     }
 
 
@@ -298,10 +299,6 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
         f"variance factor {result.variance_factor:.3f}, chi-square {chi_square.statistic:.1f} "
         f"({chi_square.lower:.1f} to {chi_square.upper:.1f}: {verdict})"
     )
-    if not result.model.correlated:
-        print("POS errors are taken as independent (thesis mode): the sigmas are too small")
-    elif result.model.surface == 0:
-        print("The surface sigma is held at 0: sightings are not tested against each other")
     print(
         f"RMS to the joint surfaces {result.rms_before * 1000:.1f} mm before, "
         f"{result.rms_after * 1000:.1f} mm after"
@@ -310,32 +307,11 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
         print(_component_line(component))
     for sentence in result.observability.sentences if result.observability else ():
         print(sentence)
-    for target in result.targets:
-        if target.noise > NOISY:
-            print(
-                f"{target.target}: its points scatter {target.noise:.0f} times as much as stated "
-                "and count for little; is it the same surface on every line?"
-            )
-    for item in result.reliability:
-        if item.released:
-            print(
-                f"{item.sighting.target} on line {item.sighting.line} lies "
-                f"{abs(item.shift) * 1000:.0f} mm off what the others say (w = {item.w:.1f}): "
-                "left out of the answer"
-            )
-    for line in result.suspect_lines:
-        print(
-            f"Every target is off on line {line}: the position may have jumped there, or targets "
-            "are mixed up"
-        )
-    for what, part in named_parts(checks) if checks else ():
-        if not part.disagrees or part.difference is None:
-            continue
-        off = ", ".join(
-            f"{name} {value:+.3f}"
-            for name, value in zip(ANGLES, np.degrees(part.difference), strict=True)
-        )
-        print(f"{what}: differs by more than chance explains ({off} deg)")
+    found = doubts(result, checks)
+    if found:
+        print("\nTo know before using the angles:")
+    for doubt in found:
+        print(f"- {doubt.plain}")
 
 
 def _model_words(result: AdjustmentResult) -> str:

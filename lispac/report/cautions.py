@@ -1,41 +1,50 @@
 """What the reader of a report must be told before the figures.
 
-One rule a function; each looks at the content only, so that a report and a test see the same.
+Doubts about the answer are those of the window and the command line; the rules here look at the
+content only, so that a report and a test see the same. One rule a function.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from lispac.report.quality_cautions import cross_check_cautions, quality_cautions
+from lispac.adjustment.doubts import Doubt
 from lispac.report.values import (
     Caution,
     Chi2,
+    ExtraParameter,
     ReportContent,
-    TargetFit,
     ValidationPlane,
     mild,
     serious,
 )
-from lispac.report.wording import listed, parameter, signed, title
+from lispac.report.wording import listed, parameter, quantity, title
 
-LARGE_SIGMA_DEG = 0.1
-"""An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
-
-HIGH_CORRELATION = 0.9
-"""Beyond it two angles are told apart mostly by their sum or difference."""
+ELSEWHERE = {"cross_check": "See the section on cross-checks."}
+"""Where the report says more of a doubt, by its code."""
 
 
-def cautions_of(content: ReportContent) -> tuple[Caution, ...]:
-    """Everything to be told, serious things first."""
+def cautions_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Caution, ...]:
+    """Everything to be told, serious things first: doubts about the answer, and the report's own.
+
+    Parameters
+    ----------
+    doubts : of the answer, as the window and the command line tell them
+    """
     found = [
         *_calibration(content),
         *_fit(content),
-        *quality_cautions(content),
-        *cross_check_cautions(content),
+        *_doubts(doubts),
+        *_parameters(content),
         *_targets(content),
         *_validation(content),
         *_files(content),
     ]
     return tuple(sorted(found, key=lambda caution: caution.severity != "serious"))
+
+
+def _doubts(doubts: Sequence[Doubt]) -> Iterator[Caution]:
+    for doubt in doubts:
+        words = f"{doubt.text} {ELSEWHERE.get(doubt.code, '')}".rstrip()
+        yield (serious if doubt.serious else mild)(doubt.code, words)
 
 
 def _calibration(content: ReportContent) -> Iterator[Caution]:
@@ -71,66 +80,24 @@ def _fit(content: ReportContent) -> Iterator[Caution]:
     independent = content.settings.pos_errors == "independent"
     noisy = any(target.noise_factor > 1 for target in content.adjustment.targets)
     yield from _chi_square(content.adjustment.chi_square, independent, noisy)
-    yield from _large_sigmas(content)
-    if content.adjustment.one_facing:
-        yield _one_facing(content.adjustment.targets)
-    if independent:
-        yield serious(
-            "independent_pos_errors",
-            "The stated sigmas of the angles are too small: every point was given POS errors of "
-            "its own, while in truth neighbouring points share theirs. Choose the correlated "
-            "model for sigmas to rely on.",
+
+
+def _parameters(content: ReportContent) -> Iterator[Caution]:
+    for found in content.adjustment.parameters if content.adjustment else ():
+        yield from _parameter(found)
+
+
+def _parameter(found: ExtraParameter) -> Iterator[Caution]:
+    if found.value is None:
+        advice = "" if found.prior_sigma is not None else " Do not estimate it."
+        yield mild("parameter_not_seen", found.reason + advice)
+    elif not found.significant:
+        change = quantity(found.name, found.value - found.prior, sign=True)
+        yield mild(
+            "parameter_not_significant",
+            f"{title(parameter(found.name))} does not earn its place: its change of {change} is "
+            "within what chance explains. Hold it at the stated value.",
         )
-    matrix, names = content.adjustment.correlation_all, content.adjustment.estimated
-    for i, first in enumerate(names):
-        for j in range(i + 1, len(names)):
-            if abs(matrix[i][j]) > HIGH_CORRELATION:
-                advice = (
-                    "a target of another inclination or lines in other directions would help"
-                    if j < len(content.angles)
-                    else "state how well the prior value is known, or hold it"
-                )
-                yield mild(
-                    "high_correlation",
-                    f"{title(parameter(first))} and {parameter(names[j])} are hardly told apart "
-                    f"(correlation {signed(matrix[i][j], 2)}): {advice}.",
-                )
-
-
-def _one_facing(targets: tuple[TargetFit, ...]) -> Caution:
-    headings = "the headings of the lines alone tell the angles apart"
-    remedy = "Add a target of another inclination."
-    if len(targets) == 1:
-        return serious(
-            "one_target",
-            f"{targets[0].target} is the only target: {headings}, and nothing shows whether it is "
-            f"bent or moved. {remedy}",
-        )
-    return serious("one_facing", f"All targets face the same way: {headings}. {remedy}")
-
-
-def _large_sigmas(content: ReportContent) -> Iterator[Caution]:
-    large = [
-        f"{angle.name} to {angle.sigma_deg:.2f} deg"
-        for angle in content.angles
-        if angle.sigma_deg is not None and angle.sigma_deg > LARGE_SIGMA_DEG
-    ]
-    if not large:
-        return
-    assert content.adjustment is not None
-    unseen = [
-        parameter(each.name)
-        for each in content.adjustment.parameters
-        if each.value is None and each.prior_sigma is not None
-    ]
-    because = (
-        f" What these lines and targets do not see goes into it: {listed(unseen)}. Know it better, "
-        "or hold it."
-        if unseen
-        else " Add targets of other inclinations, or lines in other directions."
-    )
-    known = listed(large)
-    yield serious("large_sigma", f"Known only with a large sigma: {known} (1 sigma).{because}")
 
 
 def _chi_square(test: Chi2, independent: bool, noisy: bool) -> Iterator[Caution]:

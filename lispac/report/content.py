@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 import lispac
 from lispac.adjustment.critical import critical_w
+from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
@@ -109,7 +110,8 @@ def report_content(
         files=_files(project, progress),
         notes=tuple(notes),
     )
-    return replace(content, cautions=cautions_of(content))
+    found = doubts(project.result, project.cross_checks) if project.result else ()
+    return replace(content, cautions=cautions_of(content, found))
 
 
 def _files(project: Project, progress: Progress) -> tuple[InputFile, ...]:

@@ -14,7 +14,7 @@ from lispac.adjustment.result import (
     Observability,
     SightingReliability,
 )
-from lispac.adjustment.shown import STATED
+from lispac.adjustment.shown import STATED, UNCHECKED, standing
 from lispac.report.values import (
     CheckedPart,
     CrossChecked,
@@ -26,9 +26,6 @@ from lispac.report.values import (
 
 SIGNIFICANT = 1.96
 """Standard deviations that a change by chance exceeds one time in twenty."""
-
-UNCHECKED = 1.0
-"""Metres: a shift that has to be larger to be found is not checked by anything."""
 
 
 def number(value: float) -> float | None:
@@ -95,12 +92,6 @@ def reliability_of(result: AdjustmentResult) -> tuple[SightingCheck, ...]:
 
 def _sighting(item: SightingReliability, points: int, critical: float) -> SightingCheck:
     checked = bool(item.detectable < UNCHECKED)
-    if item.released:
-        words = "left out"
-    elif not checked:
-        words = "not checked"
-    else:
-        words = "disagrees" if abs(item.w) > critical else "agrees"
     return SightingCheck(
         target=item.sighting.target,
         line=item.sighting.line,
@@ -115,7 +106,7 @@ def _sighting(item: SightingReliability, points: int, critical: float) -> Sighti
         point_detectable_m=number(item.point_detectable),
         weight=item.weight,
         released=item.released,
-        in_words=words,
+        in_words=standing(item, critical),
         pos_error_m=_floats(item.pos_error[:3]),
         pos_sigma_m=_floats(item.pos_sigma[:3]),
         pos_sigma_after_m=_floats(item.pos_sigma_after[:3]),

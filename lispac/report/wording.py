@@ -3,8 +3,24 @@
 from collections.abc import Callable, Sequence
 from datetime import datetime
 
-from lispac.adjustment.shown import HALVES, QUANTITIES, STATED
+from lispac.adjustment.shown import (
+    HALVES,
+    QUANTITIES,
+    STATED,
+    listed,
+    minus,
+    mm,
+    parameter,
+    signed,
+    times,
+)
+from lispac.adjustment.shown import capitalised as title
 from lispac.report.values import CheckedPart, CrossChecked
+
+__all__ = [
+    "UNKNOWN", "angle", "count", "heading", "known", "listed", "minus", "mm", "moment",
+    "named_parts", "origin", "parameter", "quantity", "signed", "times", "title", "triple",
+]  # fmt: skip
 
 UNKNOWN = "\u2013"
 
@@ -12,17 +28,6 @@ UNKNOWN = "\u2013"
 def known(value: float | None, formatted: Callable[[float], str], unknown: str = UNKNOWN) -> str:
     """The value in words, or a dash where it is not known."""
     return unknown if value is None else formatted(value)
-
-
-def minus(text: str) -> str:
-    """The text with true minus signs."""
-    # A hyphen is easily overlooked in print, and a line may break after it.
-    return text.replace("-", "\u2212")
-
-
-def signed(value: float, decimals: int) -> str:
-    """A number that always shows its sign."""
-    return minus(f"{value:+.{decimals}f}")
 
 
 def angle(value: float) -> str:
@@ -33,11 +38,6 @@ def angle(value: float) -> str:
 def heading(value: float) -> str:
     """A heading in degrees, 0 to 360."""
     return f"{value % 360:.1f}"
-
-
-def mm(metres: float) -> str:
-    """Metres as millimetres, one decimal."""
-    return f"{1000 * metres:,.1f}"
 
 
 def triple(values: Sequence[float], decimals: int) -> str:
@@ -51,25 +51,6 @@ def origin(origin: Sequence[float] | None) -> str:
         return "mean of the trajectory"
     latitude, longitude, height = origin
     return minus(f"latitude {latitude:.8f} deg, longitude {longitude:.8f} deg, {height:.3f} m")
-
-
-def listed(names: Sequence[str]) -> str:
-    """Names as in a sentence: a, b and c."""
-    *head, last = names
-    return f"{', '.join(head)} and {last}" if head else last
-
-
-def parameter(name: str) -> str:
-    """A value of the mounting in words; an angle's name is its own."""
-    if name not in QUANTITIES:
-        return name
-    words = QUANTITIES[name].title
-    return words[0].lower() + words[1:]
-
-
-def title(text: str) -> str:
-    """The text with a capital first letter, all others as they are."""
-    return text[:1].upper() + text[1:]
 
 
 def named_parts(checks: CrossChecked) -> list[tuple[str, CheckedPart]]:
@@ -86,11 +67,6 @@ def quantity(name: str, value: float, *, sign: bool = False) -> str:
     shown, (stated, _) = QUANTITIES[name], STATED[name]
     number = shown.factor / stated * value
     return minus(f"{number:{'+' if sign else ''}.{shown.decimals}f}\u00a0{shown.unit}")
-
-
-def times(factor: float) -> str:
-    """How many times something is as large as something else."""
-    return f"{factor:.1f}\u00a0times"
 
 
 def count(number: int, what: str) -> str:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from lispac.adjustment.critical import critical_w
+from lispac.adjustment.doubts import MUCH_NOISE
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import (
     AdjustmentResult,
@@ -12,7 +13,7 @@ from lispac.adjustment.result import (
     SightingReliability,
     SightingResidual,
 )
-from lispac.adjustment.shown import SPREAD_LINES, SPREAD_TARGETS, named_parts
+from lispac.adjustment.shown import SPREAD_LINES, SPREAD_TARGETS, named_parts, standing
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number
 from lispac.gui.panels.result_words import significance_words
@@ -74,8 +75,6 @@ PARAMETERS = (
     Column("in σ", "Change from the prior over its standard deviation"),
     Column("Remark", "Whether it earns its place, or why there is no number", True),
 )
-ROUGH = 1.5
-"""Noise factor from which a surface is called rough."""
 
 
 def sighting_rows(result: AdjustmentResult) -> list[Row]:
@@ -99,7 +98,7 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
     names = [Cell(sighting.target), Cell(sighting.line)]
     if test is None:
         return Row([*names, *fit, *[number(None, "")] * 8, Cell("no test")], key, tip=FOLLOW)
-    remark, odd = "", abs(test.w) > critical
+    remark, odd = "", standing(test, critical) == "disagrees"
     if test.released:
         remark = "released: disagrees"
     elif odd:
@@ -141,7 +140,7 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
         tests = [r for r in result.reliability if r.sighting.target == target.target]
         released = [r.sighting.line for r in tests if r.released]
         lines = sum(s.sighting.target == target.target for s in result.sightings)
-        rough = target.noise > ROUGH
+        rough = target.noise > MUCH_NOISE
         remark = "rougher than stated" if rough else ""
         if released:
             remark = f"released on {', '.join(released)}"

@@ -1,16 +1,18 @@
 """What a result says besides its angles, in words: warnings, extra parameters, the fit."""
 
-from lispac.adjustment.observations import Sighting
+from lispac.adjustment.doubts import doubts
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.shown import counted, named_parts
+from lispac.adjustment.shown import counted
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.theme import DONE, MUTED, WARNING
 
-THESIS = (
-    "Thesis mode: every point is taken to have a POS error of its own. The sigmas of the angles "
-    "are several times too small; use them for comparison only."
-)
+ELSEWHERE = {
+    "released": "Leave a sighting out if its points are of another surface.",
+    "cross_check": "See the cross-checks under Diagnostics.",
+}
+"""What the window can do about a doubt, by its code."""
+
 LEAST_SURFACE = 5e-5
 """Metres: below it a surface sigma shows as 0.0 mm."""
 
@@ -18,39 +20,11 @@ EARNS = 3.0
 """Standard deviations a value has to move to earn its place."""
 
 
-def sighting_name(sighting: Sighting) -> str:
-    """``T1 on L2``."""
-    return f"{sighting.target} on {sighting.line}"
-
-
 def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
-    """What the user has to know before using the angles."""
-    found = [] if result.model.correlated else [THESIS]
-    if result.model.correlated and result.model.surface == 0:
-        found.append(
-            "The surface sigma is held at 0, so no sighting is tested against the others; take it "
-            "from the data to have them tested."
-        )
-    if result.suspects:
-        names = ", ".join(sighting_name(sighting) for sighting in result.suspects)
-        found.append(
-            f"Does not agree with the others and is not held to its target: {names}. Look at its "
-            "points, and leave it out if they are of another surface."
-        )
-    if result.suspect_lines:
-        found.append(
-            f"Every target is off on line {', '.join(result.suspect_lines)}: the position may have "
-            "jumped there, or targets are mixed up. Look at the trajectory's quality at that time, "
-            "and at which target was picked."
-        )
-    odd = [name for name, part in named_parts(checks) if part.disagrees] if checks else []
-    if odd:
-        names = ", ".join(name[0].lower() + name[1:] for name in odd)
-        found.append(
-            f"Parts of the data disagree with the whole by more than chance: {names}. See the "
-            "cross-checks under Diagnostics."
-        )
-    return found
+    """What the user has to know before using the angles, as the report and the terminal say it."""
+    return [
+        f"{doubt.text} {ELSEWHERE.get(doubt.code, '')}".rstrip() for doubt in doubts(result, checks)
+    ]
 
 
 def taking_part(result: AdjustmentResult) -> str:

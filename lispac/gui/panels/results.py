@@ -1,6 +1,7 @@
 """The answer: angles, their uncertainty, and how well the model fits."""
 
 from collections.abc import Sequence
+from html import escape
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.adjustment.doubts import HIGH_CORRELATION
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.gui import theme
@@ -96,6 +98,7 @@ class ResultsPanel(QWidget):
         around.addWidget(self._body)
         layout = widgets.column(self._body, 0)
         self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings")
+        self.warnings.setTextFormat(Qt.TextFormat.RichText)
         layout.addWidget(self.warnings)
         layout.addWidget(widgets.label("Boresight, degrees", "heading"))
         self.angles = _table("angles_table", 4)
@@ -132,7 +135,7 @@ class ResultsPanel(QWidget):
 
     def _fill_words(self, project: Project, result: AdjustmentResult) -> None:
         warnings = result_words.warnings(result, project.cross_checks)
-        self.warnings.setText("<br><br>".join(warnings))
+        self.warnings.setText("<br><br>".join(escape(each) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)
         self.parameters.setText(rows)
@@ -248,7 +251,7 @@ def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
             item = table.item(row, column)
             value = float(result.correlation[row, column])
             item.setBackground(QBrush(_heat(value)))
-            if row != column and abs(value) > 0.9:
+            if row != column and abs(value) > HIGH_CORRELATION:
                 item.setToolTip(
                     "These two angles are hardly told apart: add a target that faces elsewhere"
                 )

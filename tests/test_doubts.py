@@ -1,0 +1,189 @@
+"""The same doubts, in the same words, on the command line, in the window and in the report."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.doubts import RULES, doubts
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.cli.estimate import numbers, print_result
+from lispac.gui.panels import result_words
+from lispac.project import Project
+from tests.report_sample import sample_content, sample_project
+
+
+def _wide(project: Project) -> Project:
+    """Roll is known to half a degree."""
+    assert project.result is not None
+    covariance = project.result.covariance_all.copy()
+    covariance[0] *= 30.0
+    covariance[:, 0] *= 30.0
+    return replace(project, result=replace(project.result, covariance_all=covariance))
+
+
+def _unseen(project: Project) -> Project:
+    turned = Estimate("scan_angle_offset", 0.0, 0.01, reason="These lines do not see it.")
+    wide = _wide(project)
+    assert wide.result is not None
+    return replace(wide, result=replace(wide.result, parameters=(turned,)))
+
+
+def _spread(project: Project) -> Project:
+    checks = project.cross_checks
+    assert checks is not None
+    return replace(project, cross_checks=replace(checks, spread_lines=checks.sigma * [1, 2.5, 1.9]))
+
+
+def _apart(project: Project) -> Project:
+    checks = project.cross_checks
+    assert checks is not None
+    sigmas, off = np.array([-0.2, 4.1, 1.0]), np.radians([0.0, -0.0512, 0.0])
+    odd = replace(checks.parts[1], significance=sigmas, difference=off)
+    parts = (checks.parts[0], odd, *checks.parts[2:])
+    return replace(project, cross_checks=replace(checks, parts=parts))
+
+
+def _told_apart_badly(project: Project) -> Project:
+    assert project.result is not None
+    covariance = project.result.covariance_all.copy()
+    covariance[0, 1] = covariance[1, 0] = -0.97 * np.sqrt(covariance[0, 0] * covariance[1, 1])
+    return replace(project, result=replace(project.result, covariance_all=covariance))
+
+
+def _model(**values: object) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        model = StochasticModel(**values)  # type: ignore[arg-type]
+        return replace(project, result=replace(project.result, model=model))
+
+    return change
+
+
+def _sighting(**values: object) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        first, *rest = project.result.reliability
+        odd = replace(first, **values)  # type: ignore[arg-type]
+        return replace(project, result=replace(project.result, reliability=(odd, *rest)))
+
+    return change
+
+
+def _line_gone(project: Project) -> Project:
+    assert project.result is not None
+    items = tuple(
+        replace(item, released=item.sighting.line == "L3") for item in project.result.reliability
+    )
+    return replace(project, result=replace(project.result, reliability=items))
+
+
+def _noise(*factors: float) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        noisy = tuple(
+            replace(target, noise=factor)
+            for target, factor in zip(project.result.targets, factors, strict=False)
+        )
+        return replace(project, result=replace(project.result, targets=noisy))
+
+    return change
+
+
+def _facing(count: int) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        first, second = project.result.targets
+        targets = (first, replace(second, plane=first.plane))[:count]
+        return replace(project, result=replace(project.result, targets=targets))
+
+    return change
+
+
+CASES = [
+    ("large_sigma", True, _wide, "roll to 0.49 deg (1 sigma). Add targets"),
+    ("large_sigma", True, _unseen, "What these lines and targets do not see goes into it: "
+     "scan-angle offset."),
+    ("spread", False, _spread, "spread 2.5 times as widely in pitch as its sigma says: rely on "
+     "0.07"),
+    ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 of its sigmas)"),
+    ("high_correlation", False, _told_apart_badly, "Roll and pitch are hardly told apart "
+     "(correlation -0.97)"),
+    ("independent_pos_errors", True, _model(pos_errors="independent"), "Thesis mode"),
+    ("surface_held", False, _model(surface=0.0), "The surface sigma is held at 0"),
+    ("released", False, _sighting(released=True, shift=-0.0483, w=-9.34), "the other sightings "
+     "contradict it: T1 on line L1 (off by 48.3 mm, w -9.3)."),
+    ("sighting_disagrees", False, _sighting(shift=0.02, w=5.5), "Takes part though the other "
+     "sightings contradict it: T1 on line L1 (off by 20.0 mm, w +5.5)."),
+    ("line_jumped", False, _line_gone, "Every target is off on line L3"),
+    ("strays", False, _sighting(strays=60), "60 stray points of"),
+    ("noise", False, _noise(1.0, 2.4), "T2 are 2.4 times the LiDAR noise: either T2 is rougher "
+     "than a plane"),
+    ("noise", False, _noise(2.2, 2.4), "T2 and T1 are up to 2.4 times the LiDAR noise: either "
+     "these targets are rough"),
+    ("another_surface", False, _noise(41.0, 1.0), "T1 are 41.0 times the LiDAR noise off"),
+    ("one_facing", True, _facing(2), "All targets face the same way"),
+    ("one_target", True, _facing(1), "T1 is the only target"),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("doubts") / "harbour")
+
+
+@pytest.mark.parametrize(
+    ("code", "serious", "change", "words"), CASES, ids=[f"{c[0]}-{k}" for k, c in enumerate(CASES)]
+)
+def test_a_doubt_is_told_alike_everywhere(
+    capsys: pytest.CaptureFixture[str], project: Project, code: str, serious: bool,
+    change: Callable[[Project], Project], words: str,
+) -> None:  # fmt: skip
+    changed = change(project)
+    result, checks = changed.result, changed.cross_checks
+    assert result is not None
+    (doubt,) = [each for each in doubts(result, checks) if each.code == code]
+    assert words in doubt.plain
+    assert doubt.serious == serious
+    assert doubt.plain.isascii()
+    print_result(result, checks)
+    assert f"- {doubt.plain}\n" in capsys.readouterr().out
+    told = {"code": code, "serious": serious, "text": doubt.plain}
+    assert told in numbers(result, checks)["doubts"]
+    window = result_words.warnings(result, checks)
+    assert [each for each in window if each.startswith(doubt.text)]
+    (caution,) = [each for each in sample_content(changed).cautions if each.code == code]
+    assert caution.text.startswith(doubt.text)
+    assert (caution.severity == "serious") == serious
+
+
+def test_every_rule_has_been_heard(project: Project) -> None:
+    told = set()
+    for _, _, change, _ in CASES:
+        changed = change(project)
+        assert changed.result is not None
+        for rule in RULES:
+            if any(rule(changed.result, changed.cross_checks)):
+                told.add(rule)
+    assert told == set(RULES)
+
+
+def test_a_sound_answer_leaves_no_doubt(
+    capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path
+) -> None:
+    result, checks = project.result, project.cross_checks
+    assert result is not None
+    assert doubts(result, checks) == ()
+    assert result_words.warnings(result, checks) == []
+    print_result(result, checks)
+    assert "To know before" not in capsys.readouterr().out
+
+
+def test_serious_doubts_come_first(project: Project) -> None:
+    changed = _spread(_wide(project))
+    assert changed.result is not None
+    told = [doubt.serious for doubt in doubts(changed.result, changed.cross_checks)]
+    assert told == [True, False]
