@@ -162,7 +162,7 @@ class Computing(QObject):
                 folder.cleanup()
             return path
 
-        self._runner.run("Writing the report", work, self._written)
+        self._runner.run("Writing the report", work, self._written, lasting=True)
 
     def export(self, request: ExportRequest) -> None:
         """Write lines, targets or the trajectory."""
@@ -183,7 +183,7 @@ class Computing(QObject):
             self._controller.noted.emit(f"Wrote {request.output}{count}")
             self.exported.emit(request.output)
 
-        self._runner.run(f"Writing {WORDS[request.what]}", work, done)
+        self._runner.run(f"Writing {WORDS[request.what]}", work, done, lasting=True)
 
     def _written(self, path: Path) -> None:
         self._controller.noted.emit(f"Wrote {path}")

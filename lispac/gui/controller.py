@@ -81,7 +81,7 @@ class Controller(QObject):
                 progress=progress,
             )
 
-        self._runner.run(f"Making {request.folder.name}", work, self._opened)
+        self._runner.run(f"Making {request.folder.name}", work, self._opened, lasting=True)
 
     def open_demo(self, folder: Path | None = None) -> None:
         """Open the built-in survey, simulated on its first use."""

@@ -227,6 +227,9 @@ class MainWindow(QMainWindow):
         self.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(lambda title: self._note(f"{title}: cancelled"))
+        self.runner.too_late.connect(
+            lambda title: self._note(f"{title}: it was done before it could be cancelled")
+        )
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.noted.connect(self._note)
         self.controller.candidate_changed.connect(self._show_candidate)

@@ -2,7 +2,8 @@
 
 The worker gets a function that takes `progress` and returns a value. It only leaves numbers in
 the task and asks for the cancel flag; the GUI thread looks at them twenty times a second, and it
-alone calls what is to be done with the value. A cancelled or failed task changes nothing.
+alone calls what is to be done with the value. A cancelled or failed task changes nothing; one that
+writes files and has ended when it is cancelled has written them, and that is what is said.
 """
 
 import queue
@@ -30,6 +31,7 @@ class Task:
     done : takes the value; runs on the GUI thread
     quiet : nobody waits for it, and it gives way to work that somebody waits for
     key : a later quiet task of the same key takes its place
+    lasting : what it does is on the disk once it has ended, and no longer to be cancelled
     gave_way : it was cancelled for other work, not because the user wanted it to stop
     """
 
@@ -38,6 +40,7 @@ class Task:
     done: Callable[[Any], None]
     quiet: bool = False
     key: str = ""
+    lasting: bool = False
     gave_way: bool = False
     cancel: threading.Event = field(default_factory=threading.Event)
     fraction: float = 0.0
@@ -71,6 +74,8 @@ class TaskRunner(QObject):
     """The exception a task ended with."""
     stopped = Signal(str)
     """Title of a task that was cancelled."""
+    too_late = Signal(str)
+    """Title of a task that had done its work when it was cancelled."""
     idle = Signal()
     """Nothing runs and nothing waits."""
     _ended = Signal()
@@ -105,9 +110,10 @@ class TaskRunner(QObject):
         *,
         quiet: bool = False,
         key: str = "",
+        lasting: bool = False,
     ) -> Task:
         """Give work to the worker; ``done`` gets its value on the GUI thread."""
-        task = Task(title, work, done, quiet, key)
+        task = Task(title, work, done, quiet, key, lasting)
         for other in self._all():
             replaced = key and other.key == key
             gives_way = other.quiet and not quiet
@@ -170,13 +176,16 @@ class TaskRunner(QObject):
             return
         self._timer.stop()
         try:
-            if task.cancel.is_set() or isinstance(task.error, Cancelled):
+            wrote = task.lasting and task.error is None
+            if (task.cancel.is_set() and not wrote) or isinstance(task.error, Cancelled):
                 if not task.quiet:
                     self.stopped.emit(task.title)
             elif task.error is not None:
                 self.changed.emit()  # nothing runs any more while the error is shown
                 self.failed.emit(task.error)
             else:
+                if task.cancel.is_set():
+                    self.too_late.emit(task.title)
                 task.done(task.value)
         finally:
             self.changed.emit()

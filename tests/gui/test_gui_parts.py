@@ -59,6 +59,36 @@ def test_a_cancelled_task_hands_nothing_over(qtbot, runner):
     assert got == []
 
 
+@pytest.mark.parametrize("lasting", [False, True])
+def test_what_is_written_when_it_is_cancelled_counts_as_done(qtbot, runner, tmp_path, lasting):
+    """The work has ended; the window has not heard of it yet when Cancel is pressed."""
+    written, ended, got, told = tmp_path / "line.laz", threading.Event(), [], []
+    runner.stopped.connect(lambda title: told.append(f"{title}: cancelled"))
+    runner.too_late.connect(lambda title: told.append(f"{title}: too late"))
+
+    def work(_progress):
+        written.write_text("points")
+        ended.set()
+        return written
+
+    runner.run("Export", work, got.append, lasting=lasting)
+    assert ended.wait(10)
+    runner.cancel()
+    qtbot.waitUntil(lambda: bool(told))
+    assert told == (["Export: too late"] if lasting else ["Export: cancelled"])
+    assert got == ([written] if lasting else [])
+    assert written.exists()
+
+
+def test_lasting_work_that_stops_when_asked_is_cancelled(qtbot, runner):
+    got = []
+    runner.run("Export", endless, got.append, lasting=True)
+    qtbot.waitUntil(lambda: runner.current.message == "going on")
+    with qtbot.waitSignal(runner.stopped):
+        runner.cancel()
+    assert got == []
+
+
 def test_a_failed_task_tells_why_and_the_next_one_runs(qtbot, runner):
     def fails(_progress):
         raise InputError("the file is short")
