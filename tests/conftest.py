@@ -41,3 +41,34 @@ def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
     folder = tmp_path / "copy"
     shutil.copytree(calibrated[0].folder, folder)
     return open_project(folder)
+
+
+@pytest.fixture
+def shown(qtbot):
+    """Show viewports, each with the budget asked for, and take them away at the end."""
+    from PySide6.QtGui import QGuiApplication
+
+    if QGuiApplication.platformName() in ("offscreen", "minimal"):
+        pytest.skip("OpenGL needs a screen, a virtual one will do")
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    views = []
+
+    def show(budget=None):
+        view = VtkViewport(budget=budget)
+        views.append(view)
+        view.widget.resize(800, 600)
+        view.widget.show()
+        qtbot.waitExposed(view.widget)
+        return view
+
+    yield show
+    for view in views:
+        view.close()
+        view.widget.close()
+        view.widget.deleteLater()
+
+
+@pytest.fixture
+def viewport(shown):
+    return shown()

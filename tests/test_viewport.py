@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
 from lispac.errors import InputError
@@ -24,58 +24,11 @@ from lispac.gui.viewport.base import (
 )
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording import RecordingViewport
-from tests.view_scenes import BLUE, GREEN, RED, YELLOW, scene, wall
+from tests.view_scenes import BLUE, GREEN, RED, YELLOW, count, picture, pixel, scene, wall
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 PLAIN = Qt.KeyboardModifier.NoModifier
 LEFT = Qt.MouseButton.LeftButton
-
-
-@pytest.fixture
-def shown(qtbot):
-    """Show viewports, each with the budget asked for, and take them away at the end."""
-    if QGuiApplication.platformName() in ("offscreen", "minimal"):
-        pytest.skip("OpenGL needs a screen, a virtual one will do")
-    from lispac.gui.viewport.vtk import VtkViewport
-
-    views = []
-
-    def show(budget=None):
-        view = VtkViewport(budget=budget)
-        views.append(view)
-        view.widget.resize(800, 600)
-        view.widget.show()
-        qtbot.waitExposed(view.widget)
-        return view
-
-    yield show
-    for view in views:
-        view.close()
-        view.widget.close()
-        view.widget.deleteLater()
-
-
-@pytest.fixture
-def viewport(shown):
-    return shown()
-
-
-def pixel(viewport, point):
-    x, y = viewport.to_pixels(np.array([point]))[0]
-    return QPoint(round(x), round(y))
-
-
-def picture(viewport, tmp_path) -> np.ndarray:
-    """What is on the screen as (height, width, 3)."""
-    path = tmp_path / "picture.png"
-    viewport.screenshot(path)
-    image = QImage(str(path)).convertToFormat(QImage.Format.Format_RGB888)
-    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
-    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
-
-
-def count(image, colour):
-    return int((np.abs(image.astype(int) - colour).max(axis=2) <= 2).sum())
 
 
 @pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (5_040_000.0, -612_000.0, 0.0)])

@@ -10,9 +10,10 @@ from lispac.gui.viewport.picking import pick
 from tests.view_scenes import SIZE, scene
 
 
-def random_camera(seed):
+def random_camera(seed, *, parallel=False):
     rng = np.random.default_rng(seed)
-    return Camera(rng.normal(size=3) * 10, rng.uniform(0, 6), rng.uniform(-1.5, 1.5), 30.0)
+    place = rng.normal(size=3) * 10, rng.uniform(0, 6), rng.uniform(-1.5, 1.5)
+    return Camera(*place, 30.0, parallel)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -47,6 +48,53 @@ def test_orbit_and_zoom_keep_their_point_at_its_pixel(seed):
     np.testing.assert_allclose(closer, [200.0, 150.0, 10.0], atol=1e-8)
     shifted = camera.panned(30.0, -12.0, 20.0, SIZE).project(point, SIZE)[0]
     np.testing.assert_allclose(shifted, [230.0, 138.0, 20.0], atol=1e-8)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_parallel_projection_draws_equal_lengths_alike_and_keeps_what_is_pointed_at(seed):
+    camera = random_camera(seed, parallel=True)
+    perspective = camera.projected(parallel=False)
+    # At the focal point both projections have the same scale.
+    beside = camera.focal + 2.0 * camera.axes[0]
+    for each in (camera, perspective):
+        np.testing.assert_allclose(
+            each.project(beside, SIZE)[0, :2], [400.0 + 2.0 / each.metres_per_pixel(SIZE), 300.0]
+        )
+    behind = camera.focal - 400.0 * camera.axes[2]  # where perspective has its back
+    ends = camera.project(np.array([behind, behind + 2.0 * camera.axes[0]]), SIZE)
+    assert ends[1, 0] - ends[0, 0] == pytest.approx(2.0 / camera.metres_per_pixel(SIZE))
+    assert ends[0, 2] > 0.0
+    point = camera.point_at(200.0, 150.0, camera.focal_depth + 17.0, SIZE)
+    np.testing.assert_allclose(
+        camera.project(point, SIZE)[0], [200.0, 150.0, camera.focal_depth + 17.0]
+    )
+    for moved in (
+        camera.orbited(37.0, 0.0, point), camera.zoomed(0.5, point),
+        camera.refocused(camera.focal_depth + 17.0),
+    ):  # fmt: skip
+        np.testing.assert_allclose(moved.project(point, SIZE)[0, :2], [200.0, 150.0], atol=1e-7)
+    shifted = camera.panned(30.0, -12.0, camera.focal_depth, SIZE).project(point, SIZE)[0]
+    np.testing.assert_allclose(shifted[:2], [230.0, 138.0], atol=1e-7)
+    points = np.random.default_rng(seed).normal(size=(500, 3)) * [30.0, 10.0, 5.0] + 100.0
+    fitted = camera.fitted(points, SIZE)
+    pixels = fitted.project(points, SIZE)[:, :2]
+    assert pixels.min() >= 0.0
+    assert np.all(pixels.max(axis=0) <= [SIZE.width, SIZE.height])
+    assert 0.85 < (np.ptp(pixels, axis=0) / [SIZE.width, SIZE.height]).max() <= 1.0
+    assert len(in_view(points, fitted, SIZE)) == len(points)
+    hit = pick({"a": points}, fitted, *pixels[17], SIZE)
+    assert hit is not None
+    np.testing.assert_allclose(pixels[hit.index], pixels[17], atol=2.0)
+
+
+def test_a_camera_looks_along_any_direction():
+    camera = random_camera(1)
+    for direction in np.random.default_rng(2).normal(size=(20, 3)):
+        wanted = direction / np.linalg.norm(direction)
+        np.testing.assert_allclose(camera.along(direction).axes[2], wanted, atol=1e-12)
+    down = camera.along(np.array([0.0, 0.0, -2.0]))
+    np.testing.assert_allclose(down.axes[2], [0.0, 0.0, -1.0], atol=1e-12)
+    assert down.azimuth == camera.azimuth
 
 
 def test_elevation_stops_overhead():

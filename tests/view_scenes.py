@@ -1,6 +1,8 @@
 """Two walls one behind the other, in colours that a picture can be searched for."""
 
 import numpy as np
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QImage
 
 from lispac.gui.viewport.camera import Size
 
@@ -23,3 +25,21 @@ def scene(origin=(0.0, 0.0, 0.0)):
         "blue": wall(25.0, (-9.0, 9.0), (0.0, 9.0), origin=origin),
     }
     return clouds, {"red": RED, "blue": BLUE}
+
+
+def pixel(viewport, point):
+    x, y = viewport.to_pixels(np.array([point]))[0]
+    return QPoint(round(x), round(y))
+
+
+def picture(viewport, tmp_path) -> np.ndarray:
+    """What is on the screen as (height, width, 3)."""
+    path = tmp_path / "picture.png"
+    viewport.screenshot(path)
+    image = QImage(str(path)).convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
+
+
+def count(image, colour):
+    return int((np.abs(image.astype(int) - colour).max(axis=2) <= 2).sum())

@@ -7,7 +7,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from lispac.gui import theme
-from lispac.gui.colouring import COLOURINGS
+from lispac.gui.viewing_actions import COLOURED, SWITCHES, VIEW_ACTIONS, VIEW_MENU, Menu
 
 Keys = QKeySequence.StandardKey
 
@@ -49,35 +49,15 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
               "Show the lines placed with the estimated boresight"),
     "toggle": ("&Switch before / after", "Switch", "swap-horizontal", "B",
                "Switch the view between prior and estimated boresight"),
-    "fit": ("&Fit all", "Fit", "fit-to-page-outline", "F", "Bring everything into view"),
-    "isometric": ("&Isometric", "3D", "cube-outline", "1", "Look from above at an angle"),
-    "top": ("&Top", "Top", "arrow-down-bold-box-outline", "2", "Look straight down, north up"),
-    "front": ("F&ront", "Front", "eye-outline", "3", "Look from the vessel"),
-    "side": ("&Side", "Side", "axis-arrow", "4", "Look from the side"),
-    "larger": ("&Larger points", "Larger", "magnify-plus-outline", "+", "Draw larger points"),
-    "smaller": ("S&maller points", "Smaller", "magnify-minus-outline", "-",
-                "Draw smaller points"),
-    "colour_next": ("&Next colouring", "Colours", "palette-outline", "C",
-                    "Colour the points by line, height, intensity, range, time, in turn"),
-    "colour_line": ("Colour by &line", "Line", "", "", "Each line in its own colour"),
-    "colour_height": ("Colour by &height", "Height", "", "", "Colour the points by height"),
-    "colour_intensity": ("Colour by &intensity", "Intensity", "", "",
-                         "Colour the points by the intensity in their file"),
-    "colour_range": ("Colour by &range", "Range", "", "",
-                     "Colour the points by their distance from the scanner"),
-    "colour_time": ("Colour by ti&me", "Time", "", "",
-                    "Colour the points by the time they were measured"),
+    **VIEW_ACTIONS,
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
     "about": ("&About LISPAC", "About", "information-outline", "", "Version and conventions"),
 }  # fmt: skip
 
-COLOURED = {name: f"colour_{name}" for name in COLOURINGS}
-"""Action of each colouring."""
 _CHECKABLE = (
     ("seed_target", "seed_validation"), ("before", "after"), tuple(COLOURED.values()),
 )  # fmt: skip
-VIEWS = ("isometric", "top", "front", "side")
-_MENUS: dict[str, tuple[str, ...]] = {
+_MENUS: dict[str, Menu] = {
     "&File": (
         "new",
         "open",
@@ -94,22 +74,7 @@ _MENUS: dict[str, tuple[str, ...]] = {
         "quit",
     ),
     "&Edit": ("undo", "redo"),
-    "&View": (
-        "before",
-        "after",
-        "toggle",
-        "",
-        "fit",
-        *VIEWS,
-        "",
-        "larger",
-        "smaller",
-        "",
-        *COLOURED.values(),
-        "colour_next",
-        "",
-        "DOCKS",
-    ),
+    "&View": VIEW_MENU,
     "&Targets": ("seed_target", "seed_validation", "", "accept", "reject"),
     "&Adjust": ("estimate", "", "cancel"),
     "Va&lidate": ("validate",),
@@ -117,7 +82,8 @@ _MENUS: dict[str, tuple[str, ...]] = {
 }
 _TOOLBAR = (
     "new", "open", "save", "", "undo", "redo", "", "seed_target", "seed_validation", "", "estimate",
-    "validate", "report", "", "before", "after", "", "fit", *VIEWS,
+    "validate", "report", "", "before", "after", "", "fit", "isometric", "top", "front",
+    "left",
 )  # fmt: skip
 
 
@@ -136,6 +102,8 @@ class Actions(QObject):
                 self[name].setCheckable(True)
                 group.addAction(self[name])
             self[pair[0]].setChecked(True)
+        for name in SWITCHES:
+            self[name].setCheckable(True)
         stack.canUndoChanged.connect(self["undo"].setEnabled)
         stack.canRedoChanged.connect(self["redo"].setEnabled)
         stack.undoTextChanged.connect(self._name_undo)
@@ -150,17 +118,22 @@ class Actions(QObject):
 
     def fill_menus(self, docks: Iterable[QAction]) -> None:
         """Build the menu bar."""
+        self._docks = list(docks)
         for title, names in _MENUS.items():
-            menu = self._window.menuBar().addMenu(title)
-            for name in names:
-                if name == "RECENT":
-                    menu.addMenu(self.recent)
-                elif name == "DOCKS":
-                    menu.addActions(list(docks))
-                elif name:
-                    menu.addAction(self[name])
-                else:
-                    menu.addSeparator()
+            self._fill(self._window.menuBar().addMenu(title), names)
+
+    def _fill(self, menu: QMenu, names: Menu) -> None:
+        for name in names:
+            if isinstance(name, tuple):
+                self._fill(menu.addMenu(name[0]), name[1])
+            elif name == "RECENT":
+                menu.addMenu(self.recent)
+            elif name == "DOCKS":
+                menu.addActions(self._docks)
+            elif name:
+                menu.addAction(self[name])
+            else:
+                menu.addSeparator()
 
     def fill_toolbar(self) -> QToolBar:
         """Build the toolbar."""

@@ -1,13 +1,18 @@
 """How the view is looked at: standard views, size and colours of the points."""
 
+import numpy as np
 from PySide6.QtCore import QObject
 
-from lispac.gui.actions import COLOURED, VIEWS, Actions
+from lispac.gui.actions import Actions
 from lispac.gui.colouring import COLOURINGS, Colouring
 from lispac.gui.controller import Controller
 from lispac.gui.scene import Scene
 from lispac.gui.settings import POINT_SIZES, AppSettings
-from lispac.gui.viewport.base import Viewport
+from lispac.gui.viewing_actions import COLOURED, VIEWS
+from lispac.gui.viewport.base import Array, Viewport
+from lispac.targets.section import common_normal
+
+NOTHING_SELECTED = "Select a target first: click it in the list of targets or in the table"
 
 
 class Looking(QObject):
@@ -30,6 +35,9 @@ class Looking(QObject):
             "larger": lambda: self._resize_points(+1),
             "smaller": lambda: self._resize_points(-1),
             "colour_next": self._colour_by_next,
+            "fit_selection": self._fit_selection,
+            "normal": self._look_along_normal,
+            "orthographic": lambda: viewport.set_parallel(actions["orthographic"].isChecked()),
         }
         for name in VIEWS:
             slots[name] = lambda name=name: viewport.view(name)
@@ -42,6 +50,20 @@ class Looking(QObject):
         pixels = min(max(self._settings.point_size + by, POINT_SIZES[0]), POINT_SIZES[-1])
         self._settings.point_size = pixels
         self._viewport.set_point_size(pixels)
+
+    def _fit_selection(self) -> None:
+        if groups := self._selected():
+            self._viewport.fit(np.concatenate(groups))
+
+    def _look_along_normal(self) -> None:
+        if groups := self._selected():
+            self._viewport.look_along(common_normal(groups), np.concatenate(groups))
+
+    def _selected(self) -> list[Array]:
+        groups = list(self._scene.selected_points.values())
+        if not groups:
+            self._controller.noted.emit(NOTHING_SELECTED)
+        return groups
 
     def _colour_by(self, colouring: Colouring) -> bool:
         try:

@@ -30,6 +30,7 @@ class Scene(QObject):
         self._estimated: tuple[object, Mapping[str, Cloud]] | None = None
         self.which: Which = "prior"
         self.candidate: Target | None = None
+        self.selected: tuple[str, str] | None = None
         self.colouring: Colouring = "line"
         self._fit_next = True
         self._drawn: Mapping[str, Cloud] = {}
@@ -57,6 +58,16 @@ class Scene(QObject):
             and project.result is not None
             and self._estimated[0] is project.result
         )
+
+    @property
+    def selected_points(self) -> dict[str, Array]:
+        """Points (n, 3) of what is selected, by line, as they are shown; empty without any."""
+        project = self._document.project
+        if project is None or self.selected is None:
+            return {}
+        name, line = self.selected
+        target = next((target for target in project.targets if target.name == name), None)
+        return {} if target is None else self._points_by_line(target, line)
 
     def prior_position(self, point: PickedPoint) -> Triple:
         """Where a clicked point lies with the prior boresight, in which targets are sought."""
@@ -107,13 +118,14 @@ class Scene(QObject):
         if project is None:
             return
         target = project.target(name)
+        self.selected = (name, line)
         self._viewport.select((name, line))
         points = self._points(target, line)
         if points is not None:
             self._viewport.fit(points)
 
     def _another(self) -> None:
-        self.candidate = None
+        self.candidate = self.selected = None
         self._fit_next = True
 
     def _reload(self) -> None:
@@ -177,13 +189,16 @@ class Scene(QObject):
         self._viewport.show_markers(markers)
 
     def _points(self, target: Target, line: str) -> Array | None:
+        groups = self._points_by_line(target, line)
+        return np.concatenate(list(groups.values())) if groups else None
+
+    def _points_by_line(self, target: Target, line: str) -> dict[str, Array]:
         clouds = self.clouds
-        groups = [
-            clouds[s.line][s.indices]
+        return {
+            s.line: clouds[s.line][s.indices]
             for s in target.sightings
             if s.line in clouds and line in ("", s.line)
-        ]
-        return np.concatenate(groups) if groups else None
+        }
 
     def _centre(self, target: Target) -> tuple[float, float, float]:
         points = self._points(target, "")

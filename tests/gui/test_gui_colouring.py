@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lispac.gui.actions import COLOURED
 from lispac.gui.colouring import COLOURINGS, shading
+from lispac.gui.viewing_actions import COLOURED
 from tests.gui.support import Demo, Driver, Key, press
 
 

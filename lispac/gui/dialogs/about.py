@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 
 import lispac
 from lispac.gui.panels.results import CONVENTION
+from lispac.gui.viewing_actions import KEYS
 
 
 def about_box(parent: QWidget | None) -> QMessageBox:
@@ -33,9 +34,7 @@ def shortcuts_box(parent: QWidget | None) -> QMessageBox:
         ("F6, F7", "next seed is an adjustment target, a validation plane"),
         ("F9, F10", "estimate, validate"),
         ("B", "switch the view between before and after"),
-        ("F, 1, 2, 3, 4", "fit, isometric, top, front, side"),
-        ("+, −", "larger, smaller points"),
-        ("C", "colour the points by line, height, intensity, range, time"),
+        *KEYS,
         ("Ctrl + E, Ctrl + Shift + E", "export the report, the georeferenced lines"),
         ("Ctrl + Z, Ctrl + Y", "undo, redo"),
     )

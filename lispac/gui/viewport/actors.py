@@ -1,13 +1,16 @@
 """Points as the 3D library draws them."""
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 from lispac.gui.viewport.base import Array, Colour
+from lispac.gui.viewport.camera import VIEW_ANGLE, Camera
 
 EDGE: Colour = (62, 70, 78)
 """Of shaded points."""
@@ -65,7 +68,32 @@ def dark(colour: Colour) -> Colour:
     return red // 2, green // 2, blue // 2
 
 
-def shift_depth(actor: vtkActor, eye: Array, part: float) -> None:
-    """Draw an actor deeper by a part of its distance: scaled about the eye, nothing else moves."""
+def size_points(actors: Iterable[vtkActor], pixels: float) -> None:
+    """Size of their points, in pixels of the screen."""
+    for actor in actors:
+        actor.GetProperty().SetPointSize(pixels)
+
+
+def shift_depth(actor: vtkActor, camera: Camera, origin: Array, part: float) -> None:
+    """Draw an actor deeper by a part of its distance, at the same pixels.
+
+    Scaled about the eye nothing else moves; in a parallel projection it is pushed along the view.
+    """
+    if camera.parallel:
+        actor.SetScale(1.0)
+        actor.SetPosition(*(part * camera.distance * camera.axes[2]))
+        return
     actor.SetScale(1.0 + part)
-    actor.SetPosition(*(-part * eye))
+    actor.SetPosition(*(-part * (camera.position - origin)))
+
+
+def aim(renderer: vtkRenderer, camera: Camera, origin: Array) -> None:
+    """Let a renderer look as a camera does."""
+    eye = renderer.GetActiveCamera()
+    eye.SetViewAngle(np.degrees(VIEW_ANGLE))
+    eye.SetParallelProjection(camera.parallel)
+    eye.SetParallelScale(camera.distance * np.tan(0.5 * VIEW_ANGLE))
+    eye.SetPosition(*(camera.position - origin))
+    eye.SetFocalPoint(*(camera.focal - origin))
+    eye.SetViewUp(*camera.axes[1])
+    renderer.ResetCameraClippingRange()

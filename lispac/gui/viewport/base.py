@@ -150,7 +150,13 @@ class Viewport(Protocol):
         """Bring everything, or the given points of shape (n, 3), into view."""
 
     def view(self, name: str) -> None:
-        """Standard view: "top", "front", "side" or "isometric"."""
+        """Standard view: "top", "front", "back", "left", "right" or "isometric"."""
+
+    def look_along(self, direction: Array, points: Array) -> None:
+        """Look at points (n, 3) along a direction (3,), from the station's side of them."""
+
+    def set_parallel(self, parallel: bool) -> None:
+        """Draw in parallel (orthographic) projection, or in perspective."""
 
     def set_point_size(self, pixels: int) -> None:
         """Size of the drawn points."""

@@ -20,6 +20,9 @@ ORBIT_RATE = float(np.radians(0.35))
 CLOSEST = 0.02
 """Nearest the eye comes to what it looks at, metres."""
 
+BEHIND = 5000.0
+"""How far a parallel projection's eye steps back, metres, so that all it shows lies before it."""
+
 
 @dataclass(frozen=True)
 class Size:
@@ -45,12 +48,16 @@ class Camera:
     azimuth : direction of view, radians clockwise from north
     elevation : how far above the focal point the eye is, radians; pi/2 looks straight down
     distance : metres from the eye to the focal point
+        In a parallel projection it only says how large everything is drawn: as large as
+        perspective draws the focal point.
+    parallel : whether the projection is parallel (orthographic)
     """
 
     focal: Array
     azimuth: float
     elevation: float
     distance: float
+    parallel: bool = False
 
     @property
     def axes(self) -> Array:
@@ -68,8 +75,17 @@ class Camera:
     @property
     def position(self) -> Array:
         """The eye; shape (3,), metres, local frame."""
-        position: Array = self.focal - self.distance * self.axes[2]
+        position: Array = self.focal - self.focal_depth * self.axes[2]
         return position
+
+    @property
+    def focal_depth(self) -> float:
+        """From the eye to the focal point, metres."""
+        return self.distance + (BEHIND if self.parallel else 0.0)
+
+    def reach(self, depth: Array | float) -> Array | float:
+        """Depth that sizes are reckoned with: in a parallel projection the same everywhere."""
+        return self.distance if self.parallel else depth
 
     def project(self, points: Array, size: Size) -> Array:
         """Where points appear.
@@ -85,13 +101,13 @@ class Camera:
         """
         seen = (np.atleast_2d(points) - self.position) @ self.axes.T
         depth = np.where(seen[:, 2] > 0.0, seen[:, 2], np.nan)
-        scale = size.pixels_per_tangent / depth
+        scale = size.pixels_per_tangent / self.reach(depth)
         x = 0.5 * size.width + seen[:, 0] * scale
         y = 0.5 * size.height - seen[:, 1] * scale
         return np.column_stack([x, y, seen[:, 2]])
 
     def slopes(self, x: float, y: float, size: Size) -> tuple[float, float]:
-        """Metres to the right and upwards, per metre of depth, of the ray through a pixel."""
+        """Metres to the right and upwards, per metre of `reach`, of the ray through a pixel."""
         return (
             (x - 0.5 * size.width) / size.pixels_per_tangent,
             (0.5 * size.height - y) / size.pixels_per_tangent,
@@ -100,7 +116,8 @@ class Camera:
     def point_at(self, x: float, y: float, depth: float, size: Size) -> Array:
         """Point at the given depth behind a pixel; shape (3,), metres, local frame."""
         right, up = self.slopes(x, y, size)
-        return self.position + depth * (np.array([right, up, 1.0]) @ self.axes)
+        reach = self.reach(depth)
+        return self.position + np.array([right * reach, up * reach, depth]) @ self.axes
 
     def metres_per_pixel(self, size: Size) -> float:
         """Scale at the focal point."""
@@ -109,7 +126,23 @@ class Camera:
     def refocused(self, depth: float) -> "Camera":
         """The same picture with the focal point at another depth."""
         depth = max(depth, CLOSEST)
-        return replace(self, focal=self.position + depth * self.axes[2], distance=depth)
+        focal = self.position + depth * self.axes[2]
+        return replace(self, focal=focal, distance=float(self.reach(depth)))
+
+    def projected(self, *, parallel: bool) -> "Camera":
+        """The other projection, in which the focal point looks as large as before."""
+        return replace(self, parallel=parallel)
+
+    def along(self, direction: Array) -> "Camera":
+        """The same focal point, looked at along a direction, shape (3,), local frame."""
+        north, west, up = direction / np.linalg.norm(direction)
+        level = float(np.hypot(north, west))
+        azimuth = float(np.arctan2(-west, north)) if level > 1e-6 else self.azimuth
+        return replace(self, azimuth=azimuth, elevation=float(np.arctan2(-up, level)))
+
+    def centred(self, point: Array, factor: float, depth: float) -> "Camera":
+        """A point ``depth`` metres from the eye in the middle, ``factor`` times as far."""
+        return replace(self, focal=point, distance=factor * float(self.reach(depth)))
 
     def orbited(self, dx: float, dy: float, pivot: Array) -> "Camera":
         """Turned about a point, as if the scene were dragged by (dx, dy) pixels."""
@@ -124,7 +157,7 @@ class Camera:
 
     def panned(self, dx: float, dy: float, depth: float, size: Size) -> "Camera":
         """Shifted so that a point at ``depth`` follows the mouse by (dx, dy) pixels."""
-        step = depth / size.pixels_per_tangent
+        step = self.reach(depth) / size.pixels_per_tangent
         return replace(self, focal=self.focal + step * (np.array([-dx, dy, 0.0]) @ self.axes))
 
     def zoomed(self, factor: float, target: Array) -> "Camera":
@@ -146,7 +179,7 @@ class Camera:
         distance = CLOSEST
         for _ in range(6):
             offset = seen - centre
-            ahead = offset[:, 2]
+            ahead = 0.0 * offset[:, 2] if self.parallel else offset[:, 2]
             low, high = (
                 (sign * offset[:, :2] / tangent - ahead[:, None]).max(axis=0) for sign in (-1, 1)
             )

@@ -57,8 +57,8 @@ def in_view(points: Array, camera: Camera, size: Size) -> NDArray[np.int64]:
     found = []
     for start in range(0, len(points), CHUNK):
         seen = points[start : start + CHUNK] @ axes - shift
-        depth = seen[:, 2]
-        inside = (np.abs(seen[:, 0]) <= half[0] * depth) & (np.abs(seen[:, 1]) <= half[1] * depth)
+        reach = camera.reach(seen[:, 2])
+        inside = (np.abs(seen[:, 0]) <= half[0] * reach) & (np.abs(seen[:, 1]) <= half[1] * reach)
         found.append(np.flatnonzero(inside) + start)
     return np.concatenate(found) if found else np.empty(0, np.int64)
 

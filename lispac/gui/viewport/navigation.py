@@ -19,7 +19,13 @@ WHEEL_FACTOR = 0.85
 SNAP = (3.0, 8.0, 20.0)
 """Pixels within which a drag or the wheel finds the surface it turns about or comes closer to."""
 
-VIEWS_DEG = {"front": (0.0, 0.0), "side": (90.0, 0.0), "isometric": (30.0, 26.0)}
+VIEWS_DEG = {
+    "front": (0.0, 0.0),
+    "back": (180.0, 0.0),
+    "left": (90.0, 0.0),
+    "right": (-90.0, 0.0),
+    "isometric": (30.0, 26.0),
+}
 """Azimuth from the front and elevation; "top" is apart, with north up."""
 
 
@@ -92,6 +98,17 @@ class Navigator(QObject):
         self.camera = replace(self.camera, azimuth=float(azimuth), elevation=float(elevation))
         self.fit()
 
+    def look_along(self, direction: Array, points: Array) -> None:
+        """Look at points (n, 3) along a direction, shape (3,), from the station's side of them."""
+        towards = points.mean(axis=0) - self.station
+        self.camera = self.camera.along(direction if direction @ towards >= 0 else -direction)
+        self.fit(points)
+
+    def project_parallel(self, parallel: bool) -> None:
+        """Change to a parallel projection, or back to perspective."""
+        self.camera = self.camera.projected(parallel=parallel)
+        self.refit()
+
     def _everything(self) -> Array:
         parts = list(self.coarse.values())
         return robust_sample(np.concatenate(parts)) if parts else np.empty((0, 3))
@@ -112,7 +129,7 @@ class Navigator(QObject):
         self._move(self.camera.orbited(dx, dy, self._pivot))
 
     def _on_panned(self, dx: float, dy: float) -> None:
-        self._move(self.camera.panned(dx, dy, self.camera.distance, self.size))
+        self._move(self.camera.panned(dx, dy, self.camera.focal_depth, self.size))
 
     def _on_zoomed(self, notches: float, x: float, y: float) -> None:
         self._move(self.camera.zoomed(WHEEL_FACTOR**notches, self._surface_at(x, y)))
@@ -122,7 +139,7 @@ class Navigator(QObject):
         hit = pick(self.clouds, self.camera, x, y, self.size)
         if hit is not None:
             focal = self.clouds[hit.line][hit.index]
-            self._move(replace(self.camera, focal=focal, distance=0.6 * hit.depth))
+            self._move(self.camera.centred(focal, 0.6, hit.depth))
             self.settled.emit()
 
     def _on_picked(self, x: float, y: float) -> None:
@@ -139,7 +156,7 @@ class Navigator(QObject):
         if hit is not None:
             surface: Array = self.coarse[hit.line][hit.index]
             return surface
-        return self.camera.point_at(x, y, self.camera.distance, self.size)
+        return self.camera.point_at(x, y, self.camera.focal_depth, self.size)
 
     def _move(self, camera: Camera) -> None:
         self.camera = camera

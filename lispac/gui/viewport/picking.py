@@ -58,7 +58,7 @@ def pick(
         front = depth[inside].min()
         # A surface seen at a slant is deeper on one side of the circle than on the other: of the
         # front surface the point nearest to the cursor is taken.
-        slack = 4.0 * radius * front / size.pixels_per_tangent
+        slack = 4.0 * radius * camera.reach(front) / size.pixels_per_tangent
         candidates = np.flatnonzero(inside & (depth <= front + slack))
         best = candidates[np.argmin(distance[candidates])]
         return Hit(names[line[best]], int(index[best]), float(depth[best]))
@@ -73,16 +73,20 @@ def _near(
     right, up = camera.slopes(x, y, size)
     # Signed offsets from the ray, each a linear function of the point: two products per point
     # discard nearly all of them.
-    across = np.column_stack([axes[0] - right * axes[2], axes[1] - up * axes[2], axes[2]])
-    shift = position @ across
+    if camera.parallel:
+        across, aside = axes.T, np.array([right, up, 0.0]) * camera.distance
+    else:
+        across = np.column_stack([axes[0] - right * axes[2], axes[1] - up * axes[2], axes[2]])
+        aside = np.zeros(3)
+    shift = position @ across + aside
     indices, distances, depths = [], [], []
     for start in range(0, len(points), CHUNK):
         seen = points[start : start + CHUNK] @ across - shift
-        reach = seen[:, 2] * (radius / focal)
+        reach = camera.reach(seen[:, 2]) * (radius / focal)
         near = np.flatnonzero((np.abs(seen[:, 0]) <= reach) & (np.abs(seen[:, 1]) <= reach))
         near = near[seen[near, 2] > 0.0]
         close = seen[near]
-        pixels = np.hypot(close[:, 0], close[:, 1]) * focal / close[:, 2]
+        pixels = np.hypot(close[:, 0], close[:, 1]) * focal / camera.reach(close[:, 2])
         inside = pixels <= radius
         indices.append(near[inside] + start)
         distances.append(pixels[inside])

@@ -27,7 +27,7 @@ class RecordingViewport:
     ----------
     calls : list of (method name, arguments)
         Everything asked, in order.
-    clouds, colours, shading, hidden, highlights, markers, selected, point_size, station
+    clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station
         What a real viewport would show now.
     """
 
@@ -43,6 +43,7 @@ class RecordingViewport:
         self.markers: list[Marker] = []
         self.selected: tuple[str, str] | None = None
         self.point_size = 2
+        self.parallel = False
         self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
         self.closed = False
 
@@ -107,6 +108,15 @@ class RecordingViewport:
     def view(self, name: str) -> None:
         """Remember the call."""
         self._record("view", name)
+
+    def look_along(self, direction: Array, points: Array) -> None:
+        """Remember the call."""
+        self._record("look_along", direction, points)
+
+    def set_parallel(self, parallel: bool) -> None:
+        """Remember the projection."""
+        self._record("set_parallel", parallel)
+        self.parallel = parallel
 
     def set_point_size(self, pixels: int) -> None:
         """Remember the size."""

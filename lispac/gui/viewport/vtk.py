@@ -8,16 +8,22 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from lispac.errors import InputError
-from lispac.gui.viewport.actors import EDGE, dark, paint, point_actor, point_data, shift_depth
+from lispac.gui.viewport.actors import (
+    aim,
+    dark,
+    paint,
+    point_actor,
+    point_data,
+    shift_depth,
+    size_points,
+)
 from lispac.gui.viewport.base import (
     Array,
     Colour,
@@ -28,7 +34,8 @@ from lispac.gui.viewport.base import (
     emphasis,
 )
 from lispac.gui.viewport.camera import Camera
-from lispac.gui.viewport.decimation import Budget, in_view, sample_order, shares
+from lispac.gui.viewport.decimation import Budget
+from lispac.gui.viewport.layer import Layer
 from lispac.gui.viewport.navigation import Navigator
 from lispac.gui.viewport.overlay import Stage
 
@@ -40,9 +47,6 @@ FAR = 1e4
 
 LIFT = 0.004
 """How far a sighting is moved towards the eye, as part of its distance, to lie over its line."""
-
-RIM_DEPTH = 0.006
-"""How far the rims of points stand behind them, as part of their distance."""
 
 REST_MS = 180
 """Stillness after which the detail is drawn."""
@@ -73,19 +77,12 @@ class VtkViewport:
         self._renderer.SetBackground2(*SKY)
         self._renderer.GradientBackgroundOn()
 
-        self._clouds: dict[str, Array] = {}
-        self._colours: dict[str, Colour] = {}
-        self._shading: Shading | None = None
+        self._layer = Layer(self._renderer)
         self._hidden: set[str] = set()
-        self._coarse: list[vtkActor] = []
-        self._fine: list[vtkActor] = []
-        self._rims: list[vtkActor] = []
-        self._fine_camera: Camera | None = None
         self._highlights: list[Highlight] = []
         self._highlight_actors: list[tuple[Highlight, vtkActor, vtkActor]] = []
         self._selected: tuple[str, str] | None = None
         self._point_size = 2
-        self._origin = np.zeros(3)
         self._closed = False
         self._detailed = False
         self._detail_s = np.inf
@@ -123,12 +120,11 @@ class VtkViewport:
         shading: Shading | None = None,
     ) -> None:
         """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
-        first = not self._clouds
-        self._shading = self._overlay.shading = shading
-        self._clouds = {line: points for line, points in clouds.items() if len(points)}
-        self._colours = dict(colours)
+        first = not self._layer.clouds
+        self._overlay.shading = shading
+        self._layer.put(clouds, colours, shading)
         if first:
-            self._origin = _common_origin(self._clouds)
+            self._layer.origin = _common_origin(self._layer.clouds)
         self._draw_clouds()
         self.show_highlights(self._highlights)
         if first:
@@ -148,7 +144,7 @@ class VtkViewport:
         self._highlights = list(highlights)
         self._highlight_actors = []
         for highlight in self._highlights:
-            data = self._data(highlight.points)
+            data = point_data(highlight.points - self._layer.origin)
             actor, outline = (
                 point_actor(data, highlight.colour),
                 point_actor(data, highlight.colour),
@@ -178,8 +174,18 @@ class VtkViewport:
         self._refine_later()
 
     def view(self, name: str) -> None:
-        """Standard view: "top", "front", "side" or "isometric"."""
+        """Standard view: "top", "front", "back", "left", "right" or "isometric"."""
         self._navigator.view(name)
+        self._refine_later()
+
+    def look_along(self, direction: Array, points: Array) -> None:
+        """Look at points (n, 3) along a direction (3,), from the station's side of them."""
+        self._navigator.look_along(direction, points)
+        self._refine_later()
+
+    def set_parallel(self, parallel: bool) -> None:
+        """Draw in parallel (orthographic) projection, or in perspective."""
+        self._navigator.project_parallel(parallel)
         self._refine_later()
 
     def set_point_size(self, pixels: int) -> None:
@@ -210,8 +216,8 @@ class VtkViewport:
         self._selected = None
         self._overlay.markers = ()
         self._highlights = []
-        self._clouds, self._colours = {}, {}
-        self._shading = self._overlay.shading = None
+        self._overlay.shading = None
+        self._layer.put({}, {})
         self.show_highlights([])
         self._draw_clouds()
 
@@ -223,85 +229,32 @@ class VtkViewport:
         self._rest.stop()
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
-        self._coarse, self._fine, self._rims, self._highlight_actors = [], [], [], []
-        self._clouds, self._highlights = {}, []
+        self._layer.forget()
+        self._highlights, self._highlight_actors = [], []
         self.canvas.close()
 
     # Drawing
 
-    def _visible(self) -> dict[str, Array]:
-        return {line: p for line, p in self._clouds.items() if line not in self._hidden}
-
     def _draw_clouds(self) -> None:
         """Draw the visible lines coarsely; their detail follows."""
-        self._remove(self._coarse)
-        self._remove_fine()
-        visible = self._visible()
-        share = shares({line: len(p) for line, p in visible.items()}, self._budget.moving)
-        shaded = self._shading is not None
-        coarse: dict[str, Array] = {}
-        self._coarse = []
-        for line, points in visible.items():
-            chosen = sample_order(len(points), share[line])
-            coarse[line] = points[chosen]
-            data = self._data(coarse[line], self._shades(line, chosen))
-            self._coarse.append(point_actor(data, self._colours[line], shaded=shaded))
-        for actor in self._coarse:
-            self._renderer.AddActor(actor)
-        self._navigator.clouds, self._navigator.coarse = visible, coarse
+        self._layer.draw(self._hidden, self._budget.moving)
+        self._navigator.clouds, self._navigator.coarse = self._layer.seen, self._layer.sparse
         self._detailed = False
         self._style_points()
         self._rest.start()
-
-    def _draw_fine(self) -> None:
-        """Draw the points in view, with rims, as far as the budget goes."""
-        self._remove_fine()
-        self._fine_camera = self.camera
-        visible = self._visible()
-        size = self._navigator.size
-        seen = {line: in_view(points, self.camera, size) for line, points in visible.items()}
-        share = shares({line: len(indices) for line, indices in seen.items()}, self._budget.resting)
-        shaded = self._shading is not None
-        for line, indices in seen.items():
-            chosen = indices[sample_order(len(indices), share[line])]
-            data = self._data(visible[line][chosen], self._shades(line, chosen))
-            self._fine.append(point_actor(data, self._colours[line], shaded=shaded))
-            # The same points larger, darker and a little behind: they draw an edge where something
-            # near stands before something far, and vanish inside a surface.
-            self._rims.append(point_actor(data, EDGE if shaded else dark(self._colours[line])))
-        for actor in (*self._fine, *self._rims):
-            self._renderer.AddActor(actor)
-        self._style_points()
-
-    def _remove_fine(self) -> None:
-        self._remove(self._fine)
-        self._remove(self._rims)
-        self._fine, self._rims, self._fine_camera = [], [], None
 
     def _remove(self, actors: Sequence[vtkActor]) -> None:
         for actor in actors:
             self._renderer.RemoveActor(actor)
 
-    def _data(self, points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPolyData:
-        """Points (n, 3) of the local frame as one cell."""
-        return point_data(points - self._origin, shades)
-
-    def _shades(self, line: str, chosen: NDArray[np.int64]) -> NDArray[np.uint8] | None:
-        return None if self._shading is None else self._shading.colours[line][chosen]
-
     def _style_points(self) -> None:
         scale = self.canvas.devicePixelRatioF()
-        for actor in self._fine:
-            actor.GetProperty().SetPointSize(self._point_size * scale)
-        for actor in self._coarse:  # fewer, so larger
-            actor.GetProperty().SetPointSize((self._point_size + 1) * scale)
-        for rim in self._rims:
-            rim.GetProperty().SetPointSize((self._point_size + 2) * scale)
+        self._layer.style(self._point_size, scale)
         for highlight, actor, outline in self._highlight_actors:
             drawn = emphasis(highlight, self._selected)
             size = self._point_size + drawn.larger
-            actor.GetProperty().SetPointSize(size * scale)
-            outline.GetProperty().SetPointSize((size + 3) * scale)
+            size_points([actor], size * scale)
+            size_points([outline], (size + 3) * scale)
             paint(actor, drawn.colour)
             paint(outline, dark(drawn.colour))
             shown = highlight.key[1] not in self._hidden
@@ -310,23 +263,17 @@ class VtkViewport:
         self._camera_moved()
 
     def _camera_moved(self) -> None:
-        eye = self.camera.position - self._origin
-        camera = self._renderer.GetActiveCamera()
-        camera.SetViewAngle(30.0)
-        camera.SetPosition(*eye)
-        camera.SetFocalPoint(*(self.camera.focal - self._origin))
-        camera.SetViewUp(*self.camera.axes[1])
+        camera, origin = self.camera, self._layer.origin
         for highlight, actor, outline in self._highlight_actors:
             lift = LIFT * (2 if emphasis(highlight, self._selected).above else 1)
-            shift_depth(actor, eye, -lift)
-            shift_depth(outline, eye, 0.3 * LIFT - lift)
-        for rim in self._rims:
-            shift_depth(rim, eye, RIM_DEPTH)
-        self._renderer.ResetCameraClippingRange()
+            shift_depth(actor, camera, origin, -lift)
+            shift_depth(outline, camera, origin, 0.3 * LIFT - lift)
+        self._layer.move(camera)
+        aim(self._renderer, camera, origin)
         self._update()
 
     def _update(self) -> None:
-        self._overlay.camera = self.camera if self._clouds else None
+        self._overlay.camera = self.camera if self._layer.clouds else None
         self.canvas.update()
         self._overlay.update()
 
@@ -336,23 +283,17 @@ class VtkViewport:
 
     def _show_detail(self) -> None:
         self._rest.stop()
-        if self._fine_camera is not self.camera:
-            self._draw_fine()
-        self._set_detailed(True)
+        if self._layer.refine(self.camera, self._navigator.size, self._budget.resting):
+            self._style_points()
+        self._detailed = True
+        self._layer.show_detail(fine=True, coarse=False)
         self._update()
-
-    def _set_detailed(self, detailed: bool) -> None:
-        self._detailed = detailed
-        for actor in self._coarse:
-            actor.SetVisibility(not detailed)
-        for actor in (*self._fine, *self._rims):
-            actor.SetVisibility(detailed)
 
     def _on_moved(self) -> None:
         if self._detail_s > QUICK_S:
-            self._set_detailed(False)
-        for actor in self._coarse:  # the detail is only that of where the camera rested
-            actor.VisibilityOn()
+            self._detailed = False
+        # The detail is only that of where the camera rested.
+        self._layer.show_detail(fine=self._detailed, coarse=True)
         self._camera_moved()
 
     def _on_resized(self) -> None:

@@ -1,0 +1,72 @@
+"""Actions that change how the lines are looked at, and what is measured in the view."""
+
+from lispac.gui.colouring import COLOURINGS
+
+Described = tuple[str, str, str, object, str]
+"""Text, short text for the toolbar, icon, keys, tip."""
+
+VIEWS = ("isometric", "top", "front", "back", "left", "right")
+"""Names of the standard views; their actions are called the same."""
+COLOURED = {name: f"colour_{name}" for name in COLOURINGS}
+"""Action of each colouring."""
+
+VIEW_ACTIONS: dict[str, Described] = {
+    "fit": ("&Fit all", "Fit", "fit-to-page-outline", "F", "Bring everything into view"),
+    "fit_selection": ("Fit &selection", "Selection", "target", "Shift+F",
+                      "Bring the selected target or sighting into view"),
+    "isometric": ("&Isometric", "3D", "cube-outline", "1", "Look from above at an angle"),
+    "top": ("&Top", "Top", "arrow-down-bold-box-outline", "2", "Look straight down, north up"),
+    "front": ("F&ront", "Front", "eye-outline", "3", "Look from the vessel"),
+    "left": ("From the &left", "Left", "axis-arrow", "4", "Look from the left, as the vessel sees"),
+    "back": ("&Back", "Back", "", "5", "Look towards the vessel"),
+    "right": ("From the ri&ght", "Right", "", "6", "Look from the right, as the vessel sees"),
+    "normal": ("Along the target's &normal", "Normal", "", "7",
+               "Look squarely at the selected target"),
+    "orthographic": ("&Orthographic", "Ortho", "", "O",
+                     "Draw without perspective: equal lengths look equal at every distance"),
+    "larger": ("&Larger points", "Larger", "magnify-plus-outline", "+", "Draw larger points"),
+    "smaller": ("S&maller points", "Smaller", "magnify-minus-outline", "-",
+                "Draw smaller points"),
+    "colour_next": ("&Next colouring", "Colours", "palette-outline", "C",
+                    "Colour the points by line, height, intensity, range, time, in turn"),
+    "colour_line": ("Colour by &line", "Line", "", "", "Each line in its own colour"),
+    "colour_height": ("Colour by &height", "Height", "", "", "Colour the points by height"),
+    "colour_intensity": ("Colour by &intensity", "Intensity", "", "",
+                         "Colour the points by the intensity in their file"),
+    "colour_range": ("Colour by &range", "Range", "", "",
+                     "Colour the points by their distance from the scanner"),
+    "colour_time": ("Colour by ti&me", "Time", "", "",
+                    "Colour the points by the time they were measured"),
+}  # fmt: skip
+
+Menu = tuple["str | tuple[str, Menu]", ...]
+"""Names of actions, "" for a line between them, and menus in the menu with their titles."""
+
+VIEW_MENU: Menu = (
+    "before",
+    "after",
+    "toggle",
+    "",
+    "fit",
+    "fit_selection",
+    ("&Look from", (*VIEWS, "normal")),
+    "orthographic",
+    "",
+    "larger",
+    "smaller",
+    ("&Colour by", (*COLOURED.values(), "", "colour_next")),
+    "",
+    ("&Panels", ("DOCKS",)),
+)
+SWITCHES = ("orthographic",)
+"""Actions that are on or off, each by itself."""
+
+KEYS = (
+    ("F, Shift + F", "fit everything, fit the selected target"),
+    ("1, 2, 3, 4, 5, 6", "look isometric, from the top, front, left, back, right"),
+    ("7", "look along the normal of the selected target"),
+    ("O", "orthographic or perspective"),
+    ("+, −", "larger, smaller points"),
+    ("C", "colour the points by line, height, intensity, range, time"),
+)
+"""Rows of the list of keys."""

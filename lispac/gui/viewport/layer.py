@@ -1,0 +1,129 @@
+"""The lines in one placement as they are drawn: coarse while the camera moves, in detail at rest.
+
+Knows no 3D library but by the functions of `actors`.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.gui.viewport.actors import EDGE, dark, point_actor, point_data, shift_depth, size_points
+from lispac.gui.viewport.base import Array, Colour, Shading
+from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.decimation import in_view, sample_order, shares
+
+RIM_DEPTH = 0.006
+"""How far the rims of points stand behind them, as part of their distance."""
+
+
+class Layer:
+    """Lines drawn by a renderer.
+
+    Attributes
+    ----------
+    seen : all points (n, 3) of the lines that are shown, metres, local frame
+    sparse : those that are drawn while the camera moves
+    origin : ndarray of shape (3,), metres, local frame
+        What the coordinates that are drawn count from.
+    """
+
+    def __init__(self, renderer: Any) -> None:
+        self._renderer = renderer
+        self._colours: dict[str, Colour] = {}
+        self._shading: Shading | None = None
+        self._clouds: dict[str, Array] = {}
+        self._coarse: list[Any] = []
+        self._fine: list[Any] = []
+        self._rims: list[Any] = []
+        self._fine_camera: Camera | None = None
+        self.seen: dict[str, Array] = {}
+        self.sparse: dict[str, Array] = {}
+        self.origin: Array = np.zeros(3)
+
+    @property
+    def clouds(self) -> Mapping[str, Array]:
+        """All lines, those that are hidden too."""
+        return self._clouds
+
+    def put(
+        self,
+        clouds: Mapping[str, Array],
+        colours: Mapping[str, Colour],
+        shading: Shading | None = None,
+    ) -> None:
+        """Take over lines; nothing is drawn yet."""
+        self._clouds = {line: points for line, points in clouds.items() if len(points)}
+        self._colours, self._shading = dict(colours), shading
+
+    def draw(self, hidden: set[str], budget: int) -> None:
+        """Draw the lines that are not hidden coarsely, with so many points in all."""
+        self._remove(self._coarse)
+        self._remove_fine()
+        self.seen = {line: p for line, p in self._clouds.items() if line not in hidden}
+        share = shares({line: len(points) for line, points in self.seen.items()}, budget)
+        shaded = self._shading is not None
+        self.sparse, self._coarse = {}, []
+        for line, points in self.seen.items():
+            chosen = sample_order(len(points), share[line])
+            self.sparse[line] = points[chosen]
+            data = point_data(self.sparse[line] - self.origin, self._shades(line, chosen))
+            self._coarse.append(point_actor(data, self._colours[line], shaded=shaded))
+        for actor in self._coarse:
+            self._renderer.AddActor(actor)
+
+    def refine(self, camera: Camera, size: Size, budget: int) -> bool:
+        """Draw the points in view with rims, so many in all; whether they were others so far."""
+        if self._fine_camera is camera:
+            return False
+        self._remove_fine()
+        self._fine_camera = camera
+        found = {line: in_view(points, camera, size) for line, points in self.seen.items()}
+        share = shares({line: len(indices) for line, indices in found.items()}, budget)
+        shaded = self._shading is not None
+        for line, indices in found.items():
+            chosen = indices[sample_order(len(indices), share[line])]
+            data = point_data(self.seen[line][chosen] - self.origin, self._shades(line, chosen))
+            self._fine.append(point_actor(data, self._colours[line], shaded=shaded))
+            # The same points larger, darker and a little behind: they draw an edge where something
+            # near stands before something far, and vanish inside a surface.
+            self._rims.append(point_actor(data, EDGE if shaded else dark(self._colours[line])))
+        for actor in (*self._fine, *self._rims):
+            self._renderer.AddActor(actor)
+        return True
+
+    def show_detail(self, *, fine: bool, coarse: bool) -> None:
+        """Show the detail where the camera rested, the coarse points, or both."""
+        for actor in self._coarse:
+            actor.SetVisibility(coarse)
+        for actor in (*self._fine, *self._rims):
+            actor.SetVisibility(fine)
+
+    def style(self, pixels: int, scale: float) -> None:
+        """Size of the points; those drawn while the camera moves are fewer, so larger."""
+        size_points(self._fine, pixels * scale)
+        size_points(self._coarse, (pixels + 1) * scale)
+        size_points(self._rims, (pixels + 2) * scale)
+
+    def move(self, camera: Camera) -> None:
+        """Keep the rims behind their points."""
+        for rim in self._rims:
+            shift_depth(rim, camera, self.origin, RIM_DEPTH)
+
+    def forget(self) -> None:
+        """Let go of everything, after the renderer has."""
+        self._coarse, self._fine, self._rims = [], [], []
+        self._clouds, self.seen, self.sparse = {}, {}, {}
+
+    def _remove_fine(self) -> None:
+        self._remove(self._fine)
+        self._remove(self._rims)
+        self._fine, self._rims, self._fine_camera = [], [], None
+
+    def _remove(self, actors: list[Any]) -> None:
+        for actor in actors:
+            self._renderer.RemoveActor(actor)
+
+    def _shades(self, line: str, chosen: NDArray[np.int64]) -> NDArray[np.uint8] | None:
+        return None if self._shading is None else self._shading.colours[line][chosen]
