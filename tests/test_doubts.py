@@ -9,6 +9,7 @@ import pytest
 
 from lispac.adjustment.doubts import RULES, doubts
 from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import Contradiction
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.cli.estimate import numbers, print_result
 from lispac.gui.panels import result_words
@@ -103,7 +104,22 @@ def _facing(count: int) -> Callable[[Project], Project]:
     return change
 
 
+def _contradicted(project: Project) -> Project:
+    assert project.result is not None
+    sigma = project.result.sigma
+    found = Contradiction("lever_x", -0.0951, 0.0041, sigma * [0.1, -14.2, 0.6], 0.0)
+    return replace(project, result=replace(project.result, contradictions=(found,)))
+
+
+def _bent(project: Project) -> Project:
+    assert project.result is not None
+    return replace(project, result=replace(project.result, surface=0.0071))
+
+
 CASES = [
+    ("contradicted_lever_x", True, _contradicted, "The data contradict the stated lever arm X: "
+     "they want it 0.0951 m smaller (+/- 0.0041 m, w -23.2), which would move pitch by -"),
+    ("surfaces_differ", False, _bent, "seem to lie 7.1 mm (1 sigma) off their common shape"),
     ("large_sigma", True, _wide, "roll to 0.49 deg (1 sigma). Add targets"),
     ("large_sigma", True, _unseen, "What these lines and targets do not see goes into it: "
      "scan-angle offset."),

@@ -13,6 +13,7 @@ import scipy.stats
 from lispac.adjustment.critical import critical_w
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.observations import Sighting
+from lispac.adjustment.omitted import OF_CONSEQUENCE
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
@@ -23,6 +24,7 @@ from lispac.adjustment.result import (
 )
 from lispac.adjustment.shown import (
     UNCHECKED,
+    amount,
     capitalised,
     counted,
     listed,
@@ -44,6 +46,9 @@ thousand."""
 
 HIGH_CORRELATION = 0.9
 """Beyond it two angles are told apart mostly by their sum or difference."""
+
+FLAT = 0.005
+"""Metres: sigma of the surfaces that no flat board has."""
 
 MUCH_NOISE = 2.0
 """Factor on the stated LiDAR noise that is no matter of a few tenths of a millimetre any more."""
@@ -99,6 +104,37 @@ def _thesis_mode(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Do
             "Thesis mode: every point is taken to have a POS error of its own, while in truth "
             "neighbouring points share theirs. The sigmas of the angles are several times too "
             "small; choose the correlated model for sigmas to rely on.",
+        )
+
+
+def _contradictions(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    """What a wrong lever arm does to the answer passes every other test."""
+    for found in result.contradictions:
+        moves = [
+            f"{angle} by {signed(float(np.degrees(moved)), 3)}\u00a0deg "
+            f"({abs(moved) / sigma:.1f}\u00a0of its sigmas)"
+            for angle, moved, sigma in zip(ANGLES, found.moved, result.sigma, strict=True)
+            if abs(moved) > OF_CONSEQUENCE * sigma
+        ]
+        larger = "larger" if found.change > 0 else "smaller"
+        yield Doubt(
+            f"contradicted_{found.name}",
+            True,
+            f"The data contradict the stated {parameter(found.name)}: they want it "
+            f"{amount(found.name, abs(found.change))} {larger} "
+            f"(\u00b1\u00a0{amount(found.name, found.sigma)}, w\u00a0{signed(found.w, 1)}), which "
+            f"would move {listed(moves)}. Measure it again, or have it estimated.",
+        )
+
+
+def _surfaces(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    if result.model.surface is None and result.surface > FLAT:
+        yield Doubt(
+            "surfaces_differ",
+            False,
+            f"From line to line the targets seem to lie {mm(result.surface)}\u00a0mm (1 sigma) off "
+            "their common shape, beyond what the stated sigmas explain; the chi-square test allows for it. Rough or bent targets do that, and "
+            "so does an error the model lacks; flat boards do not.",
         )
 
 
@@ -330,10 +366,12 @@ def _spread(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Doubt]:
 
 RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], ...] = (
     _thesis_mode,
+    _contradictions,
     _large_sigmas,
     _one_facing,
     _correlations,
     _surface_held,
+    _surfaces,
     _sightings,
     _strays,
     _noise,

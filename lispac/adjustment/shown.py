@@ -72,6 +72,12 @@ def parameter(name: str) -> str:
     return words[0].lower() + words[1:]
 
 
+def amount(name: str, value: float) -> str:
+    """A value of the mounting, in metres, radians or seconds, with the unit it is shown in."""
+    shown = QUANTITIES[name]
+    return minus(f"{shown.factor * value:.{shown.decimals}f}\u00a0{shown.unit}")
+
+
 def capitalised(text: str) -> str:
     """The text with a capital first letter, all others as they are."""
     return text[:1].upper() + text[1:]
@@ -90,8 +96,8 @@ def minus(text: str) -> str:
 
 
 def plain(text: str) -> str:
-    """The text without true minus signs and fixed spaces, which not every terminal can show."""
-    return text.replace("\u2212", "-").replace("\u00a0", " ")
+    """The text without signs and fixed spaces that not every terminal can show."""
+    return text.replace("\u2212", "-").replace("\u00a0", " ").replace("\u00b1", "+/-")
 
 
 def signed(value: float, decimals: int) -> str:

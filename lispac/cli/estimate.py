@@ -14,6 +14,7 @@ from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
     Component,
+    Contradiction,
     CrossChecks,
     SightingReliability,
 )
@@ -197,6 +198,7 @@ def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, A
             "in_words": list(seen.sentences),
         },
         "reliability": [_reliability(item) for item in result.reliability],
+        "contradictions": [_contradiction(found) for found in result.contradictions],
         "suspects": [f"{s.target} on {s.line}" for s in result.suspects],
         "components": {
             c.name: {
@@ -229,6 +231,19 @@ def _parameter(estimate: Estimate) -> dict[str, Any]:
         "sigma": shown(estimate.sigma),
         "significance": estimate.significance,
         "reason": estimate.reason,
+    }
+
+
+def _contradiction(found: Contradiction) -> dict[str, Any]:
+    factor, unit = STATED[found.name]
+    return {
+        "name": found.name,
+        "unit": unit,
+        "change": factor * found.change,
+        "sigma": factor * found.sigma,
+        "w": found.w,
+        "moved_deg": _degrees(found.moved),
+        "surface_sigma_m": found.surface,
     }
 
 

@@ -1,6 +1,6 @@
 """What a result says besides its angles, in words: warnings, extra parameters, the fit."""
 
-from lispac.adjustment.doubts import doubts
+from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.shown import counted
@@ -48,7 +48,12 @@ def verdict(result: AdjustmentResult) -> str:
     if result.chi_square.passed:
         if not result.model.correlated:
             return "The residuals are as large as the stated sigmas say."
-        return "The residuals are as large as the stated sigmas say: the uncertainties can be used."
+        fits = "The residuals are as large as the stated sigmas say"
+        if result.model.surface is None and result.surface > FLAT:
+            fits += f", once the targets may differ by {surface_words(result)} from line to line"
+        if result.contradictions:
+            return f"{fits}, but the data contradict a value that was stated."
+        return f"{fits}: the uncertainties can be used."
     if result.variance_factor > 1:
         return (
             "The residuals are larger than the stated sigmas say. Look for a target that is not "
