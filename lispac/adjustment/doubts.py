@@ -133,8 +133,9 @@ def _surfaces(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt
             "surfaces_differ",
             False,
             f"From line to line the targets seem to lie {mm(result.surface)}\u00a0mm (1 sigma) off "
-            "their common shape, beyond what the stated sigmas explain; the chi-square test allows for it. Rough or bent targets do that, and "
-            "so does an error the model lacks; flat boards do not.",
+            "their common shape, beyond what the stated sigmas explain; the chi-square test "
+            "allows for it. Rough or bent targets do that, and so does an error the model lacks; "
+            "flat boards do not.",
         )
 
 

@@ -44,22 +44,44 @@ def contradictions(linearised: Linearised) -> tuple[Contradiction, ...]:
     all_let_go = every.linearised(linearised.state, linearised.loss)
     sigma_now = np.sqrt(np.diag(linearised.normal.covariance)[:3])
     critical = scipy.stats.norm.isf(FAMILY / 2 / len(SWITCHED))
-    found = []
-    for parameter in omitted:
-        let_go = _only(all_let_go, (*problem.parameters, parameter))
-        if any(hidden.name == parameter.name for hidden in unseen(let_go)):
-            continue
-        if problem.layout.surfaces and problem.model.surface is None:
-            let_go = let_go.of(let_go.problem.with_surface(surface_sigma(let_go)))
-        correction, _ = let_go.normal.solve()
-        k = int(np.searchsorted(let_go.problem.active, parameter.index))
-        change, sigma = float(correction[k]), float(np.sqrt(let_go.normal.covariance[k, k]))
-        moved = correction[:3]
-        if abs(change) > critical * sigma and (np.abs(moved) > OF_CONSEQUENCE * sigma_now).any():
-            found.append(
-                Contradiction(parameter.name, change, sigma, moved, let_go.problem.usual_surface)
-            )
-    return tuple(sorted(found, key=lambda each: -abs(each.w)))
+    found: list[Contradiction] = []
+    gone, moved = problem.parameters, np.zeros(3)
+    while True:  # what is let go of first may explain what the others seem to want
+        tests = [
+            test for each in omitted if (test := _test(all_let_go, gone, each, moved)) is not None
+        ]
+        worst = max(tests, key=lambda test: abs(test.w), default=None)
+        if worst is None or abs(worst.w) <= critical:
+            break
+        if (np.abs(worst.moved) > OF_CONSEQUENCE * sigma_now).any():
+            found.append(worst)
+        gone, moved = (*gone, Parameter(worst.name)), moved + worst.moved
+        omitted = [each for each in omitted if each.name != worst.name]
+    return tuple(found)
+
+
+def _test(
+    all_let_go: Linearised, gone: tuple[Parameter, ...], parameter: Parameter, before: Array
+) -> Contradiction | None:
+    """A value let go of besides those that are ``gone``; None where the geometry hides it.
+
+    Parameters
+    ----------
+    before : ndarray of shape (3,), radians
+        What letting go of the others has moved the angles by.
+    """
+    let_go = _only(all_let_go, (*gone, parameter))
+    if any(hidden.name == parameter.name for hidden in unseen(let_go)):
+        return None
+    problem = let_go.problem
+    if problem.layout.surfaces and problem.model.surface is None:
+        let_go = let_go.of(problem.with_surface(surface_sigma(let_go)))
+    correction, _ = let_go.normal.solve()
+    k = int(np.searchsorted(problem.active, parameter.index))
+    sigma = float(np.sqrt(let_go.normal.covariance[k, k]))
+    moved = correction[:3] - before
+    surface = let_go.problem.usual_surface
+    return Contradiction(parameter.name, float(correction[k]), sigma, moved, surface)
 
 
 def _only(every: Linearised, parameters: tuple[Parameter, ...]) -> Linearised:
