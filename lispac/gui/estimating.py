@@ -68,6 +68,9 @@ class Estimating(QObject):
         self._scene, self._controller = scene, controller
         self._selection: _Selection | None = None
         self._following: tuple[Task, Project] | None = None
+        self._wants_checks = False
+        self._unchecked: Project | None = None
+        self._checking: Task | None = None
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
@@ -94,7 +97,7 @@ class Estimating(QObject):
         def done(answer: _Answer) -> None:
             if self._document.project is not project or answer.estimated.result is None:
                 return
-            self._selection = answer.selection
+            self._selection, self._wants_checks = answer.selection, cross_check
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
             self._document.edit("estimate", answer.estimated, survey=answer.replaced)
             # Another survey made the scene let go of what it had.
@@ -115,7 +118,9 @@ class Estimating(QObject):
         return self._document.project, self._document.survey if current else None
 
     def _forget(self) -> None:
-        self._selection = None
+        project = self._document.project
+        self._selection, self._unchecked = None, None
+        self._wants_checks = project is not None and project.cross_checks is not None
 
     # -- what follows from a click -----------------------------------------------------------
 
@@ -124,6 +129,7 @@ class Estimating(QObject):
         if not self._document.awaits_result:
             self._rest.stop()
             self._following = None
+            self._check()
             return
         task, base = self._following or (None, None)
         if base is self._document.project and task is not None:
@@ -161,8 +167,10 @@ class Estimating(QObject):
                 return
             self._selection = answer.selection
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
+            self._unchecked = answer.estimated if self._wants_checks else None
             self._document.amend(answer.estimated)
-            self._note(answer.estimated, "Estimated again")
+            kept = " with the points as they were selected before" if selection else ""
+            self._note(answer.estimated, f"Estimated again{kept}")
 
         # A quick one gives way to what the user asks for; a slow one can be cancelled.
         task = self._runner.run(
@@ -170,6 +178,34 @@ class Estimating(QObject):
         )
         self._following = (task, project)
         self._controller.based_on_project(task)
+
+    def _check(self) -> None:
+        """Let the cross-checks of what followed from a click come after it, when nothing else runs.
+
+        They take ten times as long as the adjustment itself.
+        """
+        if self._runner.active:
+            return
+        last, self._checking = self._checking, None
+        if last is not None and last.cancel.is_set() and not last.gave_way:
+            self._unchecked = None  # cancelled by hand
+        (project, survey), selection = self._ready(), self._selection
+        if project is None or project is not self._unchecked or survey is None:
+            return
+        if selection is None or not selection.serves(project, survey):
+            return
+
+        def work(progress: Progress) -> Project:
+            from lispac.workflow.calibration import check
+
+            return check(project, selection.selected, survey, progress=progress)
+
+        def done(checked: Project) -> None:
+            if self._document.project is project:
+                self._unchecked = None
+                self._document.amend(checked)
+
+        self._checking = self._runner.run("Cross-checking", work, done, quiet=True, key="follow")
 
     def _note(self, project: Project, word: str) -> None:
         result = project.result

@@ -233,10 +233,7 @@ def solve(
     Fast enough to follow a click: a target or line switched off needs no new selection.
     """
     settings, prior = project.settings, project.mounting("prior")
-    near = selected.result.mounting if selected.result else prior
-    observations = observations_of(
-        project.with_points_of(selected), survey, settings=settings, mounting=near
-    )
+    observations = _chosen(project, selected, survey)
     result = adjust(
         observations,
         prior,
@@ -246,19 +243,41 @@ def solve(
         accept_one_facing=settings.accept_one_facing,
         progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
     )
-    # A further line and the parts are judged by the sigmas of the whole.
-    observations = observations.with_sigmas(*result.sigma_factors)
+    # A further line is judged by the sigmas of the whole.
+    judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability
-    if seen is not None and (said := advice(observations, result)):
+    if seen is not None and (said := advice(judged, result)):
         said_too = replace(seen, sentences=(*seen.sentences, said))
         result = replace(result, observability=said_too)
     solved = project.with_result(result)
-    if not cross_check:
-        return solved
-    checks = cross_checks(
-        observations, prior, result, settings.parameters, progress=part(progress, 0.4, 1.0)
+    return _checked(solved, observations, part(progress, 0.4, 1.0)) if cross_check else solved
+
+
+def check(
+    project: Project, selected: Project, survey: Survey, *, progress: Progress = no_progress
+) -> Project:
+    """A project with a result, and the answers of parts of the same points beside it.
+
+    For what was solved without: a click is followed at once, and this comes after it.
+    """
+    return _checked(project, _chosen(project, selected, survey), progress)
+
+
+def _chosen(project: Project, selected: Project, survey: Survey) -> Observations:
+    """The points of ``selected`` on the sightings that the project uses."""
+    near = selected.result.mounting if selected.result else project.mounting("prior")
+    return observations_of(
+        project.with_points_of(selected), survey, settings=project.settings, mounting=near
     )
-    return solved.with_cross_checks(checks)
+
+
+def _checked(project: Project, observations: Observations, progress: Progress) -> Project:
+    assert project.result is not None
+    # The parts are judged by the sigmas of the whole.
+    observations = observations.with_sigmas(*project.result.sigma_factors)
+    prior, parameters = project.mounting("prior"), project.settings.parameters
+    checks = cross_checks(observations, prior, project.result, parameters, progress=progress)
+    return project.with_cross_checks(checks)
 
 
 def count_of(project: Project, survey: Survey, settings: Settings) -> int:

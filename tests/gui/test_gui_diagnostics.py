@@ -12,7 +12,17 @@ from lispac.gui.panels.diagnostics_pages import PAGES
 from lispac.gui.panels.diagnostics_table import MARKED_BACKGROUND
 from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
 from lispac.project import Project
-from tests.gui.support import Control, Demo, Driver, Key, Left, click_check, double_click, settle
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Demo,
+    Driver,
+    Key,
+    Left,
+    click_check,
+    double_click,
+    settle,
+)
 
 
 @pytest.fixture
@@ -176,7 +186,7 @@ def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, 
     assert f"without line {line}" in told
 
 
-def test_what_follows_from_a_tick_is_shown_and_has_no_cross_checks(
+def test_what_follows_from_a_tick_is_shown_and_cross_checked_after_that(
     shown: Driver, estimated: Project
 ):
     table = turn_to(shown, "Sightings").table
@@ -188,7 +198,10 @@ def test_what_follows_from_a_tick_is_shown_and_has_no_cross_checks(
     shown.window.docks["Diagnostics"].raise_()
     assert table.isEnabled()
     assert table.rowCount() == len(estimated.result.sightings) - 1
-    assert turn_to(shown, "Cross-checks").advice.startswith("Not cross-checked")
+    shown.bot.waitUntil(lambda: shown.project.cross_checks is not None, timeout=WAIT_MS)
+    assert turn_to(shown, "Cross-checks").advice == ""
+    assert len(shown.project.cross_checks.parts) == len(estimated.cross_checks.parts)
+    assert shown.project.cross_checks.sigma is not estimated.cross_checks.sigma
     shown.bot.keyClick(shown.window, Key.Key_Z, Control)
     shown.rest()
     assert turn_to(shown, "Sightings").table.rowCount() == len(estimated.result.sightings)

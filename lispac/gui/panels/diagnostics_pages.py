@@ -225,8 +225,8 @@ class Checks(Page):
         if project.cross_checks is not None:
             return ""
         return (
-            "Not cross-checked: what follows from a tick in the table is adjusted without it. Tick "
-            "“Cross-check” in step 3 and press Estimate."
+            "Not cross-checked. Tick “Cross-check” in step 3 and press Estimate; after that it "
+            "follows each tick in the table by itself, a moment after the angles."
         )
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
