@@ -120,12 +120,17 @@ def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> No
 
 
 def test_variance_components_with_their_intervals(changed: Changed) -> None:
-    found = (Component("LiDAR", 0.82, 0.78, 0.87), Component("POS position", 1.3, 0.6, 2.9))
+    found = (
+        Component("LiDAR", 0.82, 0.78, 0.87, applied=True),
+        Component("POS position", 1.3, 0.6, 2.9, applied=True),
+        Component("POS attitude", 1.3, 0.6, 2.9),
+    )
     table = _tables(document_of(changed(components=found), {}))[
-        "Variance components: the sigmas used, over the stated ones"
+        "Variance components: the sigmas by the data, over the stated ones"
     ]
-    assert table.rows[0] == ("LiDAR", "0.82", "0.78 to 0.87", "smaller than stated")
-    assert table.rows[1][2:] == ("0.60 to 2.90", "as stated, within the interval")
+    assert table.rows[0] == ("LiDAR", "0.82", "0.78 to 0.87", "applied: smaller than stated")
+    assert table.rows[1][2:] == ("0.60 to 2.90", "applied: larger than stated")
+    assert table.rows[2][2:] == ("0.60 to 2.90", "not applied: as stated, within the interval")
 
 
 def test_extra_parameters(project: Project, changed: Changed) -> None:

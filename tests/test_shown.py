@@ -8,11 +8,19 @@ import pytest
 
 from lispac.adjustment.critical import critical_w
 from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.shown import QUANTITIES, STATED, named_parts
+from lispac.adjustment.result import AdjustmentResult, Component, CrossChecks
+from lispac.adjustment.shown import QUANTITIES, STATED, component_shown, named_parts
 from lispac.cli.estimate import numbers, print_result
+from lispac.gui.panels import result_words
 from lispac.gui.panels.adjust_parameters import KINDS
-from lispac.gui.panels.diagnostics_rows import SIGHTINGS, check_rows, sighting_rows, spread_words
+from lispac.gui.panels.diagnostics_rows import (
+    SIGHTINGS,
+    check_rows,
+    parameter_rows,
+    sighting_rows,
+    spread_words,
+)
+from lispac.gui.panels.result_words import component_words
 from lispac.report.document import document_of
 from lispac.report.wording import quantity
 from tests.report_sample import sample_content, sample_project
@@ -104,3 +112,62 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
     printed = capsys.readouterr().out
     assert "1 sighting, 1 target, " in printed
     assert "(1 stray left out)" in printed
+
+
+@pytest.mark.parametrize(
+    ("component", "words"),
+    [
+        # Raised where the data say more, though the stated sigma is within the interval
+        (Component("POS position", 2.4, 0.9, 7.2, applied=True), "applied: larger than stated"),
+        (Component("POS attitude", 2.4, 0.2, 29.0, applied=True), "applied: larger than stated"),
+        (Component("LiDAR", 0.5, 0.4, 0.6, applied=True), "applied: smaller than stated"),
+        (Component("LiDAR", 1.0, 0.01, 100.0), "not applied: the data do not tell"),
+        (Component("LiDAR", 0.9, 0.7, 1.2), "not applied: as stated, within the interval"),
+        (Component("LiDAR", 1.04, 1.01, 1.07), "not applied: too little, or seen too weakly"),
+    ],
+)
+def test_a_variance_component_is_told_alike_everywhere(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, component: Component, words: str
+) -> None:
+    project = sample_project(tmp_path)
+    assert project.result is not None
+    result = replace(project.result, components=(component,))
+    sentence = component_shown(component).sentence
+    assert words in sentence
+    print_result(result, None)
+    assert f"\n{sentence}\n" in capsys.readouterr().out
+    assert sentence in component_words(result)
+    content = sample_content(replace(project, result=result))
+    assert content.adjustment is not None
+    (told,) = content.adjustment.components
+    assert told.applied == component.applied
+    assert sentence.endswith(told.in_words)
+    tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
+    (row,) = [row for table in tables for row in table.rows if told.in_words in row]
+    assert f"{row[0]} sigmas times {row[1]} (95 %: {row[2]}), {row[3]}" == sentence
+
+
+@pytest.mark.parametrize(
+    ("units", "significant"), [(1.95, False), (-1.97, True), (2.5, True), (3.1, True)]
+)
+def test_a_value_is_significant_beyond_one_limit_everywhere(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, units: float, significant: bool
+) -> None:
+    project = sample_project(tmp_path)
+    assert project.result is not None
+    estimate = Estimate("lever_x", 0.0, None, 0.1, 0.05, units)
+    result = replace(project.result, parameters=(estimate,))
+    words = "significant" if significant else "not significant"
+    assert estimate.significant is significant
+    print_result(result, None)
+    assert f"prior +0.0000: {words}\n" in capsys.readouterr().out
+    assert numbers(result, None)["parameters"]["lever_x"]["significant"] is significant
+    assert parameter_rows(result)[-1].cells[-1].text.startswith(f"{words}: ")
+    assert f"prior +0.0000 m, {words}<" in result_words.parameter_rows(result).replace("−", "-")
+    content = sample_content(replace(project, result=result))
+    assert content.adjustment is not None
+    assert content.adjustment.parameters[0].significant is significant
+
+
+def test_a_value_without_a_number_is_neither() -> None:
+    assert Estimate("lever_z", 0.0, None, reason="Not seen.").significant is None

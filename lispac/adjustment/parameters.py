@@ -17,6 +17,9 @@ LIMITS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 
 """Radians, metres, seconds, in the order of `CALIBRATION`. What the geometry cannot tell to better
 than this is not determined by it: a tape measure, or a look at the mounting, knows it better."""
 
+SIGNIFICANT = 1.96
+"""Standard deviations that a change by chance exceeds one time in twenty, up or down."""
+
 
 @dataclass(frozen=True)
 class Parameter:
@@ -51,8 +54,7 @@ class Estimate:
     prior, prior_sigma : float, None
         What went in.
     significance : float or None
-        How far off the prior the data alone want the value, in standard deviations of theirs; the
-        parameter earns its place beyond 2.
+        How far off the prior the data alone want the value, in standard deviations of theirs.
     reason : str
         Why there is no number, in words; empty where there is one.
     """
@@ -64,3 +66,11 @@ class Estimate:
     sigma: float | None = None
     significance: float | None = None
     reason: str = ""
+
+    @property
+    def significant(self) -> bool | None:
+        """Whether the value earns its place: two-sided test at 5 %; None where there is no value.
+
+        The one limit of the command line, the window and the report.
+        """
+        return None if self.significance is None else abs(self.significance) > SIGNIFICANT

@@ -5,7 +5,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from lispac.adjustment.result import CrossCheck, CrossChecks, SightingReliability
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import Component, CrossCheck, CrossChecks, SightingReliability
 
 
 @dataclass(frozen=True)
@@ -62,6 +63,53 @@ def named_parts(checks: CrossChecks) -> Iterator[tuple[str, CrossCheck]]:
         yield HALVES, halves[0]
         return
     yield from ((f"{half.without.capitalize()} half alone", half) for half in halves)
+
+
+VAGUE = 10.0
+"""Upper over lower end of a variance component's interval beyond which the data tell nothing."""
+
+
+@dataclass(frozen=True)
+class ComponentShown:
+    """A variance component as it is shown.
+
+    Attributes
+    ----------
+    name : whose sigmas
+    factor : on the stated sigmas
+    interval : of the factor, 95 %
+    finding : whether the sigmas were changed by it, and why
+    """
+
+    name: str
+    factor: str
+    interval: str
+    finding: str
+
+    @property
+    def sentence(self) -> str:
+        """The same in one line."""
+        return f"{self.name} sigmas times {self.factor} (95 %: {self.interval}), {self.finding}"
+
+
+def component_shown(found: Component) -> ComponentShown:
+    """A variance component in words; whether it was applied is what the adjustment says."""
+    if found.applied:
+        finding = f"applied: {'larger' if found.factor > 1 else 'smaller'} than stated"
+    elif found.upper > VAGUE * found.lower:
+        finding = "not applied: the data do not tell"
+    elif found.lower <= 1 <= found.upper:
+        finding = "not applied: as stated, within the interval"
+    else:
+        finding = "not applied: too little, or seen too weakly, to change what is stated"
+    return ComponentShown(
+        found.name, f"{found.factor:.2f}", f"{found.lower:.2f} to {found.upper:.2f}", finding
+    )
+
+
+def significance_words(estimate: Estimate) -> str:
+    """Whether a value earns its place; empty where there is none."""
+    return {True: "significant", False: "not significant", None: ""}[estimate.significant]
 
 
 def parameter(name: str) -> str:

@@ -13,7 +13,6 @@ from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
-    Component,
     Contradiction,
     CrossChecks,
     SightingReliability,
@@ -23,7 +22,9 @@ from lispac.adjustment.shown import (
     SPREAD_LINES,
     SPREAD_TARGETS,
     STATED,
+    component_shown,
     counted,
+    significance_words,
 )
 from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
@@ -230,6 +231,7 @@ def _parameter(estimate: Estimate) -> dict[str, Any]:
         "value": shown(estimate.value),
         "sigma": shown(estimate.sigma),
         "significance": estimate.significance,
+        "significant": estimate.significant,
         "reason": estimate.reason,
     }
 
@@ -319,7 +321,7 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
         f"{result.rms_after * 1000:.1f} mm after"
     )
     for component in result.components:
-        print(_component_line(component))
+        print(component_shown(component).sentence)
     for sentence in result.observability.sentences if result.observability else ():
         print(sentence)
     found = doubts(result, checks)
@@ -339,24 +341,13 @@ def _model_words(result: AdjustmentResult) -> str:
     )
 
 
-def _component_line(component: Component) -> str:
-    if component.upper > 10 * component.lower:
-        return f"{component.name} sigmas: the data do not tell; as stated"
-    done = "applied" if component.applied else "as stated"
-    return (
-        f"{component.name} sigmas times {component.factor:.2f} "
-        f"({component.lower:.2f} to {component.upper:.2f}): {done}"
-    )
-
-
 def _parameter_line(estimate: Estimate) -> str:
     shown = QUANTITIES[estimate.name]
     factor, places = shown.factor, f".{shown.decimals}f"
     if estimate.value is None or estimate.sigma is None or estimate.significance is None:
         return estimate.reason
-    earned = "significant" if abs(estimate.significance) > 1.96 else "not significant"
     return (
         f"{shown.title} {factor * estimate.value:+{places}} {shown.unit}, "
         f"sigma {factor * estimate.sigma:{places}}, prior {factor * estimate.prior:+{places}}: "
-        f"{earned}"
+        f"{significance_words(estimate)}"
     )

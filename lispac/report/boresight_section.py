@@ -1,5 +1,6 @@
 """The section on the boresight: its fit, what was estimated with it, and what the lines see."""
 
+from lispac.adjustment.parameters import SIGNIFICANT
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, facts, rows
 from lispac.report.values import Adjustment, ExtraParameter, ReportContent, Seen
 from lispac.report.wording import (
@@ -36,8 +37,8 @@ def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
         else ""
     )
     stated = "from the stated sigmas"
-    if adjustment.components:
-        stated += " times the variance components"
+    if any(component.applied for component in adjustment.components):
+        stated += " times the variance components applied"
     if content.settings.pos_errors == "correlated":
         stated += ", before any noise was taken from the residuals"
     return facts(
@@ -77,9 +78,9 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
     if any(p.value is not None for p in adjustment.parameters):
         blocks.append(
             Paragraph(
-                "A change earns its place where it exceeds 1.96 of its sigmas, which chance does "
-                "one time in twenty. The boresight of this report goes with the estimated values; "
-                "with the prior ones it would be another."
+                f"A change earns its place where it exceeds {SIGNIFICANT} of its sigmas, which "
+                "chance does one time in twenty. The boresight of this report goes with the "
+                "estimated values; with the prior ones it would be another."
             )
         )
     return blocks

@@ -14,7 +14,7 @@ from lispac.adjustment.result import (
     Observability,
     SightingReliability,
 )
-from lispac.adjustment.shown import STATED, UNCHECKED, standing
+from lispac.adjustment.shown import STATED, UNCHECKED, component_shown, standing
 from lispac.report.values import (
     CheckedPart,
     CrossChecked,
@@ -23,9 +23,6 @@ from lispac.report.values import (
     SightingCheck,
     VarianceComponent,
 )
-
-SIGNIFICANT = 1.96
-"""Standard deviations that a change by chance exceeds one time in twenty."""
 
 
 def number(value: float) -> float | None:
@@ -48,7 +45,7 @@ def parameters_of(result: AdjustmentResult) -> tuple[ExtraParameter, ...]:
                 value=_times(factor, estimate.value),
                 sigma=_times(factor, estimate.sigma),
                 significance=None if significance is None else number(significance),
-                significant=None if significance is None else abs(significance) > SIGNIFICANT,
+                significant=estimate.significant,
                 reason=estimate.reason,
             )
         )
@@ -77,7 +74,10 @@ def seen(observability: Observability | None) -> Seen | None:
 
 def components_of(result: AdjustmentResult) -> tuple[VarianceComponent, ...]:
     """How large the groups of errors are by the data."""
-    return tuple(VarianceComponent(c.name, c.factor, c.lower, c.upper) for c in result.components)
+    return tuple(
+        VarianceComponent(c.name, c.factor, c.lower, c.upper, c.applied, component_shown(c).finding)
+        for c in result.components
+    )
 
 
 def reliability_of(result: AdjustmentResult) -> tuple[SightingCheck, ...]:

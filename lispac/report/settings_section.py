@@ -111,7 +111,7 @@ def _noise(adjustment: Adjustment) -> str:
     larger = [t for t in adjustment.targets if t.noise_factor >= NOTEWORTHY_NOISE]
     stated = (
         "the sigma found by the variance components"
-        if adjustment.components
+        if any(c.applied and c.name == "LiDAR" for c in adjustment.components)
         else "the stated LiDAR noise"
     )
     if not larger:
@@ -134,7 +134,7 @@ def _surface(used: SettingsUsed) -> str:
 def _components(adjustment: Adjustment) -> list[Block]:
     return [
         Table(
-            "Variance components: the sigmas used, over the stated ones",
+            "Variance components: the sigmas by the data, over the stated ones",
             (
                 Column("Errors of", "left"),
                 Column("Factor"),
@@ -144,23 +144,17 @@ def _components(adjustment: Adjustment) -> list[Block]:
             rows(_component(component) for component in adjustment.components),
         ),
         Paragraph(
-            "From the residuals and the estimated POS errors by restricted likelihood. With few "
-            "sightings the data say little of the POS: a wide interval means that the stated sigma "
-            "may be as good as the one found."
+            "From the residuals and the estimated POS errors by restricted likelihood. A sigma is "
+            "raised where the data say more, and lowered only where the whole interval says less; "
+            "what is not applied is used as stated. With few sightings the data say little of the "
+            "POS: a wide interval means that the stated sigma may be as good as the one found."
         ),
     ]
 
 
 def _component(found: VarianceComponent) -> tuple[str, str, str, str]:
-    if found.name == "surface":
-        interval = f"{mm(found.lower)} to {mm(found.upper)} mm"
-        return "surfaces", f"{mm(found.factor)} mm", interval, "found from the data"
-    if found.lower <= 1 <= found.upper:
-        finding = "as stated, within the interval"
-    else:
-        finding = f"{'larger' if found.factor > 1 else 'smaller'} than stated"
     interval = f"{found.lower:.2f} to {found.upper:.2f}"
-    return found.name, f"{found.factor:.2f}", interval, finding
+    return found.name, f"{found.factor:.2f}", interval, found.in_words
 
 
 def _files(content: ReportContent) -> Table:

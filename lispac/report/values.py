@@ -202,13 +202,15 @@ class SightingCheck:
 class VarianceComponent:
     """How large a group of errors is by the data: ``factor`` on its stated sigma, 95 % interval.
 
-    For the surfaces the factor is the sigma itself, in metres.
+    ``applied`` tells whether the sigmas were changed by it.
     """
 
     name: str
     factor: float
     lower: float
     upper: float
+    applied: bool
+    in_words: str
 
 
 @dataclass(frozen=True)

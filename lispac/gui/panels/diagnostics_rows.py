@@ -6,17 +6,22 @@ import numpy as np
 
 from lispac.adjustment.critical import critical_w
 from lispac.adjustment.doubts import MUCH_NOISE
-from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.parameters import SIGNIFICANT, Estimate
 from lispac.adjustment.result import (
     AdjustmentResult,
     CrossChecks,
     SightingReliability,
     SightingResidual,
 )
-from lispac.adjustment.shown import SPREAD_LINES, SPREAD_TARGETS, named_parts, standing
+from lispac.adjustment.shown import (
+    SPREAD_LINES,
+    SPREAD_TARGETS,
+    named_parts,
+    significance_words,
+    standing,
+)
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number
-from lispac.gui.panels.result_words import significance_words
 
 MM, MDEG = 1e3, float(np.degrees(1e3))
 FOLLOW = "Double click, or Enter, goes to its points in the view"
@@ -72,7 +77,11 @@ PARAMETERS = (
     Column("± 1 σ", "Standard deviation of the value"),
     Column("Prior", "What went in"),
     Column("Prior σ", "How well that was said to be known"),
-    Column("in σ", "Change from the prior over its standard deviation"),
+    Column(
+        "in σ",
+        "Change from the prior over its standard deviation; significant beyond "
+        f"{SIGNIFICANT}, which chance exceeds one time in twenty",
+    ),
     Column("Remark", "Whether it earns its place, or why there is no number", True),
 )
 
@@ -242,5 +251,5 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
 
 
 def _earns(estimate: Estimate) -> str:
-    words = significance_words(estimate)
-    return f"{words}: {'keep it' if words == 'significant' else 'can be left out'}"
+    advice = "keep it" if estimate.significant else "can be left out"
+    return f"{significance_words(estimate)}: {advice}"

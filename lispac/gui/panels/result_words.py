@@ -1,9 +1,8 @@
 """What a result says besides its angles, in words: warnings, extra parameters, the fit."""
 
 from lispac.adjustment.doubts import FLAT, doubts
-from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.shown import counted
+from lispac.adjustment.shown import component_shown, counted, significance_words
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.theme import DONE, MUTED, WARNING
 
@@ -15,9 +14,6 @@ ELSEWHERE = {
 
 LEAST_SURFACE = 5e-5
 """Metres: below it a surface sigma shows as 0.0 mm."""
-
-EARNS = 3.0
-"""Standard deviations a value has to move to earn its place."""
 
 
 def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
@@ -75,17 +71,6 @@ def test_words(result: AdjustmentResult) -> str:
     )
 
 
-def significance_words(estimate: Estimate) -> str:
-    """Whether the value earns its place."""
-    if estimate.significance is None:
-        return ""
-    if abs(estimate.significance) > EARNS:
-        return "significant"
-    if abs(estimate.significance) > 2:
-        return "weakly significant"
-    return "not significant"
-
-
 def parameter_rows(result: AdjustmentResult) -> str:
     """The values estimated besides the boresight, as rich text; empty where there are none."""
     rows = []
@@ -105,7 +90,4 @@ def parameter_rows(result: AdjustmentResult) -> str:
 
 def component_words(result: AdjustmentResult) -> str:
     """How large the errors are by the data; empty where that was not asked for."""
-    return "; ".join(
-        f"{c.name} {c.factor:.2f} × stated (95 %: {c.lower:.2f} to {c.upper:.2f})"
-        for c in result.components
-    )
+    return "; ".join(component_shown(each).sentence for each in result.components)
