@@ -281,6 +281,37 @@ def test_correction_of_a_program_that_takes_a_matrix_only(capsys) -> None:
     assert "replaces the current one" in text
 
 
+def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path) -> None:
+    now = np.eye(4)
+    now[:3, :3] = Rotation.from_euler("ZYX", [3.0, -1.0, 0.5], degrees=True).as_matrix()
+    now[:3, 3] = 0.12, -0.34, 2.5
+    numbers = np.round(now, 12).ravel().tolist()
+    words = (0.4395, -1.8681, 0.3992, "--to", "applanix", "--current-matrix", *numbers)
+    # None given: taken over
+    found = answer(capsys, *words)
+    assert found["to"]["lever_arm_m"] == pytest.approx([0.12, -0.34, 2.5], abs=1e-12)
+    assert found["correction"]["lever_arm"] == "taken over"
+    correction, new = (np.array(found[k]["transform"]) for k in ("correction", "to"))
+    np.testing.assert_allclose(correction @ now, new, atol=1e-11)
+    np.testing.assert_allclose(new[:3, 3], now[:3, 3], atol=1e-12)
+    text = said(capsys, *words)
+    assert "now X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m" in text
+    assert "new X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m" in text
+    assert "unchanged: none was given here" in text
+    printed = text.splitlines()[-4:]
+    np.testing.assert_allclose(np.loadtxt(printed), new, atol=1e-10)
+    # Given: replaces the present one
+    found = answer(capsys, *words, "--lever", 0.1, 0.3, -2.4)
+    assert found["to"]["lever_arm_m"] == pytest.approx([0.1, -0.3, 2.4], abs=1e-12)
+    np.testing.assert_allclose(
+        np.array(found["correction"]["transform"]) @ now, found["to"]["transform"], atol=1e-11
+    )
+    text = said(capsys, *words, "--lever", 0.1, 0.3, -2.4)
+    assert "new X forward +0.1000 m, Y starboard -0.3000 m, Z down +2.4000 m" in text
+    assert "replaces that of the present matrix" in text
+    assert "moved by the present 4x4" in " ".join(said(capsys, *words, "--current-applied").split())
+
+
 def test_a_present_matrix_that_is_none_is_refused(capsys, tmp_path: Path) -> None:
     words = (1, 2, 3, "--to", "applanix", "--current-matrix")
     assert "give 9 or 16" in refused(capsys, *words, 1, 0, 0)

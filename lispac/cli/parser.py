@@ -324,7 +324,8 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
     angles.add_argument(
         "--current-matrix",
         nargs="+", metavar="FILE | NUMBER",
-        help="instead: the present 3x3 matrix from scanner to body of --to, nine numbers or a file",
+        help="instead: the present 3x3 or 4x4 matrix from scanner to body of --to, its numbers or "
+        "a file; of a 4x4 the lever arm is replaced too, or taken over where none is given",
     )  # fmt: skip
     angles.add_argument(
         "--current-applied",

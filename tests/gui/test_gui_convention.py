@@ -171,6 +171,26 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
     assert current.fields.isVisible()
 
 
+def test_the_lever_arm_of_a_present_4x4_is_shown_and_kept(qtbot, panel: ConventionPanel) -> None:
+    current = panel.current
+    for box in (current.known, current.as_matrix):
+        qtbot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
+    qtbot.mouseClick(current.matrix.viewport(), Left)
+    qtbot.keyClicks(current.matrix, "1 0 0 0.12; 0 1 0 -0.34; 0 0 1 2.5; 0 0 0 1")
+    told = panel.lever.text().replace("&nbsp;", " ")
+    assert told.count("X forward <b>+0.1200</b> m, Y starboard <b>−0.3400</b> m") == 2
+    assert "none was given here" in told
+    assert "The correction of the 4x4 matrix" in panel.remarks.text()
+    # Typed here, it replaces the present one.
+    type_in(qtbot, panel.given.lever_arm.fields[2], "-2.4")
+    told = panel.lever.text().replace("&nbsp;", " ")
+    assert "Z down <b>+2.4000</b> m" in told
+    assert "replaces that of the present matrix" in told
+    qtbot.mouseClick(panel.copy, Left)
+    copied = np.array(QApplication.clipboard().text().split(), dtype=float).reshape(4, 4)
+    np.testing.assert_allclose(copied[:3, 3], [0.0, 0.0, 2.4], atol=1e-12)
+
+
 def test_the_matrix_is_copied_with_all_digits(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.4395", "-1.8681", "0.3992")
     type_in(qtbot, panel.given.lever_arm.fields[2], "2.4191")

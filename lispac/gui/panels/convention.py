@@ -2,13 +2,11 @@
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
     QFrame,
     QHBoxLayout,
-    QPlainTextEdit,
     QScrollArea,
     QVBoxLayout,
     QWidget,
@@ -20,9 +18,12 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.convention_inputs import CurrentSettings, GivenBoresight, ImuAxes
 from lispac.gui.panels.convention_table import AnglesTable
 from lispac.gui.panels.gizmo import Gizmo
+from lispac.gui.panels.matrix_field import MatrixField
 from lispac.project import Project
-from lispac.survey.conventions.conversion import Setup, Stated, state
-from lispac.survey.conventions.correction import SUM_MATTERS, Correction, correct, on_top_of
+from lispac.survey.conventions.axes import Axes
+from lispac.survey.conventions.conversion import Setup, Stated
+from lispac.survey.conventions.correction import SUM_MATTERS
+from lispac.survey.conventions.present import Replacement, replacement
 from lispac.survey.conventions.systems import (
     DIRECTION_WORDS,
     LISPAC,
@@ -139,16 +140,9 @@ class ConventionPanel(QWidget):
         layout.addLayout(row)
         self.matrix_head = widgets.label("", "heading", wrap=True)
         layout.addWidget(self.matrix_head)
-        self.matrix = QPlainTextEdit()
-        self.matrix.setObjectName("convention_matrix")
-        self.matrix.setAccessibleName("Matrix from scanner to body")
-        self.matrix.setReadOnly(True)
-        self.matrix.setTabChangesFocus(True)
-        self.matrix.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
-        font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
-        font.setPixelSize(11)
-        self.matrix.setFont(font)
-        self.matrix.setFixedHeight(4 * self.matrix.fontMetrics().lineSpacing() + 14)
+        self.matrix = MatrixField(
+            "convention_matrix", "Matrix from scanner to body", read_only=True
+        )
         layout.addWidget(self.matrix)
         self.copy = widgets.button(
             "Copy matrix", "convention_copy", icon="content-copy",
@@ -190,24 +184,20 @@ class ConventionPanel(QWidget):
 
     def _refresh(self) -> None:
         convention, given = self.convention, self.given
-        mounting, covariance = given.mounting, given.covariance
         try:
             body_axes = self.imu.axes if convention.open_axes else None
             setup = Setup(convention, body_axes, self.scanner.currentData())
-            current = self.current.of(setup)
-            if current is not None and self.current.applied.isChecked():
-                mounting, covariance = on_top_of(setup, current, mounting, covariance)
-            stated = state(mounting, setup, covariance)
-            correction = None
-            if current is not None:
-                correction = correct(convention, current, stated.rotation)
+            new = replacement(
+                setup, given.mounting, given.covariance, self.current.of(setup),
+                applied=self.current.applied.isChecked(), has_lever_arm=given.has_lever_arm,
+            )  # fmt: skip
         except InputError as error:
             self._show_refusal(str(error))
             return
-        self._show_rules(setup, mounting)
-        self._show_values(stated, correction)
-        self._show_words(mounting)
-        self._show_matrix(stated)
+        self._show_rules(setup, new.mounting)
+        self._show_values(new)
+        self._show_words(new.mounting)
+        self._show_matrix(new.stated)
 
     def _show_refusal(self, sentence: str) -> None:
         self.assumption.setText(sentence)
@@ -235,7 +225,8 @@ class ConventionPanel(QWidget):
         self.assumption.setText(f"<b>Assumed:</b> {setup.assumption}")
         self.assumption.setVisible(bool(setup.assumption))
 
-    def _show_values(self, stated: Stated, correction: Correction | None) -> None:
+    def _show_values(self, new: Replacement) -> None:
+        stated, correction = new.stated, new.correction
         setup = stated.setup
         convention = setup.convention
         sure = setup.status == "verified"
@@ -248,34 +239,33 @@ class ConventionPanel(QWidget):
             self.values_head.setText("Taken as a matrix only: see below")
             self.remarks.setVisible(correction is not None)
             if correction is not None:
-                self.remarks.setText(_matrix_words(correction))
+                self.remarks.setText(_matrix_words(correction.rotation, new.transform))
         else:
             self.values_head.setText(
                 "Type in there, degrees" if sure else "If the assumption holds, degrees"
             )
             decimals = 8 if stated.note else 4
-            new = ("Type in" if sure else "If so", stated.angles, "+", True)
-            rows: list[tuple[str, np.ndarray, str, bool]] = [new]
+            last = ("Type in" if sure else "If so", stated.angles, "+", True)
+            rows: list[tuple[str, np.ndarray, str, bool]] = [last]
             if correction is not None:
                 assert correction.current is not None
                 assert correction.correction is not None
                 rows = [("Now set", correction.current, "+", False),
-                        ("Correction", correction.correction, "+", False), new]  # fmt: skip
+                        ("Correction", correction.correction, "+", False), last]  # fmt: skip
             if stated.sigmas is not None:
                 rows.append(("± 1 σ", stated.sigmas, "", False))
             self.table.fill(convention, rows, decimals)
             self._all_angles = _lines(convention, stated.angles, decimals)
-            self._show_remarks(stated, correction)
-        # Unbreakable, so that a line ends between two axes and never before a number.
-        arm = ", ".join(
-            f"{letter} {axis} <b>{value + 0.0:+.4f}</b> m".replace("-", "−").replace(" ", "&nbsp;")
-            for letter, axis, value in zip(
-                "XYZ", setup.axes, np.round(stated.lever_arm, 4), strict=True
-            )
-        )
-        self.lever.setText(f"Lever arm there, from the POS centre: {arm}")
+            self._show_remarks(new)
+        arm = _lever_words(setup.axes, stated.lever_arm)
+        said = [f"Lever arm there, from the POS centre: {arm}"]
+        if new.present is not None and new.present.lever_arm is not None:
+            said.append(f"Present: {_lever_words(setup.axes, new.present.lever_arm)}")
+            said.append(new.lever_arm_words)
+        self.lever.setText("<br>".join(said))
 
-    def _show_remarks(self, stated: Stated, correction: Correction | None) -> None:
+    def _show_remarks(self, new: Replacement) -> None:
+        stated, correction = new.stated, new.correction
         signs = stated.setup.signs
         lines = [f"{signs[0].upper()}{signs[1:]}."]
         if correction is not None:
@@ -288,6 +278,8 @@ class ConventionPanel(QWidget):
                     f"<b>Do not add the angles:</b> the sum would be {np.degrees(error):.4f}° "
                     f"off, {error * 1e5:.0f} mm at 100 m."
                 )
+        if new.transform is not None:
+            lines.append(f"The correction of the 4x4 matrix:<br>{_code(new.transform)}")
         if stated.note:
             lines.append(f"<b>{stated.note}</b>")
         if stated.sigmas is not None and self.given.caution:
@@ -311,11 +303,23 @@ class ConventionPanel(QWidget):
         self.matrix.setToolTip(SCANNER_WORDS[stated.setup.scanner_frame])
 
 
-def _matrix_words(correction: Correction) -> str:
-    rows = _rows(correction.rotation, 7).replace(" ", "&nbsp;").replace("\n", "<br>")
+def _matrix_words(rotation: np.ndarray, transform: np.ndarray | None) -> str:
     return (
         "The matrix below replaces the present one: new = correction · present. The correction:"
-        f"<br><code>{rows}</code>"
+        f"<br>{_code(rotation if transform is None else transform)}"
+    )
+
+
+def _code(matrix: np.ndarray) -> str:
+    rows = _rows(matrix, 7).replace(" ", "&nbsp;").replace("\n", "<br>")
+    return f"<code>{rows}</code>"
+
+
+def _lever_words(axes: Axes, values: np.ndarray) -> str:
+    # Unbreakable, so that a line ends between two axes and never before a number.
+    return ", ".join(
+        f"{letter} {axis} <b>{value + 0.0:+.4f}</b> m".replace("-", "−").replace(" ", "&nbsp;")
+        for letter, axis, value in zip("XYZ", axes, np.round(values, 4), strict=True)
     )
 
 

@@ -2,22 +2,22 @@
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QHBoxLayout,
-    QPlainTextEdit,
     QVBoxLayout,
     QWidget,
 )
 
 from lispac.gui.panels import widgets
+from lispac.gui.panels.matrix_field import MatrixField
 from lispac.project import Project
 from lispac.survey.conventions.axes import DIRECTIONS, Axes, completed_axes
 from lispac.survey.conventions.conversion import Setup
+from lispac.survey.conventions.present import Present, present_of_matrix
 from lispac.survey.conventions.systems import Convention
-from lispac.survey.conventions.typed import matrix_of_text, product_of_matrix
+from lispac.survey.conventions.typed import matrix_of_text
 from lispac.survey.georeferencing import Mounting
 
 BY_HAND = "Typed by hand."
@@ -32,6 +32,7 @@ class GivenBoresight(QWidget):
         With all digits where it is the project's.
     covariance : ndarray of shape (3, 3), radians squared, or None
     caution : what to know about the sigmas, else empty
+    has_lever_arm : whether the lever arm is known: a project's is, and what was typed
     """
 
     changed = Signal()
@@ -41,6 +42,7 @@ class GivenBoresight(QWidget):
         self.mounting = Mounting(np.zeros(3), np.zeros(3))
         self.covariance: np.ndarray | None = None
         self.caution = ""
+        self.has_lever_arm = False
         self._offered: tuple[Mounting, np.ndarray | None, str, str] | None = None
         self._key: tuple[object, ...] = ()
         layout = QVBoxLayout(self)
@@ -83,6 +85,7 @@ class GivenBoresight(QWidget):
         self.mounting, self.covariance, self.caution, source = self._offered
         self.boresight.set_value(np.degrees(self.mounting.boresight))
         self.lever_arm.set_value(self.mounting.lever_arm)
+        self.has_lever_arm = True
         self.source.setText(source)
         self.changed.emit()
 
@@ -91,6 +94,7 @@ class GivenBoresight(QWidget):
             np.array(self.lever_arm.value()), np.radians(self.boresight.value())
         )
         self.covariance, self.caution = None, ""
+        self.has_lever_arm = bool(np.any(self.mounting.lever_arm))
         self.source.setText(BY_HAND)
         self.changed.emit()
 
@@ -126,19 +130,14 @@ class CurrentSettings(QWidget):
         self.as_matrix.setObjectName("convention_as_matrix")
         self.as_matrix.setToolTip("Paste the present matrix of that program instead of its angles")
         inner.addWidget(self.as_matrix)
-        self.matrix = QPlainTextEdit()
-        self.matrix.setObjectName("convention_current_matrix")
-        self.matrix.setAccessibleName("Present matrix from scanner to body")
+        self.matrix = MatrixField(
+            "convention_current_matrix", "Present matrix from scanner to body"
+        )
         self.matrix.setToolTip(
-            "Present matrix from scanner to body in that program: 3x3 or 4x4 numbers, row by row"
+            "Present matrix from scanner to body in that program, row by row: 3x3 numbers, or 4x4 "
+            "with the lever arm in metres"
         )
         self.matrix.setPlaceholderText("1 0 0\n0 1 0\n0 0 1")
-        self.matrix.setTabChangesFocus(True)
-        self.matrix.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
-        font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
-        font.setPixelSize(11)
-        self.matrix.setFont(font)
-        self.matrix.setFixedHeight(4 * self.matrix.fontMetrics().lineSpacing() + 14)
         inner.addWidget(self.matrix)
         self.applied = QCheckBox("The lines were already turned by them")
         self.applied.setObjectName("convention_applied")
@@ -159,21 +158,21 @@ class CurrentSettings(QWidget):
         for field in fields:
             field.valueChanged.connect(self.changed)
 
-    def of(self, setup: Setup) -> np.ndarray | None:
+    def of(self, setup: Setup) -> Present | None:
         """What is set there now; None where it plays no part.
 
-        Returns
-        -------
-        ndarray of shape (3,), radians, in the order of the program
-            Or the product of such angles, of shape (3, 3), where a matrix is given; `InputError`
-            where that is none.
+        Raises
+        ------
+        InputError
+            Where what was typed for a matrix is none.
         """
         if not self.known.isChecked():
             return None
         if not self.as_matrix.isChecked():
-            return np.radians(self.fields.value())
-        rotation, _ = matrix_of_text(self.matrix.toPlainText(), "Present matrix")
-        return product_of_matrix(setup, rotation)
+            return Present(np.radians(self.fields.value()))
+        return present_of_matrix(
+            setup, *matrix_of_text(self.matrix.toPlainText(), "Present matrix")
+        )
 
     def _show_fields(self) -> None:
         self.fields.setVisible(not self.as_matrix.isChecked())

@@ -1,0 +1,291 @@
+"""What ``lispac angles`` prints, as text and as numbers."""
+
+import json
+import textwrap
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.conventions.axes import Axes
+from lispac.survey.conventions.conversion import Setup, Stated, state
+from lispac.survey.conventions.correction import SUM_MATTERS, Correction
+from lispac.survey.conventions.present import Replacement
+from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, SYSTEMS, Status
+from lispac.survey.conventions.words import boresight_words, lever_arm_words, offsets_words
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+WIDTH = 92
+LABEL = 12
+_NEW: dict[Status, str] = {
+    "verified": "TYPE IN",
+    "partly": "IF SO",
+    "unverified": "IF SO",
+}
+"""What the new angles are called: nobody should type in an assumption without reading it."""
+OF_PROJECT = "estimated"
+CHECK_FIRST = (
+    "These angles are right if the assumption above is: prove it on one line over a known "
+    "surface before use."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Given:
+    """What is to be converted; covariance in radians squared where an adjustment gave one."""
+
+    setup: Setup
+    mounting: Mounting
+    has_lever_arm: bool
+    covariance: Array | None = None
+    caution: str = ""
+    name: str = "given"
+    typed: Array | None = None
+
+
+def print_answer(given: Given, new: Replacement, *, matrices: bool) -> None:
+    """What was given, and what to type in the other program."""
+    convention = new.stated.setup.convention
+    _print_given(given)
+    print()
+    if given.name == OF_PROJECT and convention.key == "lispac" and new.correction is None:
+        _print_lever_arm(new)  # the rest stands above
+    else:
+        _print_stated(given, new)
+    if matrices or not convention.has_angles or new.transform is not None:
+        _print_matrices(new)
+
+
+def list_systems(as_json: bool) -> None:
+    """Every system with its rules."""
+    if as_json:
+        print(json.dumps([_system_numbers(Setup(each)) for each in SYSTEMS], indent=1))
+        return
+    _line("", "Type and read the angles of each system in the order given here, in degrees. LiDAR "
+              "to body is the turn that carries the body's axes onto the scanner's.")  # fmt: skip
+    print()
+    for each in SYSTEMS:
+        print(f"{each.key:{LABEL}s}{each.name}: {STATUS_WORDS[each.status]}")
+        _line("", f"angles {', '.join(each.names)}" if each.has_angles else "matrix only")
+        _print_rules(Setup(each))
+        _line("", f"source: {each.source}")
+        print()
+
+
+def _print_rules(setup: Setup) -> None:
+    convention = setup.convention
+    if convention.has_angles:
+        _line("", f"{convention.formula}, {DIRECTION_WORDS[convention.direction]}")
+        _line("", setup.signs)
+    _line("", f"body X {setup.axes[0]}, Y {setup.axes[1]}, Z {setup.axes[2]}")
+    if setup.assumption:
+        _line("", f"ASSUMED: {setup.assumption}")
+
+
+def _line(label: str, text: str) -> None:
+    indent = " " * LABEL
+    print(textwrap.fill(text, WIDTH, initial_indent=f"{label:{LABEL}s}", subsequent_indent=indent))
+
+
+def _heads(setup: Setup) -> str:
+    return f"{'degrees':{LABEL}s}" + "".join(f"{name:>14s}" for name in setup.convention.names)
+
+
+def _row(label: str, values: Array, *, signed: bool = True, decimals: int = 4) -> str:
+    sign = "+" if signed else ""
+    numbers = np.degrees(values)
+    return f"{label:{LABEL}s}" + "".join(
+        f"{value + 0.0:{sign}14.{decimals}f}" for value in np.round(numbers, decimals)
+    )
+
+
+def _print_given(given: Given) -> None:
+    setup, mounting = given.setup, given.mounting
+    convention = setup.convention
+    _line("FROM", f"{convention.name}: {STATUS_WORDS[setup.status]}")
+    _print_rules(setup)
+    if convention.has_angles:
+        own = state(mounting, setup, given.covariance)
+        assert own.angles is not None
+        print(_heads(setup))
+        # What was typed is shown as typed; another triple may stand for the same rotation.
+        print(_row(given.name, own.angles if given.typed is None else given.typed))
+        _print_sigmas(own, given)
+    if convention.key != "lispac":
+        _line("", setup.scanner_words(mounting.rotation_body_lidar))
+    print()
+    _line("IN WORDS", boresight_words(mounting.boresight))
+    if given.has_lever_arm:
+        _line("", lever_arm_words(mounting.lever_arm))
+    if offsets := offsets_words(mounting):
+        _line("", offsets)
+
+
+def _print_stated(given: Given, new: Replacement) -> None:
+    stated, correction = new.stated, new.correction
+    setup = stated.setup
+    convention = setup.convention
+    _line("TO", f"{convention.name}: {STATUS_WORDS[setup.status]}")
+    _print_rules(setup)
+    if convention.key != "lispac":
+        _line("", setup.scanner_words(new.mounting.rotation_body_lidar))
+    if stated.angles is not None:
+        decimals = 4 if not stated.note else 8
+        print(_heads(setup))
+        if correction is None:
+            print(_row(_NEW[setup.status], stated.angles, decimals=decimals))
+        else:
+            _print_correction(correction, _NEW[setup.status], decimals)
+        _print_sigmas(stated, given)
+        if setup.status != "verified":
+            _line("", CHECK_FIRST)
+        if stated.note:
+            _line("note", stated.note)
+    _print_lever_arm(new)
+
+
+def _print_lever_arm(new: Replacement) -> None:
+    if not new.has_lever_arm:
+        return
+    axes = new.stated.setup.axes
+    if new.present is not None and new.present.lever_arm is not None:
+        _line("lever arm", f"now {_axes_words(axes, new.present.lever_arm)}")
+        _line("", f"new {_axes_words(axes, new.stated.lever_arm)}")
+    else:
+        _line("lever arm", _axes_words(axes, new.stated.lever_arm))
+    if new.lever_arm_words:
+        _line("", new.lever_arm_words)
+    _line("", "LiDAR optical centre from the POS centre; where the program measures from "
+              "another reference point, add that point's offset.")  # fmt: skip
+
+
+def _axes_words(axes: Axes, values: Array) -> str:
+    return ", ".join(
+        f"{letter} {axis} {value + 0.0:+.4f} m"
+        for letter, axis, value in zip("XYZ", axes, np.round(values, 4), strict=True)
+    )
+
+
+def _print_sigmas(stated: Stated, given: Given) -> None:
+    if stated.sigmas is not None:
+        print(_row("sigma", stated.sigmas, signed=False))
+        if given.caution:
+            _line("", given.caution)
+
+
+def _print_correction(correction: Correction, label: str, decimals: int) -> None:
+    assert correction.current is not None
+    assert correction.correction is not None
+    assert correction.new is not None
+    print(_row("current", correction.current, decimals=decimals))
+    print(_row("correction", correction.correction, decimals=decimals))
+    print(_row(label, correction.new, decimals=decimals) + "  (replaces the current angles)")
+    _line("", "new matrix = correction matrix · current matrix (the correction on the left)")
+    error = correction.sum_error
+    if error > SUM_MATTERS:
+        _line("", f"Do not add the angles: current + correction would be {np.degrees(error):.4f} "
+                  f"deg off, {error * 1e5:.0f} mm at 100 m.")  # fmt: skip
+    else:
+        _line("", "Adding the angles would be less than 1 mm off at 100 m here.")
+
+
+def _print_matrices(new: Replacement) -> None:
+    stated, correction = new.stated, new.correction
+    setup = stated.setup
+    print()
+    if stated.angles is not None:
+        _line("3x3", f"{setup.convention.formula}, {DIRECTION_WORDS[setup.convention.direction]}")
+        _print_rows(stated.rotation)
+    if correction is not None:
+        _line("current", "3x3")
+        _print_rows(correction.present)
+        _line("correction", "3x3, on the left of the current one: new = correction · current")
+        _print_rows(correction.rotation)
+        if stated.angles is None:
+            _line(_NEW[setup.status], "3x3, replaces the current one")
+            _print_rows(stated.rotation)
+    lever = "lever arm in metres" if new.has_lever_arm else "no lever arm given: zeros"
+    if new.present is not None and new.present.transform is not None and new.transform is not None:
+        _line("current", "4x4, scanner to body")
+        _print_rows(new.present.transform)
+        _line("correction", "4x4, on the left of the current one: new = correction · current")
+        _print_rows(new.transform)
+        lever += "; replaces the current one"
+    _line("4x4", f"scanner to body of {setup.convention.name}; {lever}")
+    _print_rows(stated.transform)
+
+
+def _print_rows(matrix: Array) -> None:
+    for row in matrix:
+        print(" " * LABEL + " ".join(f"{value + 0.0:14.10f}" for value in np.round(row, 10)))
+
+
+def _system_numbers(setup: Setup) -> dict[str, Any]:
+    convention = setup.convention
+    return {
+        "system": convention.key,
+        "name": convention.name,
+        "status": setup.status,
+        "assumption": setup.assumption,
+        "source": convention.source,
+        "angles": [{"name": turn.name, "meaning": turn.meaning} for turn in convention.turns],
+        "formula": convention.formula,
+        "direction": convention.direction,
+        "body_axes": list(setup.axes),
+        "scanner_axes": setup.scanner_frame,
+    }
+
+
+def _stated_numbers(stated: Stated, has_lever_arm: bool) -> dict[str, Any]:
+    content = _system_numbers(stated.setup) | {
+        "angles_deg": _named(stated.setup, stated.angles),
+        "sigma_deg": _named(stated.setup, stated.sigmas),
+        "matrix": stated.rotation.tolist(),
+        "note": stated.note,
+    }
+    if has_lever_arm:
+        content |= {
+            "lever_arm_m": stated.lever_arm.tolist(),
+            "transform": stated.transform.tolist(),
+        }
+    return content
+
+
+def numbers(given: Given, new: Replacement) -> dict[str, Any]:
+    """The answer as plain values."""
+    own = state(given.mounting, given.setup, given.covariance)
+    stated, correction = new.stated, new.correction
+    content: dict[str, Any] = {
+        "from": _stated_numbers(own, given.has_lever_arm),
+        "to": _stated_numbers(stated, new.has_lever_arm),
+        "in_words": boresight_words(given.mounting.boresight),
+        "offsets": offsets_words(given.mounting),
+        "caution": given.caution,
+    }
+    if correction is not None:
+        content["correction"] = {
+            "current_deg": _named(stated.setup, correction.current),
+            "new_deg": _named(stated.setup, correction.new),
+            "correction_deg": _named(stated.setup, correction.correction),
+            "current_matrix": correction.present.tolist(),
+            "matrix": correction.rotation.tolist(),
+            "side": "left",
+            "sum_error_deg": float(np.degrees(correction.sum_error)),
+        }
+    if new.present is not None and new.present.transform is not None and new.transform is not None:
+        content["correction"] |= {
+            "current_transform": new.present.transform.tolist(),
+            "transform": new.transform.tolist(),
+            "lever_arm": new.lever_arm,
+            "lever_arm_in_words": new.lever_arm_words,
+        }
+    return content
+
+
+def _named(setup: Setup, values: Array | None) -> dict[str, float] | None:
+    if values is None:
+        return None
+    return dict(zip(setup.convention.names, np.degrees(values).tolist(), strict=True))

@@ -1,0 +1,150 @@
+"""What another program holds now, its matrix and lever arm included, and what replaces it."""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.conventions.axes import axes_matrix, nearest_axes
+from lispac.survey.conventions.conversion import Setup, Stated, state
+from lispac.survey.conventions.correction import Correction, correct, on_top_of
+from lispac.survey.conventions.typed import product_of_matrix
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+LeverArm = Literal["none", "given", "replaced", "taken over", "on top", "turned"]
+"""Where the new lever arm comes from."""
+
+LEVER_ARM_WORDS: dict[LeverArm, str] = {
+    "none": "",
+    "given": "",
+    "replaced": "The lever arm given here replaces that of the present matrix.",
+    "taken over": "The lever arm is that of the present matrix, unchanged: none was given here.",
+    "on top": "The lines are taken as turned and moved by the present 4x4 matrix, so its lever arm "
+    "is part of the new one: the one given here stands on top of it. Where they were only turned, "
+    "give the 3x3 alone.",
+    "turned": "The lines are taken as turned and moved by the present 4x4 matrix, so its lever arm "
+    "is the new one, turned by what was found. Where they were only turned, give the 3x3 alone and "
+    "the lever arm of the lines.",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Present:
+    """Present settings of a system.
+
+    Attributes
+    ----------
+    values : ndarray of shape (3,), radians, in the order the system types them
+        Or their product, of shape (3, 3).
+    transform : ndarray of shape (4, 4), or None
+        Scanner to body as `Stated.transform` holds it, where the lever arm was given with it.
+    """
+
+    values: Array
+    transform: Array | None = None
+
+    @property
+    def lever_arm(self) -> Array | None:
+        """Of the 4x4 matrix, shape (3,), metres, body axes of the system."""
+        return None if self.transform is None else np.asarray(self.transform[:3, 3])
+
+
+@dataclass(frozen=True, eq=False)
+class Replacement:
+    """The new settings, and the way there from the present ones.
+
+    Attributes
+    ----------
+    mounting : of the raw scanner
+    covariance : ndarray of shape (3, 3), radians squared, of its boresight; None where unknown
+    present, correction : None where no present settings were given
+    transform : ndarray of shape (4, 4), or None
+        Correction of the whole matrix, on the left of the present one.
+    """
+
+    mounting: Mounting
+    covariance: Array | None
+    stated: Stated
+    present: Present | None
+    correction: Correction | None
+    transform: Array | None
+    lever_arm: LeverArm
+
+    @property
+    def has_lever_arm(self) -> bool:
+        """Whether the new lever arm is known."""
+        return self.lever_arm != "none"
+
+    @property
+    def lever_arm_words(self) -> str:
+        """Where the new lever arm comes from; empty where there is nothing to say."""
+        return LEVER_ARM_WORDS[self.lever_arm]
+
+
+def present_of_matrix(setup: Setup, rotation: Array, lever_arm: Array | None) -> Present:
+    """Present settings from the matrix from scanner to body.
+
+    Parameters
+    ----------
+    rotation : ndarray of shape (3, 3)
+    lever_arm : ndarray of shape (3,), metres, body axes of the system; None of a 3x3 matrix
+    """
+    values = product_of_matrix(setup, rotation)
+    if lever_arm is None:
+        return Present(values)
+    transform = np.eye(4)
+    transform[:3, :3], transform[:3, 3] = rotation, lever_arm
+    return Present(values, transform)
+
+
+def replacement(
+    setup: Setup,
+    found: Mounting,
+    covariance: Array | None,
+    present: Present | None,
+    *,
+    applied: bool,
+    has_lever_arm: bool,
+) -> Replacement:
+    """What to type in place of the present settings.
+
+    Parameters
+    ----------
+    found : Mounting
+        Of the lines as they were given to this program.
+    covariance : ndarray of shape (3, 3), radians squared, of its boresight
+    applied : bool
+        The lines were already turned by the present settings, and moved where these are a 4x4.
+    has_lever_arm : bool
+        Whether the lever arm of ``found`` is known; its zeros mean nothing otherwise.
+    """
+    mounting, source = found, _source(present, applied, has_lever_arm)
+    if present is not None and applied:
+        mounting, covariance = on_top_of(setup, present.values, found, covariance)
+    if present is not None and present.transform is not None:
+        old = setup.permutation.T @ present.transform[:3, 3]
+        if applied:
+            # Moved lines lie in the body's axes, or in others along them.
+            remainder = found.rotation_body_lidar
+            old = remainder @ axes_matrix(nearest_axes(remainder)) @ old
+            mounting = replace(mounting, lever_arm=found.lever_arm + old)
+        elif not has_lever_arm:
+            mounting = replace(mounting, lever_arm=old)
+    stated = state(mounting, setup, covariance)
+    correction = transform = None
+    if present is not None:
+        correction = correct(setup.convention, present.values, stated.rotation)
+        if present.transform is not None:
+            transform = stated.transform @ np.linalg.inv(present.transform)
+    return Replacement(mounting, covariance, stated, present, correction, transform, source)
+
+
+def _source(present: Present | None, applied: bool, has_lever_arm: bool) -> LeverArm:
+    if present is None or present.transform is None:
+        return "given" if has_lever_arm else "none"
+    if applied:
+        return "on top" if has_lever_arm else "turned"
+    return "replaced" if has_lever_arm else "taken over"
