@@ -54,7 +54,8 @@ class Estimate:
     prior, prior_sigma : float, None
         What went in.
     significance : float or None
-        How far off the prior the data alone want the value, in standard deviations of theirs.
+        How far off the prior the data alone want the value, in standard deviations of theirs; None
+        where there is no value, and in thesis mode, whose standard deviations are too small.
     reason : str
         Why there is no number, in words; empty where there is one.
     """
@@ -69,7 +70,7 @@ class Estimate:
 
     @property
     def significant(self) -> bool | None:
-        """Whether the value earns its place: two-sided test at 5 %; None where there is no value.
+        """Whether the value earns its place: two-sided test at 5 %; None where not tested.
 
         The one limit of the command line, the window and the report.
         """

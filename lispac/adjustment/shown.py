@@ -109,7 +109,10 @@ def component_shown(found: Component) -> ComponentShown:
 
 def significance_words(estimate: Estimate) -> str:
     """Whether a value earns its place; empty where there is none."""
-    return {True: "significant", False: "not significant", None: ""}[estimate.significant]
+    if estimate.value is None:
+        return ""
+    untested = "not tested: the sigmas of thesis mode are too small"
+    return {True: "significant", False: "not significant", None: untested}[estimate.significant]
 
 
 def parameter(name: str) -> str:

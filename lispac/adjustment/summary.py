@@ -129,10 +129,14 @@ def _estimates(
         found.append(
             Estimate(
                 parameter.name, prior, parameter.sigma, value, sigma,
-                float((value - prior) / spread) if spread > 0 else 0.0,
+                _significance(value - prior, spread) if problem.model.correlated else None,
             )
         )  # fmt: skip
     return tuple(sorted(found, key=lambda estimate: CALIBRATION.index(estimate.name)))
+
+
+def _significance(change: float, sigma: float) -> float:
+    return float(change / sigma) if sigma > 0 else 0.0
 
 
 def _residuals(

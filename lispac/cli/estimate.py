@@ -344,7 +344,7 @@ def _model_words(result: AdjustmentResult) -> str:
 def _parameter_line(estimate: Estimate) -> str:
     shown = QUANTITIES[estimate.name]
     factor, places = shown.factor, f".{shown.decimals}f"
-    if estimate.value is None or estimate.sigma is None or estimate.significance is None:
+    if estimate.value is None or estimate.sigma is None:
         return estimate.reason
     return (
         f"{shown.title} {factor * estimate.value:+{places}} {shown.unit}, "

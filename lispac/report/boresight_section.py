@@ -91,7 +91,9 @@ def _parameter_row(found: ExtraParameter) -> list[str]:
         return known(value, lambda v: quantity(found.name, v, sign=sign))
 
     finding = "held" if found.prior_sigma is None else "not seen"
-    if found.significant is not None:
+    if found.value is not None and found.significant is None:
+        finding = "not tested (thesis mode)"
+    elif found.significant is not None:
         finding = "significant" if found.significant else "not significant"
     return [
         title(parameter(found.name)),

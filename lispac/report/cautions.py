@@ -91,7 +91,7 @@ def _parameter(found: ExtraParameter) -> Iterator[Caution]:
     if found.value is None:
         advice = "" if found.prior_sigma is not None else " Do not estimate it."
         yield mild("parameter_not_seen", found.reason + advice)
-    elif not found.significant:
+    elif found.significant is False:
         change = quantity(found.name, found.value - found.prior, sign=True)
         yield mild(
             "parameter_not_significant",

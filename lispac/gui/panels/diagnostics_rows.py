@@ -251,5 +251,7 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
 
 
 def _earns(estimate: Estimate) -> str:
-    advice = "keep it" if estimate.significant else "can be left out"
-    return f"{significance_words(estimate)}: {advice}"
+    words = significance_words(estimate)
+    if estimate.significant is None:
+        return words
+    return f"{words}: {'keep it' if estimate.significant else 'can be left out'}"
