@@ -1,0 +1,87 @@
+"""What must not change the answer: order, number of threads; and the test of the sigmas itself."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import scipy.stats
+
+from lispac.adjustment import passes
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from tests.test_robustness import PRIOR, shifted, survey, with_strays
+
+MODEL = StochasticModel(loss="tukey")
+SAME = np.radians(1e-9)
+
+
+def mixed(given: Observations, seed: int) -> Observations:
+    """The same points, sightings and targets in another order."""
+    generator = np.random.default_rng(seed)
+    points = given.reordered(generator.permutation(len(given)))
+    order = generator.permutation(len(given.sightings))
+    return replace(
+        points,
+        sighting=np.argsort(order)[points.sighting],
+        sightings=tuple(given.sightings[k] for k in order),
+    )
+
+
+@pytest.mark.parametrize("spacing", [0.0, 0.1])
+def test_order_does_not_change_the_answer(spacing) -> None:
+    """Of points, sightings and targets; with strays, a blunder and, above, averages."""
+    given = shifted(with_strays(survey(3), 1)[0], 4, 0.05)
+    answers = []
+    for seed in (None, 1, 2):
+        points = given if seed is None else mixed(given, seed)
+        if spacing:
+            points = averaged(points, PRIOR, spacing, strays_apart=True)
+        answers.append(adjust(points, PRIOR, MODEL, diagnostics=True))
+    for other in answers[1:]:
+        assert set(other.suspects) == set(answers[0].suspects) != set()
+        assert np.abs(other.boresight - answers[0].boresight).max() < SAME
+        assert np.abs(other.sigma - answers[0].sigma).max() < SAME
+
+
+def test_the_number_of_threads_does_not_change_the_answer(monkeypatch) -> None:
+    points = survey(5, 0.025)
+    assert len(points) > passes.FEW
+    answers = []
+    for threads in (1, 2, 7):
+        monkeypatch.setattr(passes.os, "cpu_count", lambda threads=threads: threads)
+        answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
+    monkeypatch.setattr(passes, "FEW", 10**9)  # no threads at all
+    answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
+    for other in answers[1:]:
+        assert np.abs(other - answers[0]).max() < SAME
+
+
+@pytest.mark.parametrize("sighting", [1, 5, 9])
+def test_strays_and_a_shifted_sighting_together_do_no_harm(sighting) -> None:
+    """Beside the answer without that sighting: what it said is lost, whoever finds it."""
+    clean = survey(0, 0.1)
+    dirty = with_strays(shifted(clean, sighting, 0.05), 0)[0]
+    result = adjust(dirty, PRIOR, MODEL)
+    without = clean.of_sightings(np.arange(len(clean.sightings)) != sighting)
+    best = adjust(without, PRIOR, MODEL, diagnostics=False)
+    assert result.suspects == (clean.sightings[sighting],)
+    assert (np.abs(result.boresight - best.boresight) < best.sigma).all()
+
+
+@pytest.mark.parametrize(("factor", "passes_mostly"), [(1.0, True), (0.8, False), (1.25, False)])
+def test_the_chi_square_test_tells_sigmas_that_hold(factor, passes_mostly) -> None:
+    """At 95 % the correlated model passes right sigmas, and no LiDAR sigma wrong by a quarter."""
+    count = 30
+    passed = sum(
+        adjust(
+            survey(300 + seed).with_sigmas(factor, 1.0, 1.0), PRIOR, StochasticModel(),
+            diagnostics=False,
+        ).chi_square.passed
+        for seed in range(count)
+    )  # fmt: skip
+    if passes_mostly:
+        assert passed >= scipy.stats.binom.ppf(0.0005, count, 0.95)
+    else:
+        assert passed == 0
