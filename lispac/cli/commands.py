@@ -5,14 +5,16 @@ import subprocess
 import sys
 from argparse import Namespace
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.angles import angles as angles
 from lispac.cli.console import ConsoleProgress, has_display, print_json
-from lispac.cli.estimate import DEFAULT_LIDAR_SIGMA, print_result, project_numbers
 from lispac.cli.estimate import estimate as estimate
+from lispac.cli.estimate import print_result, project_numbers
+from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.export import export as export
 from lispac.cli.georeference import georeference as georeference
 from lispac.cli.import_lines import import_lines as import_lines
@@ -62,12 +64,10 @@ def new(arguments: Namespace) -> None:
     }
     triples: dict[str, Any] = {k: tuple(v) for k, v in given.items() if v is not None}
     settings = Settings(
-        lever_arm=tuple(arguments.lever_arm),
-        lidar_sigma=(
-            DEFAULT_LIDAR_SIGMA if arguments.lidar_sigma is None else arguments.lidar_sigma
-        ),
-        **triples,
+        lever_arm=tuple(arguments.lever_arm), **triples, **noise_and_offsets(arguments)
     )
+    if arguments.longest_gap is not None:
+        settings = replace(settings, longest_gap=arguments.longest_gap)
     reading = Reading(
         arguments.line_format or "", tuple(arguments.line_option), arguments.time_shift
     )

@@ -28,13 +28,12 @@ from lispac.adjustment.shown import (
 )
 from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.estimate_options import noise_and_offsets
 from lispac.io.plane_file import read_plane_files
 from lispac.project import Project, Settings
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow import calibration, projects
 from lispac.workflow.survey import load_survey
-
-DEFAULT_LIDAR_SIGMA = 0.005
 
 LABEL = 29
 """Characters before the numbers."""
@@ -51,17 +50,20 @@ def estimate(arguments: Namespace) -> None:
         return
     if arguments.project is None:
         raise UsageError("estimate: name a project, or plane files with --planes.")
-    for option in ("lever_arm", "boresight", "lidar_sigma"):
+    for option in ("lever_arm", "boresight"):
         if getattr(arguments, option) is not None:
             name = option.replace("_", "-")
             raise UsageError(f"estimate: --{name} goes with --planes; a project has its own.")
     with ConsoleProgress() as progress:
         project = projects.open_project(arguments.project)
+        settings = asked_settings(project.settings, arguments)
+        settings.require_sound()
+        if settings != project.settings:  # an offset moves the points that are loaded
+            project = project.with_settings(settings)
         survey = load_survey(project, progress=progress)
         project = calibration.estimate(
             project,
             survey,
-            settings=asked_settings(project.settings, arguments),
             cross_check=not arguments.no_cross_checks,
             progress=progress,
         )
@@ -84,6 +86,7 @@ def asked_settings(settings: Settings, arguments: Namespace) -> Settings:
         "variance_components": arguments.components,
         "accept_one_facing": arguments.accept_one_facing,
     }
+    settings = replace(settings, **noise_and_offsets(arguments))
     if arguments.loss is not None:
         settings = replace(settings, loss=None if arguments.loss == "auto" else arguments.loss)
     if arguments.surface is not None:
@@ -123,17 +126,24 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         raise UsageError("estimate: give a project or plane files, not both.")
     if arguments.lever_arm is None:
         raise UsageError("estimate: --planes needs --lever-arm X Y Z (0 0 0 where there is none).")
-    sigma = DEFAULT_LIDAR_SIGMA if arguments.lidar_sigma is None else arguments.lidar_sigma
+    if arguments.latency is not None:
+        raise UsageError(
+            "estimate: --latency goes with a project; plane files hold positions already read."
+        )
     if arguments.subsample:
         raise UsageError("estimate: --subsample goes with a project; plane files are thinned.")
     if len({path.resolve() for path in arguments.planes}) < len(arguments.planes):
         raise UsageError("estimate: a plane file is given twice; its points would count double.")
-    observations, planes = read_plane_files(arguments.planes, sigma)
-    mounting = Mounting(
-        np.array(arguments.lever_arm), np.radians(arguments.boresight or (0.0, 0.0, 0.0))
-    )
     settings = asked_settings(Settings(lever_arm=tuple(arguments.lever_arm)), arguments)
     settings.require_sound()
+    observations, planes = read_plane_files(arguments.planes, settings.lidar_sigma)
+    observations = calibration.with_lidar_noise(observations, settings)
+    mounting = Mounting(
+        np.array(arguments.lever_arm),
+        np.radians(arguments.boresight or (0.0, 0.0, 0.0)),
+        settings.range_offset,
+        float(np.radians(settings.scan_angle_offset_deg)),
+    )
     with ConsoleProgress() as progress:
         result = adjust(
             observations, mounting, settings.stochastic_model, parameters=settings.parameters,

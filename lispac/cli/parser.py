@@ -4,13 +4,14 @@ import argparse
 from pathlib import Path
 
 from lispac import __version__
+from lispac.cli import estimate_options
 from lispac.cli.values import (
+    Commands,
+    command,
     finite,
     json_option,
     named_value,
-    not_negative,
     positive,
-    surface,
     triple,
 )
 
@@ -31,7 +32,7 @@ def build_parser() -> argparse.ArgumentParser:
     _import(commands)
     _pick(commands)
     _propose(commands)
-    _estimate(commands)
+    estimate_options.add(commands)
     _validate(commands)
     _georeference(commands)
     _export(commands)
@@ -40,30 +41,21 @@ def build_parser() -> argparse.ArgumentParser:
     return parser
 
 
-Commands = argparse._SubParsersAction  # the type argparse gives no public name
-
-
-def _command(
-    commands: "Commands[argparse.ArgumentParser]", name: str, text: str
-) -> argparse.ArgumentParser:
-    return commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
-
-
 def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
-    demo = _command(commands, "demo", "simulate the built-in survey and calibrate it, all the way")
+    demo = command(commands, "demo", "simulate the built-in survey and calibrate it, all the way")
     demo.add_argument("--output", type=Path, required=True, metavar="DIR", help="project folder")
     demo.add_argument("--no-window", action="store_true", help="do not open the window at the end")
     json_option(demo)
 
 
 def _look(commands: "Commands[argparse.ArgumentParser]") -> None:
-    look = _command(commands, "look", "say what a file is, what it assumes, and what to doubt")
+    look = command(commands, "look", "say what a file is, what it assumes, and what to doubt")
     look.add_argument("file", type=Path, metavar="FILE", help="trajectory, accuracies or points")
     json_option(look)
 
 
 def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
-    new = _command(commands, "new", "make a project from raw lines and a trajectory")
+    new = command(commands, "new", "make a project from raw lines and a trajectory")
     new.add_argument("project", type=Path, metavar="PROJECT", help="folder to make")
     new.add_argument(
         "lines",
@@ -103,9 +95,12 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
         new, "--attitude-sigma", ("ROLL", "PITCH", "HEADING"),
         "attitude sigmas without accuracy file (deg)",
     )  # fmt: skip
+    estimate_options.lidar_noise(new)
+    estimate_options.offsets(new)
     new.add_argument(
-        "--lidar-sigma", type=positive, metavar="METRES", help="LiDAR noise on each axis"
-    )
+        "--longest-gap", type=positive, metavar="SECONDS",
+        help="longest gap between two states of the trajectory that is bridged",
+    )  # fmt: skip
     new.add_argument(
         "--columns",
         metavar="NAMES",
@@ -115,7 +110,7 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
-    imported = _command(
+    imported = command(
         commands, "import", "keep the lines of a project in its folder, ordered in space"
     )
     imported.set_defaults(command="import_lines")  # import is a word of the language
@@ -133,7 +128,7 @@ def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
-    pick = _command(commands, "pick", "find the plane or sphere at a seed, in every line")
+    pick = command(commands, "pick", "find the plane or sphere at a seed, in every line")
     pick.add_argument("project", type=Path, metavar="PROJECT")
     triple(pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True)
     pick.add_argument("--name", required=True, help="name of the target, e.g. T1")
@@ -159,88 +154,20 @@ def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _propose(commands: "Commands[argparse.ArgumentParser]") -> None:
-    propose = _command(commands, "propose", "propose targets and validation planes, with reasons")
+    propose = command(commands, "propose", "propose targets and validation planes, with reasons")
     propose.add_argument("project", type=Path, metavar="PROJECT")
     propose.add_argument("--accept", action="store_true", help="add them to the project")
     json_option(propose)
 
 
-def _estimate(commands: "Commands[argparse.ArgumentParser]") -> None:
-    estimate = _command(
-        commands,
-        "estimate",
-        "adjust the boresight of a project or of plane files; a project keeps the options given",
-    )
-    estimate.add_argument("project", type=Path, nargs="?", metavar="PROJECT")
-    estimate.add_argument(
-        "--subsample",
-        type=not_negative,
-        metavar="METRES",
-        help="points closer than this are averaged, in thesis mode one of them kept (default "
-        "0.10; 0 keeps all)",
-    )
-    estimate.add_argument(
-        "--pos-errors",
-        choices=("independent", "correlated"),
-        help="whether neighbouring points share their POS error (correlated, the default) or each "
-        "has its own (independent: thesis mode, whose sigmas are too small)",
-    )
-    for name, default in (("position", 300), ("attitude", 600)):
-        estimate.add_argument(
-            f"--{name}-time",
-            type=positive,
-            metavar="SECONDS",
-            help=f"correlation time of the {name} error (default {default}; see the processing "
-            "report; too short is safer than too long)",
-        )
-    estimate.add_argument(
-        "--surface",
-        type=surface,
-        metavar="METRES",
-        help="sigma by which what one line sees of a target departs from its shape (default auto: "
-        "from the data)",
-    )
-    estimate.add_argument(
-        "--loss",
-        choices=("auto", "none", "huber", "tukey"),
-        help="weights of stray points (default auto: tukey, in thesis mode none)",
-    )
-    estimate.add_argument(
-        "--estimate",
-        action="append",
-        metavar="NAME[=SIGMA]",
-        help="estimate this too: lever-x, lever-y, lever-z, range-offset (m), scan-angle-offset "
-        "(deg), latency (s), with the sigma its value is known to; none switches all off",
-    )
-    estimate.add_argument(
-        "--components",
-        action=argparse.BooleanOptionalAction,
-        help="take the sigmas of LiDAR and POS from the data",
-    )
-    estimate.add_argument(
-        "--accept-one-facing",
-        action=argparse.BooleanOptionalAction,
-        help="answer though all targets are planes that face one way, which is refused otherwise: "
-        "only the headings of the lines tell the angles apart then",
-    )
-    estimate.add_argument(
-        "--no-cross-checks", action="store_true", help="do not adjust parts of the data too"
-    )
-    estimate.add_argument("--planes", type=Path, nargs="+", metavar="FILE", help="25-column files")
-    triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes (m)")
-    triple(estimate, "--boresight", ("R", "P", "Y"), "with --planes: prior (deg), default 0 0 0")
-    estimate.add_argument("--lidar-sigma", type=positive, metavar="METRES", help="with --planes")
-    json_option(estimate)
-
-
 def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
-    validate = _command(commands, "validate", "compare the lines on the validation planes")
+    validate = command(commands, "validate", "compare the lines on the validation planes")
     validate.add_argument("project", type=Path, metavar="PROJECT")
     json_option(validate)
 
 
 def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
-    georeference = _command(
+    georeference = command(
         commands, "georeference", "write the lines on the map as LAZ with all their attributes"
     )
     georeference.add_argument("project", type=Path, metavar="PROJECT")
@@ -275,7 +202,7 @@ def _system(parser: argparse.ArgumentParser, default: str) -> None:
 
 
 def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
-    export = _command(commands, "export", "write targets or the trajectory for other programs")
+    export = command(commands, "export", "write targets or the trajectory for other programs")
     export.add_argument("project", type=Path, metavar="PROJECT")
     export.add_argument("--what", choices=("targets", "planes", "trajectory"), required=True)
     export.add_argument(
@@ -293,7 +220,7 @@ def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
-    report = _command(commands, "report", "write the report")
+    report = command(commands, "report", "write the report")
     report.add_argument("project", type=Path, metavar="PROJECT")
     report.add_argument(
         "--output", type=Path, required=True, metavar="FILE", help=".pdf, .html or .json"
@@ -301,7 +228,7 @@ def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
-    angles = _command(commands, "angles", "give a boresight in another program's convention")
+    angles = command(commands, "angles", "give a boresight in another program's convention")
     angles.description = (
         "Give a boresight and a lever arm in another program's convention, with the assumptions "
         "made. Without arguments: list the systems and the order in which each types its angles."

@@ -1,10 +1,19 @@
-"""What is typed at the command line: numbers, triples of them, and names with a value."""
+"""What is typed at the command line: commands, numbers, triples, and names with a value."""
 
 import argparse
 import math
 import re
 from collections.abc import Sequence
 from decimal import Decimal
+
+Commands = argparse._SubParsersAction  # the type argparse gives no public name
+
+
+def command(
+    commands: "Commands[argparse.ArgumentParser]", name: str, text: str
+) -> argparse.ArgumentParser:
+    """A command with its sentence, for the list of commands and for its own help."""
+    return commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
 
 
 def plain_numbers(words: Sequence[str]) -> list[str]:

@@ -132,6 +132,15 @@ def _require_two_lines(project: Project) -> None:
         )
 
 
+def with_lidar_noise(observations: Observations, settings: Settings) -> Observations:
+    """The observations with the LiDAR noise that is stated, on each axis or along the beam."""
+    return replace(
+        observations,
+        sigma_lidar=_lidar_sigma(observations.points_lidar, settings),
+        beam_sigmas=settings.lidar_beam_sigma is not None,
+    )
+
+
 def _lidar_sigma(points_lidar: Array, settings: Settings) -> Array:
     """Sigmas along x, y, z, or along the beam and twice across it, shape (n, 3), metres."""
     if settings.lidar_beam_sigma is not None:
