@@ -1,5 +1,6 @@
 """Intents become edits: opening and saving, seeds, and the list of targets."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QStandardPaths, Signal
@@ -13,7 +14,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.progress import Progress, part
-from lispac.project import Project, Role, Settings, Shape, Target
+from lispac.project import LineSource, Project, Role, Settings, Shape, Target
 from lispac.workflow.intake import ImportRequest
 from lispac.workflow.survey import Survey, load_survey
 
@@ -82,6 +83,28 @@ class Controller(QObject):
             )
 
         self._runner.run(f"Making {request.folder.name}", work, self._opened, lasting=True)
+
+    def add_lines(self, lines: Sequence[LineSource]) -> None:
+        """Add lines to the project: one undo step."""
+        project = self._document.project
+        if project is None:
+            return
+        what = lines[0].name if len(lines) == 1 else f"{len(lines)} lines"
+
+        def work(progress: Progress) -> Opened:
+            from lispac.workflow.projects import with_lines_added
+
+            return with_lines_added(project, lines, progress=progress)
+
+        def done(added: Opened) -> None:
+            edited, survey = added
+            self._drop_candidate()  # it was sought in the lines there were
+            self._document.edit(f"addition of {what}", edited, survey=survey)
+            for note in survey.notes:
+                self.noted.emit(note)
+            self.noted.emit(f"Added {what} to {project.name}; save the project to keep them")
+
+        self.based_on_project(self._runner.run(f"Adding {what}", work, done))
 
     def open_demo(self, folder: Path | None = None) -> None:
         """Open the built-in survey, simulated on its first use."""

@@ -60,18 +60,40 @@ class ProjectLife(QObject):
             elif answer is not None:
                 self._controller.create(answer)
 
+    def add_lines(self, paths: Sequence[Path] = ()) -> None:
+        """Ask for more lines of the open project, and add them; ``paths`` are files to begin with.
+
+        Nothing is asked about its changes: they stay, and the addition is one more.
+        """
+        project = self._document.project
+        if project is None:
+            return
+        answer = self._dialogs.add_lines(self._settings, project, paths)
+        if isinstance(answer, Path):
+            self.open_project(answer)
+        elif answer and self._document.project is project:
+            self._controller.add_lines(answer)
+
     def take_in(self, paths: Sequence[Path]) -> None:
-        """Files were dropped on the window: a project is opened, others are imported."""
+        """Files were dropped on the window: a project is opened; others become lines of the open
+        project, or a new one."""
         if self._controller.busy:
             self._controller.noted.emit(
                 "Wait until the running task has ended, then drop the files again"
             )
             return
         project = project_among(paths)
+        current = self._document.project
         if project is not None:
             self.open_project(project)
-        else:
+        elif current is None:
             self.new(paths)
+        else:
+            answer = self._dialogs.add_or_new(current.name)
+            if answer == "add":
+                self.add_lines(paths)
+            elif answer == "new":
+                self.new(paths)
 
     def open(self) -> None:
         """Ask for a project, and open it."""

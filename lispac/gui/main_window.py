@@ -196,6 +196,7 @@ class MainWindow(QMainWindow):
             "new": self.life.new,
             "open": self.life.open,
             "demo": self.life.demo,
+            "add_lines": self.life.add_lines,
             "save": self.controller.save,
             "report": self.life.export_report,
             **self.life.exports,
@@ -227,9 +228,7 @@ class MainWindow(QMainWindow):
         self.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(lambda title: self._note(f"{title}: cancelled"))
-        self.runner.too_late.connect(
-            lambda title: self._note(f"{title}: it was done before it could be cancelled")
-        )
+        self.runner.too_late.connect(self._note)
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.noted.connect(self._note)
         self.controller.candidate_changed.connect(self._show_candidate)
@@ -280,6 +279,7 @@ class MainWindow(QMainWindow):
             "new": not busy,
             "open": not busy,
             "demo": not busy,
+            "add_lines": statuses[DATA].ready and not busy,
             "report": statuses[REPORT].ready and not busy,
             **dict.fromkeys(self.life.exports, ready),
             "accept": self.controller.candidate is not None,

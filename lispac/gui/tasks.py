@@ -75,7 +75,7 @@ class TaskRunner(QObject):
     stopped = Signal(str)
     """Title of a task that was cancelled."""
     too_late = Signal(str)
-    """Title of a task that had done its work when it was cancelled."""
+    """Says of a task that it had done its work when it was cancelled."""
     idle = Signal()
     """Nothing runs and nothing waits."""
     _ended = Signal()
@@ -185,7 +185,7 @@ class TaskRunner(QObject):
                 self.failed.emit(task.error)
             else:
                 if task.cancel.is_set():
-                    self.too_late.emit(task.title)
+                    self.too_late.emit(f"{task.title}: it was done before it could be cancelled")
                 task.done(task.value)
         finally:
             self.changed.emit()

@@ -14,7 +14,7 @@ from typing import Literal
 from lispac.io.line_times import LineTimes
 from lispac.io.project_file import FILE_NAME
 from lispac.io.registry import POSSIBLE, Kind
-from lispac.project import LineSource, Settings
+from lispac.project import LineSource, Project, Settings
 from lispac.survey.source import USUAL, Reading
 from lispac.survey.time_base import TimeBase, plausible
 from lispac.survey.time_quality import Coverage
@@ -24,11 +24,13 @@ from lispac.workflow.intake_entry import Entry
 from lispac.workflow.intake_remarks import (
     Remark,
     Remedy,
+    already_there,
     best_shift,
     line_coverage,
     remarks_of,
     time_remarks,
     trajectory_base,
+    without_changes,
 )
 
 State = Literal["pending", "fine", "doubt", "error", "out"]
@@ -81,10 +83,21 @@ class Intake:
     entries : tuple of Entry
         In the order in which they came.
     longest_gap : float, seconds
+    into : Project or None
+        That lines are added to, where it is no new one that is made.
     """
 
     entries: tuple[Entry, ...] = ()
     longest_gap: float = LONGEST_GAP
+    into: Project | None = None
+
+    @classmethod
+    def of_project(cls, project: Project) -> "Intake":
+        """For lines to be added: the project's trajectory and accuracies are there already."""
+        given = [Entry(project.trajectory, role="trajectory", given=project.trajectory_reading)]
+        if project.accuracy is not None:
+            given.append(Entry(project.accuracy, role="accuracy", given=project.accuracy_reading))
+        return cls(tuple(given), project.settings.longest_gap, project)
 
     # -- edits -------------------------------------------------------------------------------
 
@@ -95,8 +108,9 @@ class Intake:
         return replace(self, entries=self.entries + new)
 
     def without(self, path: Path) -> "Intake":
-        """Take a file off the list."""
-        return replace(self, entries=tuple(e for e in self.entries if e.path != path))
+        """Take a file off the list; not one that an open project has."""
+        kept = tuple(e for e in self.entries if e.path != path or e.given is not None)
+        return replace(self, entries=kept)
 
     def with_entry(self, entry: Entry) -> "Intake":
         """Put an entry in the place of the one of the same file."""
@@ -106,7 +120,7 @@ class Intake:
     def with_role(self, path: Path, role: Kind | None) -> "Intake":
         """Give a file another role, in the surest format of it; it has to be looked into again."""
         entry = self.entry(path)
-        if role == entry.role:
+        if role == entry.role or entry.given is not None:
             return self
         changed = replace(entry, role=role, stated=None, finding=None, remembered=False, shift=0.0)
         changed = replace(changed, format=next(iter(changed.formats), None))
@@ -223,6 +237,7 @@ class Intake:
     def names(self) -> dict[Path, str]:
         """A name for each line: its file's, with the folder's in front where two are alike."""
         stems = [entry.path.stem for entry in self.lines]
+        stems += [line.name for line in self._known_lines]
         return {
             entry.path: (
                 entry.path.stem
@@ -232,6 +247,10 @@ class Intake:
             for entry in self.lines
         }
 
+    @property
+    def _known_lines(self) -> tuple[LineSource, ...]:
+        return () if self.into is None else self.into.lines
+
     def coverage(self, entry: Entry) -> Coverage | None:
         """How the trajectory covers a line; None before both are read."""
         return None if self.track is None else line_coverage(entry, self.track, self.longest_gap)
@@ -239,8 +258,15 @@ class Intake:
     @cached_property
     def _remarks(self) -> dict[Path, tuple[Remark, ...]]:
         counts = len(self._of("trajectory")), len(self._of("accuracy"))
-        return {
+        told = {
             entry.path: remarks_of(entry, self.trajectory, *counts, self.longest_gap)
+            for entry in self.entries
+        }
+        if self.into is None:
+            return told
+        known = {line.path: line.name for line in self.into.lines}
+        return {
+            entry.path: already_there(entry, known) or without_changes(entry, told[entry.path])
             for entry in self.entries
         }
 
@@ -303,7 +329,7 @@ class Intake:
             return "No file is the trajectory yet: add the SBET, or a text export of it."
         if not self.lines:
             return "No file is a line yet: add the scan file of at least one."
-        names = list(self.names.values())
+        names = [*self.names.values(), *(line.name for line in self._known_lines)]
         twice = [name for name in names if names.count(name) > 1]
         return f"Two lines are named {twice[0]}; rename a file." if twice else ""
 
@@ -315,13 +341,17 @@ class Intake:
             folder=folder,
             trajectory=trajectory.path,
             accuracy=None if accuracy is None else accuracy.path,
-            lines=tuple(
-                LineSource(self.names[entry.path], entry.path, (), entry.reading)
-                for entry in self.lines
-            ),
+            lines=self.sources(),
             settings=replace(settings, longest_gap=self.longest_gap),
             trajectory_reading=trajectory.reading,
             accuracy_reading=USUAL if accuracy is None else accuracy.reading,
+        )
+
+    def sources(self) -> tuple[LineSource, ...]:
+        """The lines, for the project."""
+        return tuple(
+            LineSource(self.names[entry.path], entry.path, (), entry.reading)
+            for entry in self.lines
         )
 
     @property

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import Cancelled, InputError, LispacError
+from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes, line_times
 from lispac.io.registry import POSSIBLE, Finding, Format, Kind
 from lispac.progress import Progress, no_progress
@@ -24,7 +25,7 @@ from lispac.workflow.intake_columns import (
     missing_columns,
     names_its_columns,
 )
-from lispac.workflow.reading import Look, looks
+from lispac.workflow.reading import USUAL, Look, looks
 
 Content = Trajectory | TrajectoryAccuracy | LineTimes
 
@@ -74,6 +75,8 @@ class Entry:
         Of a georeferenced line.
     remembered : bool
         Whether the columns are those chosen for an earlier file laid out alike.
+    given : Reading or None
+        How an open project reads it: role, format and options are not to be changed then.
     """
 
     path: Path
@@ -88,6 +91,7 @@ class Entry:
     place: Place | None = None
     pending: bool = True
     remembered: bool = False
+    given: Reading | None = None
 
     @property
     def formats(self) -> tuple[Format, ...]:
@@ -171,6 +175,22 @@ def examined(
             )  # fmt: skip
             break
     return examined_again(entry, progress=progress)
+
+
+def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entry:
+    """Look for the first time into a file that an open project has, as that reads it."""
+    progress(0.0, f"Looking into {entry.path.name}")
+    assert entry.role is not None
+    assert entry.given is not None
+    try:
+        found = looks(entry.path, (entry.role,))
+    except LispacError as error:
+        return replace(entry, error=_without_path(str(error), entry.path), pending=False)
+    format = format_of(entry.given.format or USUAL[entry.role])
+    stated = dict(entry.given.options)
+    return examined_again(
+        replace(entry, looks=tuple(found), format=format, stated=stated or None), progress=progress
+    )
 
 
 def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:

@@ -1,6 +1,8 @@
 """What there is to say about a file on its way in: a sentence each, and what would mend it."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -72,6 +74,29 @@ class Remark:
 
 
 LEAVE_OUT = Remedy("Leave it out", role="none")
+
+
+def already_there(entry: Entry, lines: Mapping[Path, str]) -> tuple[Remark, ...]:
+    """What there is to say where a file is a line of the open project; ``lines`` are names."""
+    name = lines.get(entry.path)
+    if name is None or entry.role != "points":
+        return ()
+    return (Remark("error", f"This is the line {name} of the project already.", (LEAVE_OUT,)),)
+
+
+def without_changes(entry: Entry, remarks: tuple[Remark, ...]) -> tuple[Remark, ...]:
+    """Remarks without the remedies that would change the open project lines are added to."""
+    return tuple(
+        replace(
+            remark,
+            remedies=tuple(
+                remedy
+                for remedy in remark.remedies
+                if entry.given is None and remedy.longest_gap is None
+            ),
+        )
+        for remark in remarks
+    )
 
 
 def remarks_of(

@@ -12,7 +12,7 @@ from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
-from lispac.workflow.importing import LINES
+from lispac.workflow.importing import LINES, line_folder
 from lispac.workflow.reading import usual_or_settled
 from lispac.workflow.survey import Survey, load_survey
 
@@ -66,6 +66,10 @@ def _require_new(project: Project) -> None:
         )
     if not project.lines:
         raise InputError("A project needs at least one line; name its scan file.")
+    _require_names(project)
+
+
+def _require_names(project: Project) -> None:
     names = [line.name for line in project.lines]
     for name in names:
         if names.count(name) > 1:
@@ -100,17 +104,13 @@ def new_project(
     if accuracy is not None:
         accuracy_reading, more = usual_or_settled(accuracy, "accuracy", accuracy_reading)
         notes += more
-    known = []
-    for line in lines:
-        named = bool(line.columns)
-        reading, more = usual_or_settled(line.path, "points", line.reading, columns=named)
-        known.append(replace(line, reading=reading))
-        notes += more
+    known, more = _settled_lines(lines)
+    notes += more
     draft = replace(
-        draft, lines=tuple(known), trajectory_reading=trajectory_reading,
+        draft, lines=known, trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
     )  # fmt: skip
-    with _taken_back(draft.folder):
+    with _taken_back(draft):
         survey = load_survey(draft, progress=progress)
         project = create_project(
             folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
@@ -119,18 +119,65 @@ def new_project(
     return project, replace(survey, notes=(*notes, *survey.notes))
 
 
+def with_lines_added(
+    project: Project, lines: Sequence[LineSource], *, progress: Progress = no_progress
+) -> tuple[Project, Survey]:
+    """Add lines to a project and read its survey with them; what is picked and computed stays.
+
+    How each file is read is settled as in `new_project`. The project on disk is not changed.
+
+    Raises
+    ------
+    ProjectError, InputError
+        Where a line has the name or the file of one that is there, or cannot be read; nothing
+        that was imported for it is left then.
+    """
+    for line in lines:
+        for known in project.lines:
+            if known.path == Path(line.path).absolute():
+                raise ProjectError(f"{line.path}: this is the line {known.name} already.")
+    added, notes = _settled_lines(lines)
+    edited = replace(
+        project,
+        lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),
+    )
+    _require_names(edited)
+    with _taken_back(edited):
+        survey = load_survey(edited, progress=progress)
+    return edited, replace(survey, notes=(*notes, *survey.notes))
+
+
+def _settled_lines(
+    lines: Sequence[LineSource],
+) -> tuple[tuple[LineSource, ...], tuple[str, ...]]:
+    """Lines with how each is read, and what was found in their files."""
+    known: list[LineSource] = []
+    notes: tuple[str, ...] = ()
+    for line in lines:
+        named = bool(line.columns)
+        reading, more = usual_or_settled(line.path, "points", line.reading, columns=named)
+        known.append(replace(line, reading=reading))
+        notes += more
+    return tuple(known), notes
+
+
 @contextmanager
-def _taken_back(folder: Path) -> Iterator[None]:
-    """Remove the lines that were imported into a folder that becomes no project."""
-    lines, had_folder = folder / LINES, folder.exists()
-    had_lines = lines.exists()
+def _taken_back(project: Project) -> Iterator[None]:
+    """Remove what was imported for a project that comes to nothing, and no more than that.
+
+    What was there before, whatever it is and whoever put it there, stays.
+    """
+    stores = [line_folder(project, line) for line in project.lines]
+    new = [store for store in stores if not store.exists()]
+    made = [path for path in (project.folder / LINES, project.folder) if not path.exists()]
     try:
         yield
     except BaseException:
-        if not had_lines:
-            shutil.rmtree(lines, ignore_errors=True)
-        if not had_folder and folder.is_dir() and not any(folder.iterdir()):
-            folder.rmdir()
+        for store in new:
+            shutil.rmtree(store, ignore_errors=True)
+        for path in made:
+            if path.is_dir() and not any(path.iterdir()):
+                path.rmdir()
         raise
 
 

@@ -9,11 +9,11 @@ from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.service import Answer, CandidateAnswer, Dialogs
+from lispac.gui.dialogs.service import Answer, CandidateAnswer, Dialogs, DropAnswer
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint, Viewport
-from lispac.project import Project
+from lispac.project import LineSource, Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.export_request import ExportRequest, What
@@ -36,6 +36,8 @@ class ScriptedDialogs(Dialogs):
         self.export_request: ExportRequest | None = None
         self.dropped: list[Path] = []
         self.answer: Answer = "discard"
+        self.about_dropped: DropAnswer = "cancel"
+        self.lines: tuple[LineSource, ...] | None = None
         self.about_candidate: CandidateAnswer = "cancel"
         self.asked: list[str] = []
         self.errors: list[BaseException] = []
@@ -45,6 +47,16 @@ class ScriptedDialogs(Dialogs):
     ) -> ImportRequest | Path | None:
         self.dropped = list(paths)
         return self.request
+
+    def add_or_new(self, name: str) -> DropAnswer:
+        self.asked.append(name)
+        return self.about_dropped
+
+    def add_lines(
+        self, settings: AppSettings, project: Project, paths: Sequence[Path] = ()
+    ) -> tuple[LineSource, ...] | Path | None:
+        self.dropped = list(paths)
+        return self.lines
 
     def project_to_open(self, start: Path) -> Path | None:
         return self.path

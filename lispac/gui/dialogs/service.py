@@ -12,15 +12,17 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QWidget
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.error import error_box
 from lispac.gui.dialogs.export import ExportDialog
+from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.settings import AppSettings
-from lispac.project import Project
+from lispac.project import LineSource, Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.intake import ImportRequest
 
 Answer = Literal["save", "discard", "cancel"]
+DropAnswer = Literal["add", "new", "cancel"]
 CandidateAnswer = Literal["accept", "reject", "cancel"]
 
 REPORT_FILTER = "PDF (*.pdf);;HTML (*.html);;Numbers as JSON (*.json)"
@@ -49,6 +51,44 @@ class Dialogs:
         answer = dialog.request() if accepted else dialog.project
         dialog.deleteLater()
         return answer
+
+    def add_lines(
+        self, settings: AppSettings, project: Project, paths: Sequence[Path] = ()
+    ) -> tuple[LineSource, ...] | Path | None:
+        """Lines to add to the open project, or the project that was dropped instead.
+
+        Parameters
+        ----------
+        paths : sequence of Path
+            Files and folders to begin with.
+        """
+        dialog = AddLinesDialog(settings, project, self.parent)
+        dialog.add(paths)
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        answer = dialog.sources() if accepted else dialog.project
+        dialog.deleteLater()
+        return answer
+
+    def add_or_new(self, name: str) -> DropAnswer:
+        """What to do with files dropped while a project is open."""
+        box = QMessageBox(
+            QMessageBox.Icon.Question, "LISPAC", f"Add the files to {name}?",
+            QMessageBox.StandardButton.Cancel, self.parent,
+        )  # fmt: skip
+        box.setObjectName("drop_dialog")
+        box.setInformativeText(
+            "Lines are added to the open project and checked against its trajectory; what has been "
+            "picked stays. Files of another survey make a new project."
+        )
+        add = box.addButton(f"Add to {name}", QMessageBox.ButtonRole.AcceptRole)
+        new = box.addButton("New project", QMessageBox.ButtonRole.ActionRole)
+        box.setDefaultButton(add)
+        box.exec()
+        chosen = box.clickedButton()
+        box.deleteLater()
+        if chosen is add:
+            return "add"
+        return "new" if chosen is new else "cancel"
 
     def project_to_open(self, start: Path) -> Path | None:
         """A project's folder."""

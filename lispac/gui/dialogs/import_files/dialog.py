@@ -160,7 +160,9 @@ class ImportDialog(QDialog):
         self.browse.setAutoDefault(False)
         head = QLabel("Project folder")
         head.setBuddy(self.folder)
-        upper = QHBoxLayout()
+        self.place = QWidget()
+        upper = QHBoxLayout(self.place)
+        upper.setContentsMargins(0, 0, 0, 0)
         upper.addWidget(head)
         upper.addWidget(self.folder, 1)
         upper.addWidget(self.browse)
@@ -179,7 +181,7 @@ class ImportDialog(QDialog):
         lower.addWidget(self.buttons, 0, Qt.AlignmentFlag.AlignBottom)
         bottom = QVBoxLayout()
         bottom.setSpacing(theme.SPACE)
-        bottom.addLayout(upper)
+        bottom.addWidget(self.place)
         bottom.addLayout(lower)
         return bottom
 
@@ -246,7 +248,7 @@ class ImportDialog(QDialog):
         entry = next((e for e in self.intake.entries if e.path == current), None)
         self.file_page.show_entry(self.intake, entry)
         self.timeline.show_intake(self.intake, current)
-        self.remove.setEnabled(entry is not None)
+        self.remove.setEnabled(entry is not None and entry.given is None)
 
     def _show_progress(self) -> None:
         busy = self.work.busy
@@ -259,16 +261,23 @@ class ImportDialog(QDialog):
             self._show_reason()
 
     def _show_reason(self) -> None:
-        problem = self.intake.problem(self.folder.text())
+        problem = self._problem()
         waiting = any(entry.pending for entry in self.intake.entries)
-        hint = ""
-        if not problem and self.mounting.lever_arm_is_zero:
-            hint = "The lever arm is zero: state it under Mounting and accuracies if it is not."
-        self.reason.setText(problem or hint)
+        self.reason.setText(problem or self._hint())
         wrong = bool(problem) and bool(self.intake.entries) and not waiting
         self.reason.setProperty("role", "error" if wrong else "muted")
         self.reason.style().polish(self.reason)
         self.ok.setEnabled(not problem)
+
+    def _problem(self) -> str:
+        """Why it cannot be done yet; empty where it can."""
+        return self.intake.problem(self.folder.text())
+
+    def _hint(self) -> str:
+        """What to think of before it is done."""
+        if self.mounting.lever_arm_is_zero:
+            return "The lever arm is zero: state it under Mounting and accuracies if it is not."
+        return ""
 
     # -- what is asked -----------------------------------------------------------------------
 

@@ -104,6 +104,8 @@ class FilePage(QWidget):
         fine = "" if entry.pending or entry.role is None else "Nothing to doubt in this file."
         self.remarks.show_remarks(intake.remarks(entry), fine)
         self.options.show_entry(entry)
+        for changing in (self.options, self.preview):
+            changing.setEnabled(entry.given is None)
         self._options_head.setVisible(bool(self.options.fields))
         self._show_facts(entry)
         self.preview.show_entry(entry)

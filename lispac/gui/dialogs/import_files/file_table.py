@@ -139,11 +139,14 @@ class FileTable(QTableWidget):
 
     def _fill_role(self, row: int, entry: Entry) -> None:
         roles: tuple[Kind | None, ...] = (*entry.roles, None)
+        if entry.given is not None:
+            roles = (entry.role,)
         items = [(words.ROLES[role], role) for role in roles]
         self._fill_choice(row, ROLE, entry, items, entry.role, self.role_chosen)
 
     def _fill_format(self, row: int, entry: Entry) -> None:
-        items: list[tuple[str, object]] = [(each.name, each.key) for each in entry.formats]
+        formats = entry.formats if entry.given is None else (entry.format,)
+        items: list[tuple[str, object]] = [(each.name, each.key) for each in formats if each]
         chosen = entry.format.key if entry.format is not None and items else None
         self._fill_choice(row, FORMAT, entry, items or [("–", None)], chosen, self.format_chosen)
 

@@ -68,6 +68,7 @@ class TimelinePage(QWidget):
         self.gap.blockSignals(True)
         self.gap.setValue(intake.longest_gap)
         self.gap.blockSignals(False)
+        self.gap.setEnabled(intake.into is None)
         told: list[tuple[Path, Remark]] = []
         for line in intake.lines:
             for remark in intake.time_remarks(line):

@@ -11,7 +11,7 @@ from lispac.gui.dialogs.error import describe
 from lispac.gui.tasks import TaskRunner
 from lispac.progress import Progress
 from lispac.workflow.intake import Intake, gathered, project_among
-from lispac.workflow.intake_entry import Entry, examined, examined_again
+from lispac.workflow.intake_entry import Entry, examined, examined_again, examined_as_given
 
 STOPPED = "Not looked into, as it was stopped; press Look again."
 
@@ -40,6 +40,10 @@ class Work(QObject):
         self._done = 0
         self.runner = TaskRunner(self)
         self.runner.changed.connect(self.moved)
+
+    def begin(self, intake: Intake) -> None:
+        """Begin with files that an open project has."""
+        self.edit(intake)
 
     def add(self, paths: Iterable[Path]) -> None:
         """Take in files and folders."""
@@ -122,6 +126,8 @@ class Work(QObject):
 
         def work(progress: Progress) -> Entry:
             try:
+                if entry.given is not None:
+                    return examined_as_given(entry, progress=progress)
                 if not entry.looks:
                     return examined(entry.path, mappings, progress=progress)
                 return examined_again(entry, progress=progress)

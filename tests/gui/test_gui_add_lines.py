@@ -1,0 +1,175 @@
+"""Lines added to the open project: dropped on the window or asked for, and taken back again."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
+
+from lispac.errors import InputError, ProjectError
+from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
+from lispac.gui.dialogs.import_files.file_table import FORMAT, ROLE
+from lispac.gui.dialogs.service import Dialogs
+from lispac.project import LineSource, Project
+from lispac.workflow.projects import open_project, save_project, with_lines_added
+from tests.gui.import_support import drop, shifted
+from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press
+
+
+@pytest.fixture
+def shorter(demo: Demo, demo_copy: Path) -> Project:
+    """The demo survey picked on four of its six lines, saved."""
+    lines = demo.picked.lines[:4]
+    names = {line.name for line in lines}
+    targets = tuple(
+        replace(t, sightings=tuple(s for s in t.sightings if s.line in names))
+        for t in demo.picked.targets
+    )
+    made = replace(demo.picked, folder=demo_copy, lines=lines, targets=targets)
+    save_project(made)
+    return open_project(demo_copy)
+
+
+@pytest.fixture
+def short(driver: Driver, shorter: Project) -> Driver:
+    """A window with that project."""
+    driver.window.open_project(shorter.folder)
+    driver.rest()
+    assert driver.dialogs.errors == []
+    return driver
+
+
+MOST_LOOKS = 600
+
+
+class Real(Dialogs):
+    """The real dialogues, driven by a timer: the question first, then the import dialogue."""
+
+    def __init__(self, driver: Driver, answer: str, drive: Callable[[AddLinesDialog], None]):
+        super().__init__()
+        self.parent = driver.window
+        self.answer, self.drive = answer, drive
+        self.seen: list[str] = []
+        self.looks = 0
+        self.timer = QTimer(driver.window)
+        self.timer.timeout.connect(self._look)
+        self.timer.start(50)
+        driver.dialogs.add_or_new, driver.dialogs.add_lines = self.add_or_new, self.add_lines
+
+    def _look(self) -> None:
+        shown = QApplication.activeModalWidget()
+        if shown is None:
+            return
+        self.looks += 1
+        if self.looks > MOST_LOOKS:  # nothing the test expects; do not wait for ever
+            shown.reject()
+        elif isinstance(shown, QMessageBox):
+            self.seen.append(shown.text())
+            button = next(b for b in shown.findChildren(QPushButton) if b.text() == self.answer)
+            QTest.mouseClick(button, Left)
+        elif isinstance(shown, AddLinesDialog) and not shown.work.busy:
+            self.drive(shown)
+
+
+def test_files_dropped_on_an_open_project_are_added_to_it(
+    short: Driver, demo: Demo, shorter: Project
+) -> None:
+    new = [line.path for line in demo.project.lines[4:]]
+    told: list[object] = []
+
+    def drive(dialog: AddLinesDialog) -> None:
+        table = dialog.table
+        told[:] = [
+            dialog.windowTitle(), dialog.ok.text(), dialog.place.isVisible(),
+            [table.item(row, 0).text() for row in range(table.rowCount())],
+            [table.cellWidget(0, column) for column in (ROLE, FORMAT)],
+            dialog.intake.files_problem(), dialog.remove.isEnabled(),
+        ]  # fmt: skip
+        QTest.mouseClick(dialog.ok, Left)
+
+    dialogs = Real(short, "Add to harbour", drive)
+    drop(short.window, new)
+    short.bot.waitUntil(lambda: len(short.project.lines) == 6, timeout=WAIT_MS)
+    short.rest()
+    assert dialogs.seen == ["Add the files to harbour?"]
+    given = [shorter.trajectory.name, shorter.accuracy.name]
+    assert told == [
+        "Add lines to harbour", "Add to project", False, given + [p.name for p in new],
+        [None, None], "", False,
+    ]  # fmt: skip
+    assert short.dialogs.errors == []
+    assert [line.path for line in short.project.lines[4:]] == new
+    assert [t.name for t in short.project.targets] == [t.name for t in shorter.targets]
+    assert list(short.viewport.clouds) == [line.name for line in short.project.lines]
+    assert len(open_project(shorter.folder).lines) == 4
+
+    short.window.activateWindow()
+    short.bot.waitUntil(short.window.isActiveWindow, timeout=WAIT_MS)
+    press(short, Key.Key_Z, Control)
+    short.rest()
+    assert len(short.project.lines) == 4
+    assert len(short.viewport.clouds) == 4
+    press(short, Key.Key_Y, Control)
+    short.rest()
+    assert len(short.viewport.clouds) == 6
+    press(short, Key.Key_S, Control)
+    assert len(open_project(shorter.folder).lines) == 6
+
+
+def test_what_cannot_be_added_is_said_in_the_dialogue(
+    short: Driver, shorter: Project, tmp_path: Path
+) -> None:
+    late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)
+    told: list[str] = []
+
+    def drive(dialog: AddLinesDialog) -> None:
+        told.append(dialog.reason.text())
+        assert not dialog.ok.isEnabled()
+        dialog.reject()
+
+    Real(short, "Add to harbour", drive)
+    drop(short.window, [shorter.lines[0].path])
+    short.bot.waitUntil(lambda: len(told) == 1, timeout=WAIT_MS)
+    drop(short.window, [late])
+    short.bot.waitUntil(lambda: len(told) == 2, timeout=WAIT_MS)
+    short.window.actions_["add_lines"].trigger()
+    short.bot.waitUntil(lambda: len(told) == 3, timeout=WAIT_MS)
+    name = shorter.lines[0].name
+    assert f"This is the line {name} of the project already." in told[0]
+    assert "late.laz" in told[1]
+    assert "trajectory" in told[1]
+    assert told[2].startswith("Add the scan files of the lines")
+    assert short.project.lines == shorter.lines
+    assert not short.window.isWindowModified()
+
+
+@pytest.mark.parametrize(("answer", "asked"), [("cancel", False), ("new", True)])
+def test_dropped_files_may_also_be_a_new_project(short: Driver, demo: Demo, answer, asked) -> None:
+    short.dialogs.about_dropped = answer
+    line = demo.project.lines[5].path
+    drop(short.window, [line])
+    short.bot.waitUntil(lambda: bool(short.dialogs.asked), timeout=WAIT_MS)
+    assert short.dialogs.asked == ["harbour"]
+    assert short.dialogs.dropped == ([line] if asked else [])
+    assert len(short.project.lines) == 4
+
+
+def test_a_line_that_cannot_be_read_leaves_project_and_folder_as_they_are(
+    shorter: Project, tmp_path: Path
+) -> None:
+    kept = shorter.folder / "lines" / "notes.txt"
+    kept.parent.mkdir()
+    kept.write_text("mine")
+    late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)
+    before = sorted(shorter.folder.rglob("*"))
+    with pytest.raises(InputError, match="outside the trajectory"):
+        with_lines_added(shorter, [LineSource("late", late)])
+    with pytest.raises(InputError, match=f"Two lines are named {shorter.lines[0].name}"):
+        with_lines_added(shorter, [LineSource(shorter.lines[0].name, late)])
+    with pytest.raises(ProjectError, match="already"):
+        with_lines_added(shorter, [LineSource("again", shorter.lines[0].path)])
+    assert sorted(shorter.folder.rglob("*")) == before
+    assert kept.read_text() == "mine"
