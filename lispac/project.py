@@ -178,6 +178,8 @@ class PickedSighting:
         Of the points about their own plane.
     used : bool
         Whether the sighting takes part.
+    one_in : int
+        Of how many points about the seed one was looked at: 1 where all were.
     """
 
     line: str
@@ -185,6 +187,7 @@ class PickedSighting:
     rms: float
     used: bool = True
     fingerprint: str = ""
+    one_in: int = 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -328,7 +331,7 @@ class Project:
                 replace(
                     target,
                     sightings=tuple(
-                        replace(own, indices=found.indices, rms=found.rms)
+                        replace(own, indices=found.indices, rms=found.rms, one_in=found.one_in)
                         if (found := other.target(target.name).sighting(own.line))
                         else own
                         for own in target.sightings

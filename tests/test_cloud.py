@@ -8,10 +8,12 @@ import pytest
 
 from lispac.errors import Cancelled, InputError
 from lispac.io.las import write_points
+from lispac.io.project_file import read_project, write_project
 from lispac.progress import no_progress
 from lispac.project import LineSource, Project
 from lispac.survey import cloud as cloud_module
 from lispac.survey.cloud import CloudInMemory, CloudOnDisk
+from lispac.survey.store import reading as reading_module
 from lispac.workflow import survey as survey_module
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
@@ -20,6 +22,7 @@ from lispac.workflow.exporting import export_targets
 from lispac.workflow.importing import import_lines, line_folder
 from lispac.workflow.picking import find
 from lispac.workflow.projects import create_project, new_project
+from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
@@ -76,19 +79,20 @@ def test_regions_and_points_agree(
         np.testing.assert_allclose(own[np.array([5, 3])], other[np.array([5, 3])], atol=2e-5)
         for k in (100, 200_000):
             centre = own[np.array([k])][0] + 0.2
-            numbers, points = own.within(centre, 1.5)
-            found, placed = other.within(centre, 1.5)
+            region, beside = own.within(centre, 1.5), other.within(centre, 1.5)
+            numbers, points = region.numbers, region.points
+            found, placed = beside.numbers, beside.points
+            assert region.one_in == beside.one_in == 1
             assert (np.diff(found) > 0).all()
             # What lies on the rim to the rounding of the stored coordinates may fall either way.
             away = np.linalg.norm(points - centre, axis=1)
             assert np.isin(numbers[away < 1.5 - 2e-5], found).all()
-            assert len(np.setdiff1d(found, own.within(centre, 1.5 + 2e-5)[0])) == 0
+            assert len(np.setdiff1d(found, own.within(centre, 1.5 + 2e-5).numbers)) == 0
             np.testing.assert_allclose(placed, other[found], atol=1e-9)
             assert len(numbers) > 20
         sample = other.sample
         assert len(sample) == len(other.sample_time)
-        numbers, points = own.within(sample[7], 1e-3)
-        assert len(numbers), "what is shown are points of the line"
+        assert len(own.within(sample[7], 1e-3).numbers), "what is shown are points of the line"
 
 
 def test_crowded_region_is_sampled_fairly(
@@ -96,14 +100,39 @@ def test_crowded_region_is_sampled_fairly(
 ) -> None:
     name = stored.lines[0]
     centre = calibrated[1].clouds[name].sample[100_000]
-    whole, points = stored.clouds[name].within(centre, 3.0)
-    monkeypatch.setattr(cloud_module, "MOST", len(whole) // 3)
-    for cloud in (stored.clouds[name], calibrated[1].clouds[name]):
-        some, chosen = cloud.within(centre, 3.0)
-        assert len(whole) // 16 < len(some) <= len(whole) // 3
-        assert np.isin(some, whole).all()
-        np.testing.assert_allclose(chosen.mean(axis=0), points.mean(axis=0), atol=0.1)
-        np.testing.assert_allclose(np.std(chosen, axis=0), np.std(points, axis=0), rtol=0.1)
+    whole = stored.clouds[name].within(centre, 3.0)
+    monkeypatch.setattr(cloud_module, "MOST", len(whole.numbers) // 3)
+    monkeypatch.setattr(reading_module, "AT_ONCE", 1000)
+    regions = [cloud.clouds[name].within(centre, 3.0) for cloud in (stored, calibrated[1])]
+    for some in regions:
+        assert some.one_in == 4
+        assert len(some.numbers) == pytest.approx(len(whole.numbers) / 4, rel=0.1)
+        assert np.isin(some.numbers, whole.numbers).all()
+        for of in (np.mean, np.std):
+            np.testing.assert_allclose(of(some.points, axis=0), of(whole.points, axis=0), atol=0.1)
+    # On disk a point is stored to its 32-bit place, so one on the sphere may be in or out.
+    apart = np.setxor1d(regions[0].numbers, regions[1].numbers)
+    assert len(apart) <= 2
+
+
+def test_a_thinned_sighting_says_so_and_keeps_saying_it(
+    calibrated: tuple[Project, Survey], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    project, survey = calibrated
+    role, seed = demo_seeds()["T1"]
+    assert thinned_words(find(project, survey, seed, name="T1", role=role)) == ()
+    monkeypatch.setattr(cloud_module, "MOST", 2000)
+    target = find(project, survey, seed, name="T1", role=role)
+    words = thinned_words(target)
+    thinned = [s for s in target.sightings if s.one_in > 1]
+    assert words
+    assert len(words) == len(thinned)
+    assert words[0].startswith(f"T1 on {thinned[0].line}: there are more than")
+    assert f"one in {thinned[0].one_in} of them" in words[0]
+    saved = replace(project, folder=tmp_path / "saved").with_target(target)
+    write_project(saved)
+    again = read_project(saved.folder).target("T1")
+    assert [s.one_in for s in again.sightings] == [s.one_in for s in target.sightings]
 
 
 def test_one_seed_finds_the_same_points(

@@ -8,6 +8,7 @@ from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.project import Target
 from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow import picking, projects
+from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import load_survey
 
 
@@ -42,6 +43,8 @@ def pick(arguments: Namespace) -> None:
             f"seed; sought within {target.radius:g} m",
             file=sys.stderr,
         )
+    for words in thinned_words(target):
+        print(f"note: {words}", file=sys.stderr)
     if arguments.json:
         print_json(_as_json(target, spheres))
     else:

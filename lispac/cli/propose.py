@@ -1,5 +1,6 @@
 """The command that proposes targets and validation planes."""
 
+import sys
 from argparse import Namespace
 
 import numpy as np
@@ -9,6 +10,7 @@ from lispac.cli.console import ConsoleProgress, print_json
 from lispac.errors import ProjectError
 from lispac.workflow import projects
 from lispac.workflow.proposing import propose as proposal_for
+from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import load_survey
 
 
@@ -24,6 +26,8 @@ def propose(arguments: Namespace) -> None:
         survey = load_survey(project, progress=progress)
     with ConsoleProgress() as progress:
         proposal = proposal_for(project, survey, progress=progress)
+    for words in (words for target in proposal.targets for words in thinned_words(target)):
+        print(f"note: {words}", file=sys.stderr)
     if arguments.accept:
         for target in proposal.targets:
             project = project.with_target(target)

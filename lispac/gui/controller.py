@@ -16,6 +16,7 @@ from lispac.gui.viewport.base import PickedPoint
 from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Role, Settings, Shape, Target
 from lispac.workflow.intake import ImportRequest
+from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import Survey, load_survey
 
 Opened = tuple[Project, Survey]
@@ -238,6 +239,8 @@ class Controller(QObject):
     def _found(self, candidate: Target) -> None:
         self.candidate = candidate
         self._scene.show_candidate(candidate)
+        for words in thinned_words(candidate):
+            self.noted.emit(words)
         self.candidate_changed.emit()
 
     def _drop_candidate(self) -> None:

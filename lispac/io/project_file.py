@@ -148,6 +148,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
                         "rms": s.rms,
                         "used": s.used,
                         "fingerprint": s.fingerprint,
+                        "one_in": s.one_in,
                     }
                     for s in target.sightings
                 ],
@@ -198,7 +199,14 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
             "copy of the project, or make the project again."
         )
     sightings = tuple(
-        PickedSighting(item["line"], indices, item["rms"], item["used"], item["fingerprint"])
+        PickedSighting(
+            item["line"],
+            indices,
+            item["rms"],
+            item["used"],
+            item["fingerprint"],
+            int(item.get("one_in", 1)),
+        )
         for item, indices in zip(
             content["sightings"],
             _read_indices(path, content["name"], len(content["sightings"])),

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from lispac.geometry.neighbours import points_within
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
+from lispac.survey.store.cells import MOST_HALVINGS, in_sample
 from lispac.survey.store.reading import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
 
@@ -22,7 +23,25 @@ Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
 MOST = 4_000_000
-"""Points of a region; where a line has more of them there, a fair sample stands for all."""
+"""Points of a region; where a line has more of them there, a fair sample stands for all: a half, a
+quarter and so on of its points, the same ones for a line in memory and on disk."""
+
+
+@dataclass(frozen=True, eq=False)
+class Region:
+    """What a line has within a sphere.
+
+    Attributes
+    ----------
+    numbers : ndarray of shape (n,), ascending
+    points : ndarray of shape (n, 3), metres, local frame
+    one_in : int
+        1 where these are all points; where there are more than `MOST`, one in so many is here.
+    """
+
+    numbers: Numbers
+    points: Array
+    one_in: int = 1
 
 
 class Line(Protocol):
@@ -55,8 +74,8 @@ class Cloud(Protocol):
     def __getitem__(self, numbers: Numbers) -> Array:
         """Points by their numbers, shape (n, 3), metres."""
 
-    def within(self, centre: Array, radius: float) -> tuple[Numbers, Array]:
-        """Numbers, ascending, and points of those within a sphere, metres; at most `MOST`."""
+    def within(self, centre: Array, radius: float) -> Region:
+        """The points within a sphere, metres; at most `MOST`."""
 
     @property
     def sample(self) -> Array:
@@ -112,17 +131,19 @@ class CloudInMemory:
             return self.ordered[numbers]
         return self.place(*self.scan.take(numbers))
 
-    def within(self, centre: Array, radius: float) -> tuple[Numbers, Array]:
+    def within(self, centre: Array, radius: float) -> Region:
         """See `Cloud`."""
         numbers = points_within(self.ordered, centre, radius + self._margin)
         points = self[numbers]
         if self._margin:
             inside = points_within(points, centre, radius)
             numbers, points = numbers[inside], points[inside]
-        if len(numbers) > MOST:
-            kept = np.arange(0, len(numbers), -(-len(numbers) // MOST))
+        halvings = 0
+        while len(numbers) > MOST and halvings < MOST_HALVINGS:
+            halvings += 1
+            kept = in_sample(numbers, halvings)
             numbers, points = numbers[kept], points[kept]
-        return numbers, points
+        return Region(numbers, points, 2**halvings)
 
     @cached_property
     def sample(self) -> Array:
@@ -176,14 +197,14 @@ class CloudOnDisk:
     def __getitem__(self, numbers: Numbers) -> Array:
         return self.place(*self.stored.take(numbers))
 
-    def within(self, centre: Array, radius: float) -> tuple[Numbers, Array]:
+    def within(self, centre: Array, radius: float) -> Region:
         """See `Cloud`."""
-        rows, points = self.stored.within(
+        rows, points, halvings = self.stored.sampled_within(
             centre, radius, self.place, margin=self._margin, most=MOST
         )
         numbers = self.stored.numbers(rows)
         order = np.argsort(numbers)
-        return numbers[order], points[order]
+        return Region(numbers[order], points[order], 2**halvings)
 
     @cached_property
     def sample(self) -> Array:

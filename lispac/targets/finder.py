@@ -36,6 +36,8 @@ class PlanePatch:
         Mean of the points.
     extent : ndarray of shape (2,), metres
         Width (level) and height (up the slope).
+    one_in : int
+        Of how many points about the seed one was looked at.
     """
 
     indices: Indices
@@ -43,6 +45,7 @@ class PlanePatch:
     rms: float
     centre: Array
     extent: Array
+    one_in: int = 1
 
 
 def find_plane(

@@ -87,12 +87,15 @@ class SpherePatch:
         Of the points to the sphere.
     share : float
         Share of the whole surface that the points span.
+    one_in : int
+        Of how many points about the seed one was looked at.
     """
 
     indices: Indices
     sphere: Sphere
     rms: float
     share: float
+    one_in: int = 1
 
     @property
     def centre(self) -> Array:

@@ -144,7 +144,9 @@ def next_name(project: Project, role: Role) -> str:
 
 def _sighting(survey: Survey, line: str, patch: Patch) -> PickedSighting:
     fingerprint = survey.scans[line].fingerprint
-    return PickedSighting(line, patch.indices, patch.rms, fingerprint=fingerprint)
+    return PickedSighting(
+        line, patch.indices, patch.rms, fingerprint=fingerprint, one_in=patch.one_in
+    )
 
 
 def _in_lines(

@@ -119,7 +119,13 @@ def _target(
 ) -> Target:
     seed: Triple = (float(plane.seed[0]), float(plane.seed[1]), float(plane.seed[2]))
     sightings = tuple(
-        PickedSighting(line, patch.indices, patch.rms, fingerprint=survey.scans[line].fingerprint)
+        PickedSighting(
+            line,
+            patch.indices,
+            patch.rms,
+            fingerprint=survey.scans[line].fingerprint,
+            one_in=patch.one_in,
+        )
         for line, patch in ((n, plane.found[n]) for n in survey.lines if n in plane.found)
     )
     radius = FinderSettings().radius

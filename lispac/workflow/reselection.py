@@ -52,7 +52,13 @@ def _again(target: Target, before: Mapping[str, Cloud], after: Mapping[str, Clou
     return replace(
         target,
         sightings=tuple(
-            PickedSighting(s.line, found[s.line].indices, found[s.line].rms, s.used)
+            PickedSighting(
+                s.line,
+                found[s.line].indices,
+                found[s.line].rms,
+                s.used,
+                one_in=found[s.line].one_in,
+            )
             if s.line in found
             else s
             for s in target.sightings

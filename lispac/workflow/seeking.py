@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import ProjectError
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
-from lispac.survey.cloud import Cloud
+from lispac.survey.cloud import MOST, Cloud, Region
 from lispac.targets.across_lines import find_in_lines
 from lispac.targets.finder import FinderSettings, PlanePatch, checked_seed, find_plane
 from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
@@ -105,10 +105,10 @@ class Sought:
         ------
         TargetNotFound
         """
-        numbers, points = cloud.within(checked_seed(seed), settings.radius)
+        region = cloud.within(checked_seed(seed), settings.radius)
         if self.shape == "sphere":
-            return _numbered(find_sphere(points, seed, self.radii, settings), numbers)
-        return _numbered(find_plane(points, seed, settings), numbers)
+            return _numbered(find_sphere(region.points, seed, self.radii, settings), region)
+        return _numbered(find_plane(region.points, seed, settings), region)
 
     def in_lines(
         self,
@@ -129,11 +129,11 @@ class Sought:
         """
         if self.shape == "plane":
             return planes_in_lines(clouds, seed, settings, first_line=first_line, progress=progress)
-        numbers, points = _regions(clouds, seed, settings)
+        regions, points = _regions(clouds, seed, settings)
         found, missing = find_spheres_in_lines(
             points, seed, self.radii, settings, first_line=first_line, progress=progress
         )
-        return {name: _numbered(patch, numbers[name]) for name, patch in found.items()}, missing
+        return {name: _numbered(patch, regions[name]) for name, patch in found.items()}, missing
 
 
 def planes_in_lines(
@@ -145,26 +145,33 @@ def planes_in_lines(
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, str]]:
     """As `Sought.in_lines`, for a plane."""
-    numbers, points = _regions(clouds, seed, settings)
+    regions, points = _regions(clouds, seed, settings)
     found, missing = find_in_lines(points, seed, settings, first_line=first_line, progress=progress)
-    return {name: _numbered(patch, numbers[name]) for name, patch in found.items()}, missing
+    return {name: _numbered(patch, regions[name]) for name, patch in found.items()}, missing
+
+
+def thinned_words(target: Target) -> tuple[str, ...]:
+    """What there is to say where not all points about the seed were looked at, in words."""
+    return tuple(
+        f"{target.name} on {sighting.line}: there are more than {MOST:,} points about the seed; "
+        f"one in {sighting.one_in} of them, fairly drawn, was used"
+        for sighting in target.sightings
+        if sighting.one_in > 1
+    )
 
 
 def _regions(
     clouds: Mapping[str, Cloud], seed: Array, settings: FinderSettings
-) -> tuple[dict[str, NDArray[np.int64]], dict[str, Array]]:
-    """Of each line what the target may be in: numbers and points."""
+) -> tuple[dict[str, Region], dict[str, Array]]:
+    """Of each line what the target may be in, and its points."""
     seed, reach = checked_seed(seed), settings.radius + settings.max_shift
     regions = {name: cloud.within(seed, reach) for name, cloud in clouds.items()}
-    return (
-        {name: numbers for name, (numbers, _) in regions.items()},
-        {name: points for name, (_, points) in regions.items()},
-    )
+    return regions, {name: region.points for name, region in regions.items()}
 
 
-def _numbered(patch: OnePatch, numbers: NDArray[np.int64]) -> OnePatch:
+def _numbered(patch: OnePatch, region: Region) -> OnePatch:
     """The patch with the numbers of its points in the line, not in the region it was found in."""
-    return replace(patch, indices=numbers[patch.indices])
+    return replace(patch, indices=region.numbers[patch.indices], one_in=region.one_in)
 
 
 def _radius_in_words(radius: float | None) -> str:

@@ -180,6 +180,8 @@ class SightingsModel(QAbstractTableModel):
             f"{target.name} on {sighting.line}: {len(sighting.indices):,} points, "
             f"{sighting.rms * 1000:.1f} mm RMS about their own plane"
         ]
+        if sighting.one_in > 1:
+            lines.append(f"Drawn from one in {sighting.one_in} of the many points about the seed")
         result = None if self._project is None else self._project.result
         for residual in () if result is None else result.sightings:
             if (residual.sighting.target, residual.sighting.line) == (target.name, sighting.line):

@@ -63,6 +63,16 @@ def is_in_sample(octaves: Keys, halvings: int) -> NDArray[np.bool_]:
     return np.asarray((octaves & np.uint64(last)) <= np.uint64(max(0, last - halvings)))
 
 
+def in_sample(numbers: NDArray[Any], halvings: int) -> NDArray[np.bool_]:
+    """Which points, by their numbers, make up a sample of a half, a quarter, ... of a line.
+
+    It is the sample of `is_in_sample`: the same points for a line in memory and one on disk.
+    """
+    octaves = np.empty(len(numbers), np.uint64)
+    _octaves(numbers.astype(np.uint64), octaves)
+    return is_in_sample(octaves, halvings)
+
+
 def drawn(numbers: NDArray[Any], points: int, wanted: int) -> NDArray[np.bool_]:
     """Which of the points belong to a fair sample of at most ``wanted`` out of ``points``.
 
@@ -107,6 +117,22 @@ def _hashes(numbers):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True, inline="always")
+def _octave(number):  # type: ignore[no-untyped-def]
+    """Where in its cell a point stands: half of the points are in the last octave."""
+    octave, hashed = np.uint64((1 << OCTAVE_BITS) - 1), _hash(number)
+    while octave > 0 and not hashed >> np.uint64(63):
+        hashed <<= np.uint64(1)
+        octave -= np.uint64(1)
+    return octave
+
+
+@njit(nogil=True, cache=True)
+def _octaves(numbers, octaves):  # type: ignore[no-untyped-def]
+    for i in range(len(numbers)):
+        octaves[i] = _octave(numbers[i])
+
+
+@njit(nogil=True, cache=True, inline="always")
 def _spread(value):  # type: ignore[no-untyped-def]
     """Sixteen bits, each followed by two empty ones."""
     v = np.uint64(value)
@@ -119,17 +145,12 @@ def _spread(value):  # type: ignore[no-untyped-def]
 @njit(nogil=True, cache=True)
 def _order_keys(points_local, numbers, side, keys):  # type: ignore[no-untyped-def]
     last = float(2 * HALF - 1)
-    octaves = np.uint64((1 << OCTAVE_BITS) - 1)
     for i in range(len(keys)):
         key = np.uint64(0)
         for axis in range(3):
             cell = min(max(np.floor(points_local[i, axis] / side) + HALF, 0.0), last)
             key |= _spread(int(cell)) << np.uint64(axis)
-        octave, hashed = octaves, _hash(numbers[i])
-        while octave > 0 and not hashed >> np.uint64(63):  # half of the points are in the last one
-            hashed <<= np.uint64(1)
-            octave -= np.uint64(1)
-        keys[i] = key << np.uint64(OCTAVE_BITS) | octave
+        keys[i] = key << np.uint64(OCTAVE_BITS) | _octave(numbers[i])
 
 
 def sorting(keys: Keys) -> NDArray[np.intp]:

@@ -20,10 +20,12 @@ from lispac.survey.store.layout import (
 )
 from lispac.survey.store.original import is_unchanged
 from lispac.survey.store.pieces import Place
-from lispac.survey.store.runs import Runs, gathered, joined_runs, kept_within, rows_of
+from lispac.survey.store.runs import Runs, gathered, in_pieces, joined_runs, kept_within, rows_of
 
 Array = NDArray[np.float64]
 
+AT_ONCE = 1 << 20
+"""Points placed at once; of those outside the sphere no more than this are ever in memory."""
 ROUNDING = 2.0**-23
 """Of the distance from the scanner: a point has moved by less since it was put into its cell."""
 
@@ -190,9 +192,8 @@ class StoredLine:
         place: Place,
         *,
         margin: float = 0.0,
-        most: int | None = None,
     ) -> tuple[NDArray[np.int64], Array]:
-        """The points within a sphere, placed anew.
+        """All points within a sphere, placed anew.
 
         Parameters
         ----------
@@ -200,25 +201,50 @@ class StoredLine:
             Puts points into the local frame.
         centre, radius, margin
             See `near`.
-        most : int, optional
-            Where about the sphere are more points than this, a fair sample stands for them.
 
         Returns
         -------
         rows : ndarray of shape (n,), increasing
         points_local : ndarray of shape (n, 3), metres, local frame
         """
-        runs = self.near(centre, radius, margin=margin)
-        for halvings in range(1, MOST_HALVINGS + 1):
-            if most is None or np.diff(runs).sum() <= most:
-                break
-            runs = self.near(centre, radius, margin=margin, halvings=halvings)
-        points_local = place(
-            gathered(self.points_lidar, runs).astype(np.float64), gathered(self.time, runs)
-        )
-        centre = np.asarray(centre, dtype=np.float64)
-        rows, inside = kept_within(points_local, runs, centre, float(radius))
+        rows, inside, _ = self.sampled_within(centre, radius, place, margin=margin)
         return rows, inside
+
+    def sampled_within(
+        self,
+        centre: Array,
+        radius: float,
+        place: Place,
+        *,
+        margin: float = 0.0,
+        most: int | None = None,
+    ) -> tuple[NDArray[np.int64], Array, int]:
+        """As `within`, but a fair sample where there are more points than ``most`` in the sphere.
+
+        Returns
+        -------
+        rows : ndarray of shape (n,), increasing
+        points_local : ndarray of shape (n, 3), metres, local frame
+        halvings : int
+            Of the points: the fewest that leave no more than ``most``; 0 where all of them come.
+        """
+        middle = np.asarray(centre, dtype=np.float64)
+        for halvings in range(MOST_HALVINGS + 1):
+            runs = self.near(centre, radius, margin=margin, halvings=halvings)
+            found = [(np.zeros(0, np.int64), np.zeros((0, 3)))]
+            count = 0
+            for some in in_pieces(runs, AT_ONCE):
+                placed = place(
+                    gathered(self.points_lidar, some).astype(np.float64), gathered(self.time, some)
+                )
+                found.append(kept_within(placed, some, middle, float(radius)))
+                count += len(found[-1][0])
+                if most is not None and count > most and halvings < MOST_HALVINGS:
+                    break
+            else:
+                break
+        rows = np.concatenate([rows for rows, _ in found])
+        return rows, np.concatenate([points for _, points in found]), halvings
 
     def require_sound(self, progress: Callable[[float], None] = lambda done: None) -> None:
         """Read all of it and compare the checksums.

@@ -1,5 +1,6 @@
 """Runs of rows: what a region is in a line that is ordered by space."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -37,6 +38,19 @@ def gathered(values: NDArray[Any], runs: Runs) -> NDArray[Any]:
     if not len(runs):
         return np.array(values[:0])
     return np.concatenate([values[start:stop] for start, stop in runs.tolist()])
+
+
+def in_pieces(runs: Runs, rows: int) -> Iterator[Runs]:
+    """The same rows some at a time: runs that together have at most ``rows`` of them."""
+    behind = np.cumsum(runs[:, 1] - runs[:, 0])
+    before = behind - (runs[:, 1] - runs[:, 0])
+    for low in range(0, int(behind[-1]) if len(runs) else 0, rows):
+        first = np.searchsorted(behind, low, side="right")
+        last = np.searchsorted(before, low + rows, side="left")
+        some = runs[first:last].copy()
+        some[-1, 1] -= max(0, behind[last - 1] - low - rows)
+        some[0, 0] += max(0, low - before[first])
+        yield some
 
 
 @njit(nogil=True, cache=True)
