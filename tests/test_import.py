@@ -228,6 +228,29 @@ def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, 
         import_lines(project)
 
 
+def test_a_line_with_a_changed_column_is_imported_again_and_that_is_said(
+    project: Project, survey: Survey, trajectory
+) -> None:
+    own = write_line(project.folder / "again.laz", survey.scans["L1_000"])
+    project = replace(project, lines=(own,))
+    first = import_line(project, own, trajectory).stored
+    path = first.folder / first.manifest.folder / "xyz.npy"
+    content = bytearray(path.read_bytes())
+    content[5000] ^= 1
+    path.write_bytes(content)
+    os.rename(own.path, own.path.with_suffix(".away"))
+    with pytest.raises(InputError, match=r"again\.laz: there is no such .*xyz\.npy.*bring it back"):
+        import_line(project, own, trajectory)
+    os.rename(own.path.with_suffix(".away"), own.path)
+    notes = load_survey(project).notes
+    said = [note for note in notes if note.startswith("again was imported again: ")]
+    assert len(said) == 1
+    assert "xyz.npy" in said[0]
+    assert not said[0].endswith("again.")
+    stored_line(project, own, trajectory).require_sound()
+    assert not any("imported again" in note for note in load_survey(project).notes)
+
+
 def test_points_without_a_pose_are_left_out_and_counted(
     survey: Survey, project, trajectory
 ) -> None:

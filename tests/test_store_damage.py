@@ -1,7 +1,9 @@
 """The store where files are damaged, disks are full, and folders cannot be written."""
 
+import errno
 import json
 import os
+import shutil
 import subprocess
 from collections.abc import Iterator
 from dataclasses import replace
@@ -11,6 +13,8 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
+from lispac.survey.store import layout
+from lispac.survey.store.layout import VERSION, write_manifest
 from lispac.survey.store.lock import locked
 from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import open_store
@@ -43,12 +47,66 @@ def test_flipped_bit_is_noticed(tmp_path: Path) -> None:
         path.write_bytes(content)
         with pytest.raises(ProjectError, match="checksum"):
             found.require_sound()
-        if column.name in ("octaves", "starts"):
-            with pytest.raises(ProjectError, match="checksum"):
-                open_store(tmp_path, "L1")
+        with pytest.raises(ProjectError, match=r"checksum .*import the line again"):
+            open_store(tmp_path, "L1")
         content[-3] ^= 4
         path.write_bytes(content)
     found.require_sound()
+
+
+def test_a_copied_store_is_checked_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    stored(tmp_path / "L1")
+    copy = Path(shutil.copytree(tmp_path / "L1", tmp_path / "copy", copy_function=shutil.copyfile))
+    told: list[str] = []
+
+    def opening(folder: Path) -> list[str]:
+        told.clear()
+        open_store(folder, "L1", progress=lambda done, words="": told.append(words))
+        return told
+
+    assert opening(tmp_path / "L1") == []
+    assert set(opening(copy)) == {"Checking L1, which was copied"}
+    assert opening(copy) == []
+    os.utime(copy / "columns-1" / "time.npy", ns=(0, 5))
+    monkeypatch.setattr(layout, "write_text_whole", refuse)
+    for _ in range(2):  # a folder that may only be read
+        assert opening(copy)
+
+
+def refuse(*_: object) -> None:
+    """What a folder that may only be read answers."""
+    raise OSError(errno.EROFS, "Read-only file system")
+
+
+def test_a_store_without_times_is_checked_and_then_has_them(tmp_path: Path) -> None:
+    manifest = stored(tmp_path).manifest
+    bare = replace(
+        manifest,
+        columns=tuple(replace(column, modified=0) for column in manifest.columns),
+        attributes=tuple(replace(column, modified=0) for column in manifest.attributes),
+    )
+    write_manifest(tmp_path, bare)
+    assert open_store(tmp_path, "L1").manifest == bare
+    assert open_store(tmp_path, "L1").manifest == manifest
+
+
+def test_a_line_imported_again_meanwhile_says_so(tmp_path: Path) -> None:
+    opened = stored(tmp_path)
+    assert len(opened.time)
+    stored(tmp_path)
+    assert (tmp_path / "columns-2").is_dir()
+    for look in (lambda: opened.points_lidar, lambda: opened.extra, opened.require_sound):
+        with pytest.raises(ProjectError, match=r"imported again since .*open the project again"):
+            look()
+    assert len(opened.time)
+
+
+def test_a_line_that_is_being_imported_says_so(tmp_path: Path) -> None:
+    (tmp_path / "spool").mkdir()
+    with locked(tmp_path), pytest.raises(ProjectError, match=r"at the moment.*wait"):
+        open_store(tmp_path, "L1")
+    with pytest.raises(ProjectError, match="interrupted"):
+        open_store(tmp_path, "L1")
 
 
 @pytest.mark.parametrize(
@@ -73,7 +131,7 @@ def test_damaged_manifest_is_refused_and_imported_again(tmp_path: Path, harm) ->
 def test_newer_store_is_not_touched(tmp_path: Path) -> None:
     stored(tmp_path)
     path = tmp_path / "store.json"
-    path.write_text(path.read_text().replace('"version": 1', '"version": 2'))
+    path.write_text(path.read_text().replace(f'"version": {VERSION}', f'"version": {VERSION + 1}'))
     content = path.read_text()
     with pytest.raises(ProjectError, match="newer version"):
         open_store(tmp_path, "L1")

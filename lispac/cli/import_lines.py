@@ -33,6 +33,8 @@ def import_lines(arguments: Namespace) -> None:
         return
     for item in found:
         _print(item)
+    for reason in (item.reason for item in found if item.reason):
+        print(f"note: {reason}", file=sys.stderr)
     for words in dict.fromkeys(words for item in found for words in item.stored.assumptions):
         print(f"note: {words}", file=sys.stderr)
 

@@ -20,7 +20,7 @@ from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.recovery import recovered
-from lispac.survey.store.layout import Original
+from lispac.survey.store.layout import MANIFEST, Original
 from lispac.survey.store.original import original_of
 from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
@@ -48,10 +48,13 @@ class Imported:
     stored : StoredLine
     seconds : float
         That the import took; 0 where the line was imported already.
+    reason : str
+        Why it was imported again without being asked for, in words; empty where it was not.
     """
 
     stored: StoredLine
     seconds: float
+    reason: str = ""
 
 
 def import_lines(
@@ -109,11 +112,18 @@ def import_line(
     InputError, ProjectError
         As `import_lines`.
     """
+    folder, reason = line_folder(project, line), ""
     if not again:
         try:
-            return Imported(stored_line(project, line, trajectory), 0.0)
-        except ProjectError:
-            pass  # not there, damaged or made from something else: it is made now
+            return Imported(stored_line(project, line, trajectory, progress=progress), 0.0)
+        except ProjectError as error:  # damaged or made from something else: it is made now
+            if (folder / MANIFEST).exists():
+                reason = f"{line.name} was imported again: {_without_remedy(error)}"
+                if not line.path.exists():
+                    raise InputError(
+                        f"{line.path}: there is no such line file, and {line.name} has to be "
+                        f"imported again: {_without_remedy(error).rstrip('.')}; bring it back."
+                    ) from error
     require_file(line.path, "line")
     mounting = project.mounting("prior")
     started = time.monotonic()
@@ -125,7 +135,6 @@ def import_line(
         _made_with(line, trajectory, mounting),
         {"mounting": mounting.values.tolist()},
     )
-    folder = line_folder(project, line)
     write_store(
         folder,
         recipe,
@@ -134,10 +143,21 @@ def import_line(
         source.assumptions,
         progress=progress,
     )
-    return Imported(open_store(folder, line.name), time.monotonic() - started)
+    return Imported(open_store(folder, line.name), time.monotonic() - started, reason)
 
 
-def stored_line(project: Project, line: LineSource, trajectory: LocalTrajectory) -> StoredLine:
+def _without_remedy(error: ProjectError) -> str:
+    """What was wrong, where it is mended already."""
+    return re.sub(r"; import (it|the line) again\.$", "", str(error))
+
+
+def stored_line(
+    project: Project,
+    line: LineSource,
+    trajectory: LocalTrajectory,
+    *,
+    progress: Progress = no_progress,
+) -> StoredLine:
     """Open an imported line that is still what the project says.
 
     Raises
@@ -146,7 +166,7 @@ def stored_line(project: Project, line: LineSource, trajectory: LocalTrajectory)
         Where the line is not imported, its import was interrupted, it is damaged, or its file or
         what it was made with has changed since.
     """
-    stored = open_store(line_folder(project, line), line.name)
+    stored = open_store(line_folder(project, line), line.name, progress=progress)
     made_with = _made_with(line, trajectory, project.mounting("prior"))
     changed = [
         CHANGES[name] for name, value in made_with.items()

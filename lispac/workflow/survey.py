@@ -132,9 +132,12 @@ def _opened(
     """A line from its store or its file, placed, and what there is to say of it."""
     mounting = project.mounting("prior")
     if _belongs_on_disk(project, line):
-        stored = import_line(project, line, trajectory, progress=progress).stored
+        imported = import_line(project, line, trajectory, progress=progress)
+        stored = imported.stored
         cloud = CloudOnDisk(stored, Georeferencer.of(trajectory, mounting))
         said = stored.assumptions
+        if imported.reason:
+            said = (imported.reason, *said)
         if not line.path.exists():
             said += (
                 f"{line.path} is not there; {line.name} is used as it was imported from it before",

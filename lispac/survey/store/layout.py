@@ -21,7 +21,7 @@ import numpy as np
 
 from lispac.errors import ProjectError
 
-VERSION = 1
+VERSION = 2
 OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
     f"coarse_{name}" for name in ("row", "local", "xyz", "time")
 }
@@ -54,6 +54,8 @@ class Column:
         CRC-32 of the whole file.
     value : number or list of numbers
         What all points have, where there is no file.
+    modified : int, nanoseconds
+        Time of the file when its content was last known to be whole; 0 where that is not known.
     """
 
     name: str
@@ -64,6 +66,7 @@ class Column:
     size: int = 0
     checksum: int = 0
     value: Any = None
+    modified: int = 0
 
 
 @dataclass(frozen=True)
@@ -205,7 +208,7 @@ def _require_plain(manifest: Manifest) -> None:
     words = [manifest.line, manifest.fingerprint, *manifest.assumptions]
     for column in (*manifest.columns, *manifest.attributes):
         words += [column.name, column.file]
-        counts += [column.count, column.size, column.checksum, *column.shape]
+        counts += [column.count, column.size, column.checksum, column.modified, *column.shape]
         if np.dtype(column.dtype).kind not in "biuf" or not isinstance(column.dtype, str):
             raise ValueError(f"a column of {column.dtype}")
         if not column.file:

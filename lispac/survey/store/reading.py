@@ -10,17 +10,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
+from lispac.progress import Progress, no_progress
 from lispac.survey.store.cells import MOST_HALVINGS, Keys, is_in_sample, octaves_near
 from lispac.survey.store.columns import checksum_of, opened
 from lispac.survey.store.layout import (
     SPOOL,
+    Column,
     Manifest,
     read_manifest,
     require_sizes,
 )
+from lispac.survey.store.lock import is_held
 from lispac.survey.store.original import is_unchanged
 from lispac.survey.store.pieces import Place
 from lispac.survey.store.runs import Runs, gathered, in_pieces, joined_runs, kept_within, rows_of
+from lispac.survey.store.stamps import remember, stamped
 
 Array = NDArray[np.float64]
 
@@ -99,8 +103,7 @@ class StoredLine:
     @cached_property
     def extra(self) -> Mapping[str, NDArray[Any]]:
         """Attributes of the file under its own names, shape (n, ...) each."""
-        folder = self.folder / self.manifest.folder
-        return {c.name: opened(folder, c, len(self)) for c in self.manifest.attributes}
+        return {c.name: self._opened(c, len(self)) for c in self.manifest.attributes}
 
     @property
     def intensity(self) -> NDArray[Any] | None:
@@ -256,7 +259,10 @@ class StoredLine:
         done = 0
         for column in self.manifest.files:
             path = self.folder / self.manifest.folder / column.file
-            _require_checksum(path, column.checksum)
+            try:
+                _require_checksum(path, column.checksum)
+            except ProjectError as error:
+                raise self._gone_or(error) from error
             done += column.size
             progress(done / self.manifest.bytes)
 
@@ -270,7 +276,22 @@ class StoredLine:
 
     def _own(self, name: str) -> NDArray[Any]:
         column = self._columns[name]
-        return opened(self.folder / self.manifest.folder, column, column.count)
+        return self._opened(column, column.count)
+
+    def _opened(self, column: Column, count: int) -> NDArray[Any]:
+        try:
+            return opened(self.folder / self.manifest.folder, column, count)
+        except ProjectError as error:
+            raise self._gone_or(error) from error
+
+    def _gone_or(self, error: ProjectError) -> ProjectError:
+        """What there is to say instead where the line was imported again since it was opened."""
+        if _is_current(self.folder, self.manifest):
+            return error
+        return ProjectError(
+            f"{self.name}: this line was imported again since it was opened, by another window or "
+            "command; open the project again to go on with it."
+        )
 
     @cached_property
     def _octaves(self) -> Keys:
@@ -281,8 +302,11 @@ class StoredLine:
         return np.array(self._own("starts"))
 
 
-def open_store(folder: Path, line: str) -> StoredLine:
-    """Open an imported line: its manifest, the sizes of all its files, and its order are checked.
+def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> StoredLine:
+    """Open an imported line: its manifest, its order, and sizes and times of its files are checked.
+
+    Where a file was written since the import, or the store was copied, all of it is read and
+    compared by its checksums.
 
     Raises
     ------
@@ -291,6 +315,11 @@ def open_store(folder: Path, line: str) -> StoredLine:
     """
     manifest = read_manifest(folder)
     if manifest is None:
+        if is_held(folder):
+            raise ProjectError(
+                f"{line}: this line is being imported at the moment, by another window or command; "
+                "wait until that has ended, then try again."
+            )
         if (folder / SPOOL).is_dir():
             raise ProjectError(
                 f"{line}: its import was interrupted; import it again, it goes on where it stood."
@@ -298,11 +327,30 @@ def open_store(folder: Path, line: str) -> StoredLine:
         raise ProjectError(f"{line}: this line is not imported yet; import it.")
     if manifest.line != line:
         raise ProjectError(f"{folder}: this is the line {manifest.line}, not {line}; import it.")
-    require_sizes(folder, manifest)
-    for column in manifest.columns:
-        if column.name in ("octaves", "starts"):
-            _require_checksum(folder / manifest.folder / column.file, column.checksum)
-    return StoredLine(folder, manifest)
+    stored = StoredLine(folder, manifest)
+    try:
+        require_sizes(folder, manifest)
+        for column in manifest.columns:
+            if column.name in ("octaves", "starts"):
+                _require_checksum(folder / manifest.folder / column.file, column.checksum)
+        now = stamped(folder, manifest)
+        if now != manifest:
+            stored.require_sound(lambda done: progress(done, f"Checking {line}, which was copied"))
+            remember(folder, manifest, now)
+    except (ProjectError, FileNotFoundError):
+        if not _is_current(folder, manifest):  # imported again between the two looks
+            return open_store(folder, line, progress=progress)
+        raise
+    return stored
+
+
+def _is_current(folder: Path, manifest: Manifest) -> bool:
+    """Whether a manifest read earlier still tells which columns count."""
+    try:
+        now = read_manifest(folder)
+    except ProjectError:
+        return True
+    return now is None or now.folder == manifest.folder
 
 
 def _require_checksum(path: Path, checksum: int) -> None:

@@ -35,6 +35,7 @@ from lispac.survey.store.ordering import write_columns
 from lispac.survey.store.pace import Pace
 from lispac.survey.store.pieces import Piece, Place, blocks_of
 from lispac.survey.store.spool import Spool
+from lispac.survey.store.stamps import stamped
 
 READING_SHARE = 0.6
 """Part of the time that reading takes, for the progress."""
@@ -128,6 +129,7 @@ def _import(
                 spool, new, place, recipe.line, progress=part(progress, READING_SHARE, 1.0)
             )
             manifest = _manifest(spool, recipe, new.name, own, attributes, read, assumptions)
+            manifest = stamped(folder, manifest)
             write_manifest(folder, manifest)
     except BaseException as error:
         if _current(folder) != new.name:  # stopped after the manifest: the line is imported
