@@ -7,7 +7,15 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from lispac.gui import theme
-from lispac.gui.viewing_actions import COLOURED, SWITCHES, VIEW_ACTIONS, VIEW_MENU, Menu
+from lispac.gui.viewing_actions import (
+    COLOURED,
+    INSPECT_ACTIONS,
+    INSPECT_MENU,
+    SWITCHES,
+    VIEW_ACTIONS,
+    VIEW_MENU,
+    Menu,
+)
 
 Keys = QKeySequence.StandardKey
 
@@ -52,6 +60,7 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "toggle": ("&Switch before / after", "Switch", "swap-horizontal", "B",
                "Switch the view between prior and estimated boresight"),
     **VIEW_ACTIONS,
+    **INSPECT_ACTIONS,
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
     "about": ("&About LISPAC", "About", "information-outline", "", "Version and conventions"),
 }  # fmt: skip
@@ -78,6 +87,7 @@ _MENUS: dict[str, Menu] = {
     ),
     "&Edit": ("undo", "redo"),
     "&View": VIEW_MENU,
+    "&Inspect": INSPECT_MENU,
     "&Targets": ("seed_target", "seed_validation", "", "accept", "reject"),
     "&Adjust": ("estimate", "", "cancel"),
     "Va&lidate": ("validate",),

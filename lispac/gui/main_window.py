@@ -34,6 +34,7 @@ from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.tasks import TaskRunner
+from lispac.gui.tools import Tools
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.project import Project
 from lispac.workflow.survey import Survey
@@ -80,6 +81,7 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self.looking = Looking(viewport, self.scene, self.controller, self.actions_, self.settings)
+        self.tools = Tools(self)
         self._build()
         self._join_panels()
         self._join_actions()
@@ -122,6 +124,7 @@ class MainWindow(QMainWindow):
         self.setTabPosition(Area.RightDockWidgetArea, QTabWidget.TabPosition.North)
         self.tabifyDockWidget(docks["Targets by lines"], docks[DIAGNOSTICS])
         self.tabifyDockWidget(docks[DIAGNOSTICS], docks["Histograms"])
+        docks |= self.tools.make_docks(docks["Histograms"])
         self.tabifyDockWidget(docks["Histograms"], docks["Log"])
         self.tabifyDockWidget(docks["Results"], docks[CONVENTION])
         self.layout().setEnabled(True)

@@ -21,6 +21,7 @@ class Scene(QObject):
     """Keeps the viewport in step with the document, the candidate and the before/after switch."""
 
     which_changed = Signal(str)
+    selection_changed = Signal()
     placing_wanted = Signal()
     """The lines after are shown, and the project has another result by now."""
 
@@ -123,6 +124,7 @@ class Scene(QObject):
         points = self._points(target, line)
         if points is not None:
             self._viewport.fit(points)
+        self.selection_changed.emit()
 
     def _another(self) -> None:
         self.candidate = self.selected = None

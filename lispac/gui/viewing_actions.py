@@ -39,6 +39,19 @@ VIEW_ACTIONS: dict[str, Described] = {
                     "Colour the points by the time they were measured"),
 }  # fmt: skip
 
+INSPECT_ACTIONS: dict[str, Described] = {
+    "section": ("&Section across the target", "Section", "", "S",
+                "Lay a strip across the selected target: all lines side by side at true scale"),
+    "section_points": ("Section &between two points", "Section", "", "Shift+S",
+                       "Cut through the lines from one clicked point to another"),
+    "measure_distance": ("Measure a &distance", "Distance", "ruler", "M",
+                         "Click two points: slope, horizontal and vertical distance"),
+    "measure_angle": ("Measure an &angle", "Angle", "", "Shift+M",
+                      "Click a point, the corner and another point"),
+    "end_tool": ("&End the tool", "End", "", "Esc", "Give the mouse back to the view"),
+}  # fmt: skip
+"""What is measured and looked into with the mouse."""
+
 Menu = tuple["str | tuple[str, Menu]", ...]
 """Names of actions, "" for a line between them, and menus in the menu with their titles."""
 
@@ -58,7 +71,16 @@ VIEW_MENU: Menu = (
     "",
     ("&Panels", ("DOCKS",)),
 )
-SWITCHES = ("orthographic",)
+INSPECT_MENU: Menu = (
+    "section",
+    "section_points",
+    "",
+    "measure_distance",
+    "measure_angle",
+    "",
+    "end_tool",
+)
+SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle")
 """Actions that are on or off, each by itself."""
 
 KEYS = (
@@ -67,6 +89,9 @@ KEYS = (
     ("7", "look along the normal of the selected target"),
     ("O", "orthographic or perspective"),
     ("+, −", "larger, smaller points"),
+    ("S, Shift + S", "section across the selected target, between two points"),
+    ("M, Shift + M", "measure a distance, an angle"),
+    ("Esc", "end measuring"),
     ("C", "colour the points by line, height, intensity, range, time"),
 )
 """Rows of the list of keys."""

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,6 +66,38 @@ class Marker:
     colour: Colour
 
 
+@dataclass(frozen=True)
+class Handle:
+    """A dot that the mouse moves along an axis, shape (3,), a unit vector."""
+
+    position: tuple[float, float, float]
+    axis: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """Straight lines over the picture, with words and handles.
+
+    Attributes
+    ----------
+    points : metres, local frame
+    edges : pairs of places in ``points``
+    dots : whether the points are marked
+    label, at : words, and the place they stand beside
+    """
+
+    points: tuple[tuple[float, float, float], ...]
+    edges: tuple[tuple[int, int], ...]
+    colour: Colour
+    dots: bool = False
+    label: str = ""
+    at: tuple[float, float, float] | None = None
+    handles: tuple[Handle, ...] = ()
+
+
+MouseMode = Literal["navigate", "point", "outline"]
+"""What the left button does: turns the view; that and points; draws an outline."""
+
 CHOSEN_COLOUR: Colour = (60, 255, 30)
 """Bright green: no line, target or validation plane has it."""
 BESIDE_COLOUR: Colour = (165, 171, 178)
@@ -105,6 +137,11 @@ class ViewportSignals(QObject):
 
     seed_clicked = Signal(object)  # PickedPoint, on Ctrl+click on a point
     missed = Signal()  # Ctrl+click in empty space
+    pointed = Signal(object)  # PickedPoint, on a click while pointing; None in empty space
+    outlined = Signal(object)  # pixels (n, 2) of the outline that was drawn
+    hovered = Signal(object)  # PickedPoint under the mouse, or None, while hovering
+    handle_moved = Signal(str, int, float)  # sketch, place of the handle, metres since the last
+    handle_let_go = Signal(str)  # sketch
 
 
 class Viewport(Protocol):
@@ -157,6 +194,18 @@ class Viewport(Protocol):
 
     def set_parallel(self, parallel: bool) -> None:
         """Draw in parallel (orthographic) projection, or in perspective."""
+
+    def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
+        """Say what the left button does, and what is written of it above the picture."""
+
+    def set_hovering(self, hovering: bool) -> None:
+        """Tell what is under the resting mouse, or not."""
+
+    def show_sketch(self, name: str, sketch: Sketch | None) -> None:
+        """Draw something over the picture, or take it away."""
+
+    def to_pixels(self, points: Array) -> Array:
+        """Pixels (x, y) where points (n, 3) are drawn; NaN behind the eye."""
 
     def set_point_size(self, pixels: int) -> None:
         """Size of the drawn points."""

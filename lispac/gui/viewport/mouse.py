@@ -2,13 +2,18 @@
 
 Left drag rotates, middle or Shift+left or right drag moves, the wheel zooms, Ctrl+click picks and a
 double click looks at a point. A Ctrl+drag does nothing, so that a slip of the hand picks nothing.
+While pointing a click points and a drag still rotates; while outlining a left drag draws. A press
+on what `grabs` says yes to moves that.
 """
 
+from collections.abc import Callable
 from enum import Enum, auto
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
+
+from lispac.gui.viewport.base import MouseMode
 
 WHEEL_STEP = 120.0
 """Units of one notch of a wheel; touch pads send less at a time."""
@@ -19,6 +24,8 @@ class _Drag(Enum):
     ROTATE = auto()
     PAN = auto()
     PICK = auto()
+    OUTLINE = auto()
+    GRAB = auto()
 
 
 class Mouse(QObject):
@@ -31,6 +38,13 @@ class Mouse(QObject):
     zoomed = Signal(float, float, float)  # notches (positive comes closer), x, y
     picked = Signal(float, float)
     centred = Signal(float, float)
+    pointed = Signal(float, float)
+    outlining = Signal(float, float)
+    outlined = Signal()
+    grabbed = Signal(float, float)  # where it is moved to
+    let_go = Signal()
+    rested_at = Signal(float, float)  # moved there without a button
+    left = Signal()
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -38,8 +52,15 @@ class Mouse(QObject):
         self._drag = _Drag.NONE
         self._press = QPointF()
         self._last = QPointF()
+        self.mode: MouseMode = "navigate"
+        self.grabs: Callable[[float, float], bool] = lambda _x, _y: False
         widget.setMouseTracking(True)
         widget.installEventFilter(self)
+
+    def set_mode(self, mode: MouseMode) -> None:
+        """Say what the left button does."""
+        self.mode = mode
+        self._show_cursor(False)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take what concerns the viewport and leave everything else to the widget."""
@@ -70,6 +91,8 @@ class Mouse(QObject):
             # VTK's own keys (q ends, w draws wires) would surprise; the window may have the key.
             event.ignore()
             return True
+        if kind == QEvent.Type.Leave:
+            self.left.emit()
         if kind in (QEvent.Type.Enter, QEvent.Type.Leave, QEvent.Type.FocusOut):
             self._show_cursor(
                 kind == QEvent.Type.Enter and _control(QApplication.keyboardModifiers())
@@ -82,6 +105,13 @@ class Mouse(QObject):
             return  # a second button during a drag
         self._press = self._last = event.position()
         self._drag = _intent(event)
+        x, y = self._press.x(), self._press.y()
+        plain = event.button() == Qt.MouseButton.LeftButton and self._drag is _Drag.ROTATE
+        if plain and self.grabs(x, y):
+            self._drag = _Drag.GRAB
+        elif plain and self.mode == "outline":
+            self._drag = _Drag.OUTLINE
+            self.outlining.emit(x, y)
         if self._drag in (_Drag.ROTATE, _Drag.PAN):
             self.drag_started.emit(self._press.x(), self._press.y())
 
@@ -93,6 +123,12 @@ class Mouse(QObject):
             self.rotated.emit(step.x(), step.y())
         elif self._drag is _Drag.PAN:
             self.panned.emit(step.x(), step.y())
+        elif self._drag is _Drag.OUTLINE:
+            self.outlining.emit(self._last.x(), self._last.y())
+        elif self._drag is _Drag.GRAB:
+            self.grabbed.emit(self._last.x(), self._last.y())
+        elif self._drag is _Drag.NONE:
+            self.rested_at.emit(self._last.x(), self._last.y())
 
     def _released(self, event: QMouseEvent) -> None:
         if event.buttons() != Qt.MouseButton.NoButton:
@@ -100,19 +136,27 @@ class Mouse(QObject):
         drag, self._drag = self._drag, _Drag.NONE
         if drag in (_Drag.ROTATE, _Drag.PAN):
             self.drag_ended.emit()
-        elif drag is _Drag.PICK:
-            way = (event.position() - self._press).manhattanLength()
-            if way < QApplication.startDragDistance():
+        elif drag is _Drag.OUTLINE:
+            self.outlined.emit()
+        elif drag is _Drag.GRAB:
+            self.let_go.emit()
+        way = (event.position() - self._press).manhattanLength()
+        if way < QApplication.startDragDistance():
+            if drag is _Drag.PICK:
                 self.picked.emit(self._press.x(), self._press.y())
+            elif drag is _Drag.ROTATE and self.mode == "point":
+                self.pointed.emit(self._press.x(), self._press.y())
 
     def _double_clicked(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton and not _control(event.modifiers()):
+        plain = event.button() == Qt.MouseButton.LeftButton and not _control(event.modifiers())
+        if plain and self.mode == "navigate":
             self.centred.emit(event.position().x(), event.position().y())
         else:
-            self._pressed(event)  # two quick Ctrl+clicks are two picks
+            self._pressed(event)  # two quick clicks are two picks
 
     def _show_cursor(self, picking: bool) -> None:
-        shape = Qt.CursorShape.CrossCursor if picking else Qt.CursorShape.ArrowCursor
+        crossed = picking or self.mode != "navigate"
+        shape = Qt.CursorShape.CrossCursor if crossed else Qt.CursorShape.ArrowCursor
         if self._widget.cursor().shape() != shape:
             self._widget.setCursor(shape)
 

@@ -45,6 +45,7 @@ class Navigator(QObject):
     settled = Signal()  # and pauses
     picked = Signal(object)  # PickedPoint
     missed = Signal()
+    pointed = Signal(object)  # PickedPoint or None
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -63,6 +64,7 @@ class Navigator(QObject):
         self.mouse.zoomed.connect(self._on_zoomed)
         self.mouse.picked.connect(self._on_picked)
         self.mouse.centred.connect(self._on_centred)
+        self.mouse.pointed.connect(lambda x, y: self.pointed.emit(self._point_at(x, y)))
 
     @property
     def size(self) -> Size:
@@ -143,12 +145,18 @@ class Navigator(QObject):
             self.settled.emit()
 
     def _on_picked(self, x: float, y: float) -> None:
+        point = self._point_at(x, y)
+        if point is None:
+            self.missed.emit()
+        else:
+            self.picked.emit(point)
+
+    def _point_at(self, x: float, y: float) -> PickedPoint | None:
         hit = pick(self.clouds, self.camera, x, y, self.size)
         if hit is None:
-            self.missed.emit()
-            return
+            return None
         north, west, up = (float(v) for v in self.clouds[hit.line][hit.index])
-        self.picked.emit(PickedPoint(hit.line, (north, west, up)))
+        return PickedPoint(hit.line, (north, west, up))
 
     def _surface_at(self, x: float, y: float) -> Array:
         """Surface under a pixel, else the point behind it as deep as the focal point."""

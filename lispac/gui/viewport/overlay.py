@@ -4,7 +4,7 @@ Painted by Qt rather than by the 3D library: the fonts are those of the window, 
 screen, and nothing in the scene can hide them.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
@@ -30,6 +30,7 @@ HELP = "Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+clic
 INK = QColor(38, 50, 56)
 FAINT = QColor(96, 110, 120)
 PAPER = QColor(255, 255, 255, 225)
+NOTE = QColor(255, 236, 170, 235)
 AXES = (("N", QColor(200, 60, 45)), ("W", QColor(30, 130, 76)), ("U", QColor(40, 90, 190)))
 
 MARGIN = 14.0
@@ -61,6 +62,10 @@ class Overlay(QWidget):
         """None paints the hint of an empty view."""
         self.markers: Sequence[Marker] = ()
         self.shading: Shading | None = None
+        self.hint = ""
+        """What the mouse does now, where it is not the usual."""
+        self.sheets: list[Callable[[QPainter, Camera, Size], None]] = []
+        """Paint between the markers and the frame of axes, scale and help."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint on the screen."""
@@ -77,6 +82,9 @@ class Overlay(QWidget):
             return
         size = Size(self.width(), self.height())
         self._paint_markers(painter, self.camera, size)
+        painter.setFont(self.font())
+        for paint in self.sheets:
+            paint(painter, self.camera, size)
         self._paint_axes(painter, self.camera)
         self._paint_scale(painter, self.camera.metres_per_pixel(size))
         self._paint_help(painter)
@@ -176,17 +184,22 @@ class Overlay(QWidget):
     def _paint_help(self, painter: QPainter) -> None:
         font = _scaled(self.font(), 0.9)
         painter.setFont(font)
-        # Between the axes and the scale bar, left out where the window is too narrow for it.
+        # Between the axes and the scale bar, left out where the window is too narrow for it; a hint
+        # is written above, where nothing else is.
         left, right = MARGIN + 100.0, self.width() - MARGIN - 180.0
-        width = QFontMetricsF(font).horizontalAdvance(HELP) + 24.0
-        if width < right - left:
+        if self.hint:
+            left, right = 0.0, float(self.width())
+        text = self.hint or HELP
+        width = QFontMetricsF(font).horizontalAdvance(text) + 24.0
+        if width < right - left or self.hint:
             middle = 0.5 * (left + right)
-            box = QRectF(middle - 0.5 * width, self.height() - MARGIN - 22.0, width, 22.0)
+            top = MARGIN if self.hint else self.height() - MARGIN - 22.0
+            box = QRectF(middle - 0.5 * width, top, width, 22.0)
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(255, 255, 255, 215))
+            painter.setBrush(NOTE if self.hint else QColor(255, 255, 255, 215))
             painter.drawRoundedRect(box, 11.0, 11.0)
-            painter.setPen(FAINT)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, HELP)
+            painter.setPen(INK if self.hint else FAINT)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
 class Stage(QWidget):

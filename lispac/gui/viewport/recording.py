@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QWidget
 
@@ -13,8 +14,10 @@ from lispac.gui.viewport.base import (
     Emphasis,
     Highlight,
     Marker,
+    MouseMode,
     PickedPoint,
     Shading,
+    Sketch,
     ViewportSignals,
     emphasis,
 )
@@ -27,7 +30,8 @@ class RecordingViewport:
     ----------
     calls : list of (method name, arguments)
         Everything asked, in order.
-    clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station
+    clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
+    mouse_mode, hint, hovering, sketches
         What a real viewport would show now.
     """
 
@@ -44,6 +48,10 @@ class RecordingViewport:
         self.selected: tuple[str, str] | None = None
         self.point_size = 2
         self.parallel = False
+        self.mouse_mode: MouseMode = "navigate"
+        self.hint = ""
+        self.hovering = False
+        self.sketches: dict[str, Sketch] = {}
         self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
         self.closed = False
 
@@ -118,6 +126,34 @@ class RecordingViewport:
         self._record("set_parallel", parallel)
         self.parallel = parallel
 
+    def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
+        """Remember what the left button does."""
+        self._record("set_mouse", mode, hint)
+        self.mouse_mode, self.hint = mode, hint
+
+    def set_hovering(self, hovering: bool) -> None:
+        """Remember the call."""
+        self._record("set_hovering", hovering)
+        self.hovering = hovering
+
+    def show_sketch(self, name: str, sketch: Sketch | None) -> None:
+        """Remember the sketches."""
+        self._record("show_sketch", name, sketch)
+        self.sketches.pop(name, None)
+        if sketch is not None:
+            self.sketches[name] = sketch
+
+    def to_pixels(self, points: Array) -> Array:
+        """As seen from above: a metre is a pixel, north is up."""
+        return np.column_stack([-points[:, 1], -points[:, 0]])
+
+    def point_at(self, line: str, index: int) -> None:
+        """Do what a click on a point of a shown line does while pointing."""
+        if self.mouse_mode != "point":
+            raise RuntimeError("the mouse does not point now")
+        x, y, z = (float(v) for v in self.clouds[line][index])
+        self.signals.pointed.emit(PickedPoint(line, (x, y, z)))
+
     def set_point_size(self, pixels: int) -> None:
         """Remember the size."""
         self._record("set_point_size", pixels)
@@ -135,6 +171,7 @@ class RecordingViewport:
         self._record("clear")
         self.clouds, self.colours, self.hidden = {}, {}, set()
         self.highlights, self.markers, self.selected = [], [], None
+        self.sketches = {}
 
     def close(self) -> None:
         """Remember that the graphics are released."""

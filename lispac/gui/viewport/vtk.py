@@ -29,7 +29,9 @@ from lispac.gui.viewport.base import (
     Colour,
     Highlight,
     Marker,
+    MouseMode,
     Shading,
+    Sketch,
     ViewportSignals,
     emphasis,
 )
@@ -38,6 +40,7 @@ from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.layer import Layer
 from lispac.gui.viewport.navigation import Navigator
 from lispac.gui.viewport.overlay import Stage
+from lispac.gui.viewport.sketching import Sketching
 
 SKY = (0.99, 0.995, 1.0)
 GROUND = (0.86, 0.885, 0.905)
@@ -96,6 +99,8 @@ class VtkViewport:
         self._navigator.settled.connect(self._rest.start)
         self._navigator.picked.connect(self.signals.seed_clicked)
         self._navigator.missed.connect(self.signals.missed)
+        self._navigator.pointed.connect(self.signals.pointed)
+        self._sketching = Sketching(self._navigator, self._overlay, self.signals)
 
     # What the window asks
 
@@ -188,6 +193,22 @@ class VtkViewport:
         self._navigator.project_parallel(parallel)
         self._refine_later()
 
+    def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
+        """Say what the left button does, and what is written of it above the picture."""
+        self._navigator.mouse.set_mode(mode)
+        self._overlay.hint = hint
+        self._overlay.update()
+
+    def set_hovering(self, hovering: bool) -> None:
+        """Tell what is under the resting mouse, or not."""
+        if not hovering:
+            self._sketching.rest()
+        self._sketching.hovering = hovering
+
+    def show_sketch(self, name: str, sketch: Sketch | None) -> None:
+        """Draw something over the picture, or take it away."""
+        self._sketching.show(name, sketch)
+
     def set_point_size(self, pixels: int) -> None:
         """Size of the drawn points."""
         self._point_size = pixels
@@ -212,6 +233,7 @@ class VtkViewport:
     def clear(self) -> None:
         """Show nothing."""
         self._navigator.release()
+        self._sketching.clear()
         self._hidden.clear()
         self._selected = None
         self._overlay.markers = ()
@@ -227,6 +249,7 @@ class VtkViewport:
             return
         self._closed = True
         self._rest.stop()
+        self._sketching.clear()
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
         self._layer.forget()

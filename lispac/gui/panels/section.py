@@ -1,0 +1,127 @@
+"""A section of all lines: what is cut, how thick and how large, and its picture."""
+
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
+
+from lispac.gui.panels import widgets
+from lispac.gui.viewport.base import Colour
+from lispac.workflow.sections import Cut
+
+TITLE = "Section"
+LAID = ("Upright", "Level")
+EMPTY = (
+    "Select a target to see all lines side by side in a strip across it, or cut from one point to "
+    "another. Where the lines stand apart or lean, the boresight is wrong."
+)
+ZOOM = "Wheel: zoom. Drag: move. Double click: all of it."
+AHEAD, HEIGHT, RIGHT = "Away from the vessel, m", "Height, m", "To the right, m"
+ALONG = "From the first point to the second, m"
+
+
+class SectionPanel(QWidget):
+    """Asks for sections by `changed` and shows them."""
+
+    changed = Signal()
+    """Something is set otherwise."""
+    points_asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMinimumHeight(216)
+        self.through = widgets.label("", "heading", name="section_through")
+        self.laid = widgets.Choice(
+            "section_laid", LAID,
+            "Upright shows height against distance: roll and pitch. Level looks down: yaw.",
+        )  # fmt: skip
+        self.thickness = widgets.number(
+            "section_thickness", suffix=" m", decimals=2, low=0.01, high=50, step=0.05,
+            tip="Thickness of the strip",
+        )  # fmt: skip
+        self.size = widgets.number(
+            "section_size", suffix=" m", decimals=1, low=0.2, high=200, step=0.5,
+            tip="Height of the picture, and its width across a target",
+        )  # fmt: skip
+        self.thickness.setValue(0.20)
+        self.size.setValue(2.0)
+        self.points = widgets.button(
+            "Between two points", "section_points", tip="Cut from one clicked point to another"
+        )
+        self.words = widgets.label(EMPTY, "muted", wrap=True, name="section_words")
+        form = QFormLayout()
+        form.addRow(self.through)
+        form.addRow("Strip", self.laid)
+        form.addRow("Thickness", self.thickness)
+        form.addRow("Size", self.size)
+        self._left = QVBoxLayout()
+        self._left.addLayout(form)
+        self._left.addWidget(self.points)
+        self._left.addWidget(self.words)
+        self._left.addStretch(1)
+        side = QWidget()
+        side.setLayout(self._left)
+        side.setFixedWidth(216)
+        self._left.setContentsMargins(8, 6, 4, 4)
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(0, 0, 4, 0)
+        self._row.addWidget(side)
+        self._row.addStretch(0)
+        self.canvas: QWidget | None = None
+        self.laid.currentIndexChanged.connect(lambda _index: self.changed.emit())
+        self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
+        self.size.valueChanged.connect(lambda _value: self.changed.emit())
+        self.points.clicked.connect(lambda _on: self.points_asked.emit())
+
+    @property
+    def level(self) -> bool:
+        """Whether the strip lies level."""
+        return self.laid.currentIndex() == 1
+
+    def show_nothing(self, words: str = EMPTY) -> None:
+        """Say why there is no section."""
+        self.through.setText("")
+        self.words.setText(words)
+        self.words.show()
+        if self.canvas is not None:
+            self.canvas.hide()
+
+    def show_cuts(
+        self, through: str, cuts: Sequence[Cut], colours: Mapping[str, Colour], *, target: bool
+    ) -> None:
+        """Show a section before and after.
+
+        Parameters
+        ----------
+        through : what is cut
+        target : whether it lies across a target, and not between two points
+        """
+        # Imported here, so that the start of the window does not wait for Matplotlib.
+        from lispac.gui.panels.section_figure import draw_section
+
+        self.through.setText(through)
+        self.laid.setEnabled(target)
+        self.words.hide()
+        self._make_canvas()
+        across = RIGHT if self.level else AHEAD
+        words = (across, AHEAD if self.level else HEIGHT) if target else (ALONG, HEIGHT)
+        draw_section(cuts, colours, words, self.canvas.figure)
+        self._zooming.keep()
+        self.canvas.draw_idle()
+        self.canvas.show()
+        self.canvas.setAccessibleName(f"Section of the lines: {through}")
+
+    def _make_canvas(self) -> None:
+        if self.canvas is not None:
+            return
+        from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+        from matplotlib.figure import Figure
+
+        from lispac.gui.panels.zooming import Zooming
+
+        self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+        self.canvas.setObjectName("section_canvas")
+        self.canvas.setMinimumSize(300, 150)
+        self.canvas.setToolTip(ZOOM)
+        self._zooming = Zooming(self.canvas)
+        self._row.addWidget(self.canvas, 1)

@@ -1,0 +1,101 @@
+"""The picture of a section: all lines at true scale, before beside after."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from lispac.gui import theme
+from lispac.gui.viewport.base import Array, Colour
+from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.workflow.sections import Cut
+
+MOST = 60_000
+"""Points drawn in a picture; evenly taken from all lines where there are more."""
+TEXT, SMALL = 9, 8
+TITLES = {"prior": "Before", "estimated": "After"}
+
+
+def draw_section(
+    cuts: Sequence[Cut], colours: Mapping[str, Colour], words: tuple[str, str], figure: Figure
+) -> None:
+    """Draw cuts side by side with common limits.
+
+    Parameters
+    ----------
+    colours : of each line
+    words : what the axes mean, to the right and upwards
+    """
+    figure.clear()
+    first: Axes | None = None
+    for number, cut in enumerate(cuts, start=1):
+        axes = figure.add_subplot(1, len(cuts), number, sharex=first, sharey=first)
+        first = first or axes
+        _draw(axes, cut, colours)
+        axes.set_xlabel(words[0], fontsize=TEXT, color=theme.TEXT)
+        if number == 1:
+            axes.set_ylabel(words[1], fontsize=TEXT, color=theme.TEXT)
+    lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
+    if lines:
+        marks = [
+            Line2D([], [], marker="o", linestyle="none", markersize=5, color=_share(colours[line]))
+            for line in lines
+        ]  # fmt: skip
+        legend = figure.legend(
+            marks, lines, loc="outside right center", fontsize=SMALL, frameon=False,
+            labelcolor=theme.TEXT, handletextpad=0.1, borderaxespad=0.2,
+        )  # fmt: skip
+        for text in legend.get_texts():
+            text.set_parse_math(False)
+
+
+def title(cut: Cut) -> str:
+    """Which placement it is, and how far apart the lines are."""
+    if cut.apart is None:
+        return TITLES[cut.which]
+    return f"{TITLES[cut.which]}: up to {cut.apart * 1000:.0f} mm apart"
+
+
+def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
+    axes.set_facecolor("white")
+    total = sum(len(points) for points in cut.points.values())
+    step = -(-total // MOST) or 1
+    for line, points in cut.points.items():
+        shown = points[::step]
+        axes.plot(
+            shown[:, 0], shown[:, 1], marker="o", linestyle="none", markersize=1.7,
+            markeredgewidth=0, color=_share(colours[line]), label=line, gid=line,
+        )  # fmt: skip
+    half = 0.5 * np.array([cut.section.width, cut.section.height])
+    axes.set_xlim(-half[0], half[0])
+    axes.set_ylim(-half[1], half[1])
+    axes.set_aspect("equal", adjustable="box")
+    axes.grid(color="#e4e9ed", linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
+    axes.spines[:].set_color(theme.MUTED)
+    axes.set_title(title(cut), fontsize=TEXT, color=theme.TEXT, loc="left")
+    if not total:
+        axes.text(0.5, 0.5, "No points here", transform=axes.transAxes, ha="center",
+                  color=theme.MUTED, fontsize=TEXT)  # fmt: skip
+    _bar(axes, 2 * half)
+
+
+def _bar(axes: Axes, extent: Array) -> None:
+    """A bar of a round length in the lower left corner."""
+    metres = scale_length(1.0, 0.3 * float(extent.min()))
+    left, low = -0.46 * extent[0], -0.45 * extent[1]
+    axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
+              solid_capstyle="butt")  # fmt: skip
+    axes.annotate(
+        length_text(metres), (left, low), xytext=(0, 4), textcoords="offset points",
+        fontsize=SMALL, color=theme.TEXT,
+        bbox={"facecolor": "white", "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
+    )  # fmt: skip
+
+
+def _share(colour: Colour) -> tuple[float, float, float]:
+    red, green, blue = colour
+    return red / 255, green / 255, blue / 255

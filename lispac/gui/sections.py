@@ -1,0 +1,171 @@
+"""Keeps the section in step with what is selected, and cuts between clicked points."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from lispac.errors import LispacError
+from lispac.gui import theme
+from lispac.gui.actions import Actions
+from lispac.gui.document import Document
+from lispac.gui.panels.histograms import preload
+from lispac.gui.panels.section import EMPTY, SectionPanel
+from lispac.gui.pointing import Pointing
+from lispac.gui.scene import Scene
+from lispac.gui.tasks import TaskRunner
+from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
+from lispac.progress import Progress
+from lispac.targets.section import Section
+from lispac.workflow.sections import Cut, cut_between, cut_target
+
+SKETCH = "section"
+COLOUR: Colour = (0, 90, 200)
+HINTS = ("Click where the section begins", "Click where it ends")
+
+
+class Sections(QObject):
+    """Cuts in the worker; only while the panel is seen."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        viewport: Viewport,
+        actions: Actions,
+        pointing: Pointing,
+        bring: Callable[[QObject], None],
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner, self._scene = document, runner, scene
+        self._viewport, self._pointing, self._bring = viewport, pointing, bring
+        self.panel = SectionPanel()
+        self._ends: list[Array] = []
+        self._stale = self._seen = False
+        self._shown: tuple[tuple[object, ...], tuple[object, ...]] | None = None
+        self._cuts: Sequence[Cut] = ()
+        self.panel.changed.connect(self._update)
+        self.panel.points_asked.connect(actions["section_points"].trigger)
+        actions["section"].triggered.connect(lambda _=False: self._open())
+        actions["section_points"].triggered.connect(self._switch)
+        scene.selection_changed.connect(self._another)
+        document.opened.connect(self._another)
+        document.changed.connect(self._update)
+        document.survey_changed.connect(self._update)
+        scene.which_changed.connect(lambda _which: self._update())
+        runner.idle.connect(lambda: self._stale and self._update())
+
+    def _open(self) -> None:
+        self._bring(self.panel)
+
+    def be_seen(self, seen: bool) -> None:
+        """The panel is in front of the others, or not."""
+        self._seen = seen
+        self._update()
+
+    # -- between two points ------------------------------------------------------------------
+
+    def _switch(self, on: bool) -> None:
+        if not on:
+            self._pointing.end()
+            return
+        self._ends = []
+        self._viewport.show_sketch(SKETCH, None)
+        self._pointing.begin("section_points", HINTS[0], pointed=self._take, ended=self._give_up)
+
+    def _take(self, point: PickedPoint) -> None:
+        self._ends.append(np.array(point.position))
+        if len(self._ends) == 1:
+            self._pointing.hint(HINTS[1])
+            self._viewport.show_sketch(SKETCH, Sketch((point.position,), (), COLOUR, dots=True))
+            return
+        self._pointing.end()
+        self._open()
+        self._update()
+
+    def _give_up(self) -> None:
+        if len(self._ends) < 2:
+            self._ends = []
+            self._viewport.show_sketch(SKETCH, None)
+
+    # -- cutting -----------------------------------------------------------------------------
+
+    def _another(self) -> None:
+        """A target was selected: it is cut, and no longer what lies between two points."""
+        self._ends = []
+        self._update()
+
+    def _update(self) -> None:
+        project, survey = self._document.project, self._document.survey
+        panel, selected = self.panel, self._scene.selected
+        if not self._seen:
+            self._viewport.show_sketch(SKETCH, None)
+            return
+        ends = tuple(self._ends) if len(self._ends) == 2 else None
+        known = project is not None and {target.name for target in project.targets}
+        name = selected[0] if selected is not None and known and selected[0] in known else None
+        ready = survey is not None and self._document.survey_is_current
+        if project is None or survey is None or not ready or not (ends or name):
+            self._show_nothing(EMPTY)
+            return
+        level, size, thickness = panel.level, panel.size.value(), panel.thickness.value()
+        target = project.target(name) if name else None
+        rests_on = (project.result, target, survey, *(ends or ()))
+        asked = (level, size, thickness, *map(id, rests_on))
+        if not self._stale and self._shown is not None and asked == self._shown[0]:
+            self._sketch()
+            return
+        self._stale = True
+
+        def work(progress: Progress) -> Sequence[Cut] | str:
+            preload()
+            try:
+                if ends is not None:
+                    return cut_between(
+                        project, survey, *ends, height=size, thickness=thickness,
+                        progress=progress,
+                    )  # fmt: skip
+                return cut_target(
+                    project, survey, name, level=level, size=size, thickness=thickness,
+                    progress=progress,
+                )  # fmt: skip
+            except LispacError as error:
+                return str(error)
+
+        def done(cuts: Sequence[Cut] | str) -> None:
+            self._stale = False
+            self._shown = asked, rests_on  # kept, so that no other object gets their id
+            if isinstance(cuts, str):
+                self._show_nothing(cuts)
+                return
+            self._cuts = cuts
+            through = "Between two points" if ends is not None else f"Across {name}"
+            panel.show_cuts(
+                through, cuts, theme.line_colours(survey.lines), target=ends is None
+            )  # fmt: skip
+            self._sketch()
+
+        self._runner.run("Cutting the section", work, done, quiet=True, key="section")
+
+    def _show_nothing(self, words: str) -> None:
+        self._stale, self._shown = False, None
+        self.panel.show_nothing(words)
+        self._viewport.show_sketch(SKETCH, None)
+
+    def _sketch(self) -> None:
+        """Draw the frame of what is cut into the view."""
+        cut = next((c for c in self._cuts if c.which == self._scene.which), self._cuts[0])
+        self._viewport.show_sketch(SKETCH, frame_of(cut.section))
+
+
+def frame_of(section: Section) -> Sketch:
+    """The strip's box."""
+    sides = np.array([section.right, section.up, section.across]) * 0.5
+    sides *= np.array([[section.width], [section.height], [section.thickness]])
+    signs = np.array([(a, b, c) for c in (-1, 1) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+    corners = section.centre + signs @ sides
+    edges = [(k, (k + 1) % 4) for k in range(4)]
+    edges += [(a + 4, b + 4) for a, b in edges] + [(k, k + 4) for k in range(4)]
+    places = tuple((float(x), float(y), float(z)) for x, y, z in corners)
+    return Sketch(places, tuple(edges), COLOUR)

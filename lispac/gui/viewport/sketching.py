@@ -1,0 +1,213 @@
+"""What tools draw over the picture and what the mouse does to it: sketches, handles, outlines."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+
+from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
+from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.navigation import SNAP, Navigator
+from lispac.gui.viewport.overlay import INK, PAPER, Overlay
+from lispac.gui.viewport.picking import pick
+
+REACH = 9.0
+"""Pixels about a handle within which it is taken."""
+HOVER_MS = 40
+"""Stillness of the mouse after which what is under it is looked at."""
+END_ON = 0.25
+"""Sine between a handle's axis and the view below which the mouse cannot say how far to move it."""
+
+
+@dataclass(eq=False)
+class _Held:
+    """A handle in the hand: its axis through where it was, and how far along the mouse is."""
+
+    sketch: str
+    handle: int
+    place: Array
+    axis: Array
+    at: float
+
+
+class Sketching(QObject):
+    """Draws sketches and outlines on the overlay and moves handles.
+
+    Attributes
+    ----------
+    hovering : whether what is under the mouse is told
+    """
+
+    def __init__(self, navigator: Navigator, overlay: Overlay, signals: ViewportSignals) -> None:
+        super().__init__(navigator)
+        self._navigator, self._overlay, self._signals = navigator, overlay, signals
+        self._sketches: dict[str, Sketch] = {}
+        self._outline: list[QPointF] = []
+        self._held: _Held | None = None
+        self._spot = (0.0, 0.0)
+        self.hovering = False
+        self._still = QTimer(self, singleShot=True, interval=HOVER_MS)
+        self._still.timeout.connect(self._look)
+        mouse = navigator.mouse
+        mouse.grabs = self._grab
+        mouse.grabbed.connect(self._move)
+        mouse.let_go.connect(self._let_go)
+        mouse.outlining.connect(self._extend)
+        mouse.outlined.connect(self._close)
+        mouse.rested_at.connect(self._rest)
+        mouse.left.connect(self.rest)
+        overlay.sheets.append(self._paint)
+
+    def show(self, name: str, sketch: Sketch | None) -> None:
+        """Draw a sketch, or take it away."""
+        self._sketches.pop(name, None)
+        if sketch is not None:
+            self._sketches[name] = sketch
+        self._overlay.update()
+
+    def clear(self) -> None:
+        """Draw nothing."""
+        self._sketches, self._outline, self._held = {}, [], None
+        self.rest()
+
+    def rest(self) -> None:
+        """Look at nothing any more."""
+        self._still.stop()
+        if self.hovering:
+            self._signals.hovered.emit(None)
+
+    # The mouse
+
+    def _handles(self) -> list[tuple[str, int, Handle]]:
+        return [
+            (name, k, handle)
+            for name, sketch in self._sketches.items()
+            for k, handle in enumerate(sketch.handles)
+        ]
+
+    def _grab(self, x: float, y: float) -> bool:
+        handles = self._handles()
+        if not handles:
+            return False
+        places = np.array([handle.position for _, _, handle in handles])
+        spots = self._navigator.camera.project(places, self._navigator.size)
+        away = np.hypot(spots[:, 0] - x, spots[:, 1] - y)
+        away[~(away <= REACH)] = np.inf
+        if not np.isfinite(away).any():
+            return False
+        # Of handles above each other the one in front.
+        nearest = int(np.argmin(np.where(np.isfinite(away), spots[:, 2], np.inf)))
+        name, k, handle = handles[nearest]
+        place, axis = np.array(handle.position), np.array(handle.axis)
+        self._held = _Held(name, k, place, axis, self._along(place, axis, x, y) or 0.0)
+        return True
+
+    def _move(self, x: float, y: float) -> None:
+        held = self._held
+        if held is None:
+            return
+        now = self._along(held.place, held.axis, x, y)
+        if now is not None:
+            moved, held.at = now - held.at, now
+            self._signals.handle_moved.emit(held.sketch, held.handle, moved)
+
+    def _along(self, place: Array, axis: Array, x: float, y: float) -> float | None:
+        """How far along an axis through a place the mouse is, metres; None where it cannot tell."""
+        camera, size = self._navigator.camera, self._navigator.size
+        eye = camera.point_at(x, y, 0.0, size)
+        ray = camera.point_at(x, y, 1.0, size) - eye
+        ray /= np.linalg.norm(ray)
+        slant = float(axis @ ray)
+        if 1.0 - slant**2 < END_ON**2:
+            return None
+        # The point of the axis nearest to the ray through the mouse.
+        to_eye = eye - place
+        return float(axis @ to_eye - slant * (ray @ to_eye)) / (1.0 - slant**2)
+
+    def _let_go(self) -> None:
+        held, self._held = self._held, None
+        if held is not None:
+            self._signals.handle_let_go.emit(held.sketch)
+
+    def _extend(self, x: float, y: float) -> None:
+        self._outline.append(QPointF(x, y))
+        self._overlay.update()
+
+    def _close(self) -> None:
+        corners = np.array([(spot.x(), spot.y()) for spot in self._outline])
+        self._outline = []
+        self._overlay.update()
+        if len(corners) > 2:
+            self._signals.outlined.emit(corners)
+
+    def _rest(self, x: float, y: float) -> None:
+        if self.hovering:
+            self._spot = (x, y)
+            self._still.start()
+
+    def _look(self) -> None:
+        clouds = self._navigator.coarse
+        hit = pick(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP)
+        if hit is None:
+            self._signals.hovered.emit(None)
+            return
+        north, west, up = (float(v) for v in clouds[hit.line][hit.index])
+        self._signals.hovered.emit(PickedPoint(hit.line, (north, west, up)))
+
+    # The picture
+
+    def _paint(self, painter: QPainter, camera: Camera, size: Size) -> None:
+        for sketch in self._sketches.values():
+            _paint_sketch(painter, sketch, camera, size)
+        if len(self._outline) > 1:
+            painter.setBrush(QColor(255, 196, 0, 45))
+            painter.setPen(QPen(INK, 1.4, Qt.PenStyle.DashLine))
+            painter.drawPolygon(QPolygonF(self._outline))
+
+
+def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size) -> None:
+    colour = QColor(*sketch.colour)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    if sketch.points:
+        spots = camera.project(np.array(sketch.points), size)
+        for pen in (QPen(QColor(255, 255, 255, 220), 4.0), QPen(colour, 2.0)):
+            pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+            painter.setPen(pen)
+            for a, b in sketch.edges:
+                if np.isfinite(spots[[a, b], :2]).all() and np.abs(spots[[a, b], :2]).max() < 1e5:
+                    painter.drawLine(QPointF(*spots[a, :2]), QPointF(*spots[b, :2]))
+        if sketch.dots:
+            _paint_dots(painter, spots, colour, 4.0)
+    if sketch.handles:
+        places = np.array([handle.position for handle in sketch.handles])
+        _paint_dots(painter, camera.project(places, size), colour, 6.0)
+    if sketch.label and sketch.at is not None:
+        x, y, _ = camera.project(np.array([sketch.at]), size)[0]
+        if np.isfinite(x) and np.isfinite(y):
+            _paint_words(painter, sketch.label, QPointF(x, y), colour, size)
+
+
+def _paint_dots(painter: QPainter, spots: Array, colour: QColor, radius: float) -> None:
+    painter.setPen(QPen(INK, 1.4))
+    painter.setBrush(colour)
+    for x, y, _ in spots:
+        if np.isfinite(x) and abs(x) < 1e5 and abs(y) < 1e5:
+            painter.drawEllipse(QPointF(x, y), radius, radius)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _paint_words(painter: QPainter, words: str, spot: QPointF, colour: QColor, size: Size) -> None:
+    metrics = QFontMetricsF(painter.font())
+    lines = words.split("\n")
+    width = max(metrics.horizontalAdvance(line) for line in lines) + 16.0
+    height = metrics.lineSpacing() * len(lines) + 8.0
+    # Beside the spot, inside the picture.
+    x = min(max(spot.x() + 14.0, 4.0), max(size.width - width - 4.0, 4.0))
+    y = min(max(spot.y() - height - 10.0, 4.0), max(size.height - height - 4.0, 4.0))
+    painter.setPen(QPen(colour.darker(115), 1.3))
+    painter.setBrush(PAPER)
+    painter.drawRoundedRect(QRectF(x, y, width, height), 4.0, 4.0)
+    painter.setPen(INK)
+    text = QRectF(x + 8.0, y + 4.0, width - 16.0, height - 8.0)
+    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)

@@ -1,0 +1,132 @@
+"""Sections of a survey, before and after."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError
+from lispac.progress import Progress, no_progress
+from lispac.project import Project, Target
+from lispac.survey.cloud import Cloud, Line
+from lispac.targets.section import Section, across_target, between, common_normal
+from lispac.workflow.survey import Survey
+
+Array = NDArray[np.float64]
+Which = Literal["prior", "estimated"]
+
+
+@dataclass(frozen=True, eq=False)
+class Cut:
+    """A section through the lines in one placement.
+
+    Attributes
+    ----------
+    section : Section
+        Where it was laid.
+    points : ndarray of shape (n, 2) by line, metres, to the right and upwards of the middle
+    apart : float or None, metres
+        Along a plane's normal, the greatest distance between two lines; None without a plane.
+    """
+
+    which: Which
+    section: Section
+    points: Mapping[str, Array]
+    apart: float | None = None
+
+
+def cut_target(
+    project: Project,
+    survey: Survey,
+    name: str,
+    *,
+    level: bool = False,
+    size: float = 2.0,
+    thickness: float = 0.2,
+    progress: Progress = no_progress,
+) -> tuple[Cut, ...]:
+    """Lay a strip across a target, before and, where there is a result, after.
+
+    Both have the same directions and lie through the middle that the target has in them; what
+    all lines move together is not seen.
+
+    Parameters
+    ----------
+    level, size, thickness : see `across_target`
+
+    Raises
+    ------
+    ProjectError
+        Where there is no such target, or it has no points.
+    """
+    target = project.target(name)
+    groups = {which: _sightings(target, clouds) for which, clouds in _placed(project, survey)}
+    latest = list(groups.values())[-1]
+    if not latest:
+        raise ProjectError(f"{name} has no points on any line; there is nothing to cut through.")
+    normal = common_normal(latest.values())
+    ends = np.concatenate([_ends(survey.scans[line]) for line in latest])
+    eye = survey.trajectory.at(ends).position.mean(axis=0)
+    cuts = []
+    for which, clouds in _placed(project, survey):
+        middles = {line: points.mean(axis=0) for line, points in groups[which].items()}
+        centre = np.mean(list(middles.values()), axis=0)
+        section = across_target(centre, normal, eye, level=level, size=size, thickness=thickness)
+        cut = _cut(which, clouds, section, progress)
+        if target.shape == "plane":
+            offsets = [float((middle - centre) @ normal) for middle in middles.values()]
+            cut = replace(cut, apart=float(np.ptp(offsets)))
+        cuts.append(cut)
+    return tuple(cuts)
+
+
+def cut_between(
+    project: Project,
+    survey: Survey,
+    first: Array,
+    second: Array,
+    *,
+    height: float | None = None,
+    thickness: float = 0.2,
+    progress: Progress = no_progress,
+) -> tuple[Cut, ...]:
+    """Lay an upright strip from one point to another, at the same place before and after.
+
+    Parameters
+    ----------
+    first, second, height, thickness : see `between`
+
+    Raises
+    ------
+    InputError
+        Where the points lie above each other.
+    """
+    section = between(first, second, height=height, thickness=thickness)
+    return tuple(
+        _cut(which, clouds, section, progress) for which, clouds in _placed(project, survey)
+    )
+
+
+def _placed(project: Project, survey: Survey) -> list[tuple[Which, Mapping[str, Cloud]]]:
+    placements: list[tuple[Which, Mapping[str, Cloud]]] = [("prior", survey.clouds)]
+    if project.result is not None:
+        placements.append(("estimated", survey.placed(project, "estimated")))
+    return placements
+
+
+def _sightings(target: Target, clouds: Mapping[str, Cloud]) -> dict[str, Array]:
+    return {s.line: clouds[s.line][s.indices] for s in target.sightings if len(s.indices)}
+
+
+def _ends(line: Line) -> Array:
+    return np.array([line.first_time, line.last_time])
+
+
+def _cut(which: Which, clouds: Mapping[str, Cloud], section: Section, progress: Progress) -> Cut:
+    points = {}
+    for k, (line, cloud) in enumerate(clouds.items()):
+        progress(k / len(clouds), f"Cutting {line}")
+        points[line] = section.cut(cloud)
+    return Cut(which, section, points)

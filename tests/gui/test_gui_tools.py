@@ -1,0 +1,178 @@
+"""Measuring and cutting sections with the mouse, in the window."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication
+
+from lispac.gui.panels.section import EMPTY
+from lispac.gui.sections import frame_of
+from lispac.project import Project
+from tests.gui.support import Demo, Driver, Key, click, press, seed, settle
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def adjusted(driver: Driver, demo: Demo, estimated: Project) -> Driver:
+    """The demo survey with its boresight."""
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    return driver
+
+
+def points(driver: Driver, *numbers: int) -> list[np.ndarray]:
+    """Click points of the first line."""
+    line = driver.window.document.survey.lines[0]
+    for number in numbers:
+        driver.viewport.point_at(line, number)
+    return [driver.viewport.clouds[line][number] for number in numbers]
+
+
+def test_two_clicks_measure_a_distance_and_escape_ends(opened: Driver) -> None:
+    window, view = opened.window, opened.viewport
+    press(opened, Key.Key_M)
+    assert window.actions_["measure_distance"].isChecked()
+    assert view.mouse_mode == "point"
+    assert "first point" in view.hint
+    first, second = points(opened, 100, 4000)
+    sketch = view.sketches["measure"]
+    slope = np.linalg.norm(second - first)
+    level = np.hypot(*(second - first)[:2])
+    assert f"Slope distance {slope:.3f} m" in sketch.label
+    assert f"Horizontal {level:.3f} m" in sketch.label
+    assert f"{abs(second[2] - first[2]):.3f} m" in sketch.label
+    assert sketch.edges == ((0, 1),)
+    assert f"Slope distance {slope:.3f} m" in window.log.toPlainText()
+    points(opened, 7)  # the next click begins anew
+    assert view.sketches["measure"].label == ""
+    assert len(view.sketches["measure"].points) == 1
+    press(opened, Key.Key_Escape)
+    assert view.mouse_mode == "navigate"
+    assert "measure" not in view.sketches
+    assert not window.actions_["measure_distance"].isChecked()
+    with pytest.raises(RuntimeError):
+        points(opened, 5)
+
+
+def test_three_clicks_measure_an_angle_and_the_key_again_ends(opened: Driver) -> None:
+    view = opened.viewport
+    press(opened, Key.Key_M)
+    press(opened, Key.Key_M, SHIFT)
+    assert not opened.window.actions_["measure_distance"].isChecked()
+    first, corner, second = points(opened, 100, 2000, 4000)
+    sides = first - corner, second - corner
+    cosine = sides[0] @ sides[1] / np.linalg.norm(sides[0]) / np.linalg.norm(sides[1])
+    assert f"Angle {np.degrees(np.arccos(cosine)):.2f}°" in view.sketches["measure"].label
+    press(opened, Key.Key_M, SHIFT)
+    assert view.mouse_mode == "navigate"
+    press(opened, Key.Key_M, SHIFT)
+    points(opened, 100, 100, 4000)
+    assert "an angle needs three" in opened.window.log.toPlainText()
+    assert "measure" not in view.sketches
+    press(opened, Key.Key_Escape)
+
+
+def test_escape_belongs_to_the_tool_and_then_to_the_plane_found(opened: Driver) -> None:
+    seed(opened, "T1")
+    assert opened.window.controller.candidate is not None
+    press(opened, Key.Key_M)
+    press(opened, Key.Key_Escape)
+    assert opened.viewport.mouse_mode == "navigate"
+    assert opened.window.controller.candidate is not None
+    press(opened, Key.Key_Escape)
+    assert opened.window.controller.candidate is None
+
+
+def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
+    window, panel = adjusted.window, adjusted.window.tools.sections.panel
+    press(adjusted, Key.Key_S)
+    adjusted.rest()
+    assert panel.words.text() == EMPTY
+    assert panel.canvas is None
+    window._select("T1", "")
+    adjusted.rest()
+    assert panel.through.text() == "Across T1"
+    axes = panel.canvas.figure.axes
+    assert [each.get_title(loc="left").split(":")[0] for each in axes] == ["Before", "After"]
+    for each in axes:
+        assert each.get_aspect() == 1.0
+        lines = {drawn.get_gid() for drawn in each.lines} - {"bar"}
+        assert lines == set(window.document.survey.lines)
+    apart = [float(each.get_title(loc="left").split()[3]) for each in axes]
+    assert apart[0] > 100 > 45 > apart[1]
+    cuts = window.tools.sections._cuts
+    assert adjusted.viewport.sketches["section"] == frame_of(cuts[0].section)
+    panel.laid.setCurrentIndex(1)
+    adjusted.rest()
+    assert panel.canvas.figure.axes[0].get_xlabel() == "To the right, m"
+    panel.size.setValue(5.0)
+    adjusted.rest()
+    assert panel.canvas.figure.axes[0].get_xlim() == (-2.5, 2.5)
+    window._select("V1", "")
+    adjusted.rest()
+    assert panel.through.text() == "Across V1"
+    window.computing.show("estimated")
+    adjusted.rest()
+    cuts = window.tools.sections._cuts
+    assert adjusted.viewport.sketches["section"] == frame_of(cuts[1].section)
+    window.docks["Log"].raise_()
+    QApplication.processEvents()
+    assert "section" not in adjusted.viewport.sketches
+    window.controller.remove("V1")
+    press(adjusted, Key.Key_S)
+    settle(adjusted)
+    assert panel.words.text() == EMPTY
+    assert not panel.canvas.isVisible()
+
+
+def test_a_section_between_two_points(picked: Driver) -> None:
+    window, panel = picked.window, picked.window.tools.sections.panel
+    press(picked, Key.Key_S)
+    click(picked, panel.points)
+    first, second = points(picked, 100, 4000)
+    picked.rest()
+    assert picked.viewport.mouse_mode == "navigate"
+    assert panel.through.text() == "Between two points"
+    assert not panel.laid.isEnabled()
+    (axes,) = panel.canvas.figure.axes
+    length = np.hypot(*(second - first)[:2])
+    assert np.ptp(axes.get_xlim()) == pytest.approx(length)
+    assert np.ptp(axes.get_ylim()) == pytest.approx(panel.size.value())
+    window._select("T1", "")
+    picked.rest()
+    assert panel.through.text() == "Across T1"
+    press(picked, Key.Key_S, SHIFT)
+    points(picked, 5)
+    press(picked, Key.Key_Escape)
+    picked.rest()
+    assert panel.through.text() == "Across T1"
+
+
+def test_the_section_is_zoomed_and_moved_with_the_mouse(picked: Driver) -> None:
+    window, panel = picked.window, picked.window.tools.sections.panel
+    press(picked, Key.Key_S)
+    window._select("T1", "")
+    picked.rest()
+    canvas = panel.canvas
+    canvas.draw()
+    (axes,) = canvas.figure.axes
+    whole = np.ptp(axes.get_xlim())
+    left, low, right, high = axes.bbox.extents / canvas.devicePixelRatioF()
+    spot = QPoint(round((left + right) / 2), round(canvas.height() - (low + high) / 2))
+    wheel = QWheelEvent(
+        QPointF(spot), QPointF(canvas.mapToGlobal(spot)), QPoint(), QPoint(0, 120),
+        Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )  # fmt: skip
+    QApplication.sendEvent(canvas, wheel)
+    assert np.ptp(axes.get_xlim()) == pytest.approx(0.8 * whole)
+    middle = np.mean(axes.get_xlim())
+    picked.bot.mousePress(canvas, Qt.MouseButton.LeftButton, pos=spot)
+    picked.bot.mouseMove(canvas, spot + QPoint(20, 0))
+    picked.bot.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=spot + QPoint(20, 0))
+    metres = 20 * 0.8 * whole / (right - left)
+    assert middle - np.mean(axes.get_xlim()) == pytest.approx(metres, rel=0.05)
+    picked.bot.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=spot)
+    assert np.ptp(axes.get_xlim()) == pytest.approx(whole)

@@ -1,0 +1,143 @@
+"""Sections through lines, and distances and angles between points."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from lispac.errors import InputError, ProjectError
+from lispac.geometry.measuring import angle, distance
+from lispac.geometry.rotations import rotation_matrix
+from lispac.project import Project
+from lispac.targets.section import Section, across_target, between, common_normal
+from lispac.workflow.sections import cut_between, cut_target
+from lispac.workflow.survey import Survey
+
+numbers = st.floats(-100, 100)
+places = st.tuples(numbers, numbers, numbers).map(np.array)
+
+
+def sorted_rows(points: np.ndarray) -> np.ndarray:
+    return points[np.lexsort(points.T)]
+
+
+def test_a_long_strip_is_read_piece_by_piece_and_no_point_is_lost_or_doubled(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    _, survey = calibrated
+    cloud = survey.clouds[survey.lines[0]]
+    middle = np.median(cloud.sample, axis=0)
+    section = between(
+        middle - [6.0, 0.5, 0.0], middle + [6.0, 0.5, 0.0], height=1.5, thickness=0.6
+    )  # fmt: skip
+    whole = section.flat(cloud.sample)
+    assert len(whole) > 1000
+    np.testing.assert_array_equal(sorted_rows(section.cut(cloud)), sorted_rows(whole))
+    assert (np.abs(whole) <= [section.width / 2, section.height / 2]).all()
+
+
+def test_the_strip_keeps_true_scale() -> None:
+    section = Section(np.array([5.0, -3.0, 1.0]), np.array([0.6, 0.8, 0.0]),
+                      np.array([0.0, 0.0, 1.0]), 4.0, 2.0, 0.1)  # fmt: skip
+    right, up, across = 1.25, -0.75, 0.04
+    point = section.centre + right * section.right + up * section.up + across * section.across
+    np.testing.assert_allclose(section.flat(point[None]), [[right, up]], atol=1e-14)
+    assert len(section.flat((point + 0.02 * section.across)[None])) == 0
+    assert len(section.flat((point + section.right)[None])) == 0
+
+
+@pytest.mark.parametrize("level", [False, True])
+def test_across_a_board_the_vessel_is_on_the_left_or_below(level: bool) -> None:
+    centre, eye = np.array([10.0, 20.0, 3.0]), np.array([0.0, 0.0, 5.0])
+    for sign in (-1, 1):
+        normal = sign * np.array([0.6, 0.8, 0.0])
+        section = across_target(centre, normal, eye, level=level)
+        ahead = section.up if level else section.right
+        np.testing.assert_allclose(ahead, [0.6, 0.8, 0.0], atol=1e-15)
+        np.testing.assert_allclose(np.cross(section.right, section.up), section.across)
+    # A flat target has no direction of its own: the strip runs away from the vessel.
+    flat = across_target(centre, np.array([0.02, 0.0, 1.0]), eye)
+    np.testing.assert_allclose(flat.right, np.array([1, 2, 0]) / np.sqrt(5), atol=1e-15)
+
+
+def test_the_common_normal_is_that_of_each_group_though_they_stand_apart() -> None:
+    rng = np.random.default_rng(1)
+    board = np.column_stack([rng.normal(0, 0.002, 500), rng.uniform(-0.6, 0.6, (500, 2))])
+    # Shifted sideways and away, the plane through all of them would be turned by 40 degrees.
+    groups = [board, board + [0.5, 0.6, 0.0], board + [1.0, 1.2, 0.0]]
+    np.testing.assert_allclose(np.abs(common_normal(groups)), [1, 0, 0], atol=0.01)
+
+
+def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    for level in (False, True):
+        before, after = cut_target(project, survey, "T1", level=level)
+        assert (before.which, after.which) == ("prior", "estimated")
+        assert after.apart < 0.04 < 0.15 < before.apart
+        for cut in (before, after):
+            assert set(cut.points) == set(survey.lines)
+            clouds = survey.placed(project, cut.which)
+            for line, points in cut.points.items():
+                np.testing.assert_allclose(
+                    sorted_rows(points),
+                    sorted_rows(cut.section.flat(clouds[line].sample)), atol=1e-9,
+                )  # fmt: skip
+            # Each line's stroke: the board, within 0.15 m of the middle.
+            strokes = [
+                np.median(points[np.abs(points[:, 1 - level]) < 0.3][:, int(level)])
+                for points in cut.points.values()
+                if len(points)
+            ]
+            assert np.ptp(strokes) == pytest.approx(cut.apart, abs=0.03)
+
+
+def test_without_a_result_there_is_only_before(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    alone = replace(project, result=None)
+    assert [cut.which for cut in cut_target(alone, survey, "T1")] == ["prior"]
+    middle = np.median(survey.clouds[survey.lines[0]].sample, axis=0)
+    (cut,) = cut_between(alone, survey, middle, middle + [3.0, 0.0, 0.5])
+    assert cut.apart is None
+    assert cut.section.width == pytest.approx(3.0)
+    assert cut.section.height == pytest.approx(3.0)
+
+
+def test_what_cannot_be_cut_is_said(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    with pytest.raises(InputError, match="above each other"):
+        between(np.zeros(3), np.array([0.0, 0.0, 4.0]))
+    with pytest.raises(ProjectError, match="no target"):
+        cut_target(project, survey, "T9")
+    bare = project.with_target(replace(project.target("T1"), sightings=()))
+    with pytest.raises(ProjectError, match="no points on any line"):
+        cut_target(bare, survey, "T1")
+
+
+@given(places, places)
+def test_a_distance_has_its_parts_and_a_way_back(first: np.ndarray, second: np.ndarray) -> None:
+    there, back = distance(first, second), distance(second, first)
+    assert there.slope == pytest.approx(np.linalg.norm(second - first))
+    assert there.slope == pytest.approx(np.hypot(there.horizontal, there.vertical))
+    assert there.vertical == -back.vertical
+    assert there.horizontal == back.horizontal
+    if there.horizontal:
+        turned = (there.azimuth - back.azimuth) % (2 * np.pi)
+        assert turned == pytest.approx(np.pi)
+
+
+def test_east_is_ninety_degrees() -> None:
+    assert np.degrees(distance(np.zeros(3), np.array([0, -2.0, 0])).azimuth) == pytest.approx(90)
+
+
+@given(st.floats(0, np.pi), places, st.floats(-3, 3), st.floats(-1.5, 1.5), st.floats(-3, 3))
+def test_an_angle_is_the_same_however_it_lies(
+    turned: float, corner: np.ndarray, roll: float, pitch: float, heading: float
+) -> None:
+    rotation = rotation_matrix(roll, pitch, heading)
+    sides = np.array([[2.0, 0.0, 0.0], [3.0 * np.cos(turned), 3.0 * np.sin(turned), 0.0]])
+    first, second = corner + sides @ rotation.T
+    assert angle(first, corner, second) == pytest.approx(turned, abs=1e-6)
+    with pytest.raises(InputError, match="three"):
+        angle(corner, corner, second)
