@@ -1,6 +1,7 @@
 """Seed to plane, in one line and in all: boards before walls, wrong priors, real planes."""
 
 import json
+from dataclasses import replace
 from math import radians
 from pathlib import Path
 
@@ -116,6 +117,9 @@ def test_the_same_input_gives_the_same_answer_and_order_does_not_matter():
     shuffled = find_plane(points[order], CENTRE, SETTINGS)
     np.testing.assert_array_equal(np.sort(order[shuffled.indices]), first.indices)
     np.testing.assert_array_equal(first.plane.normal, shuffled.plane.normal)
+    for seed in (1, 2, 3):  # of the random draws: the refit leads to the same plane
+        drawn = find_plane(points, CENTRE, replace(SETTINGS, seed=seed))
+        np.testing.assert_array_equal(first.indices, drawn.indices)
 
 
 def test_only_planes_near_the_expected_normal_are_taken():

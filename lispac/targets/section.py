@@ -70,7 +70,7 @@ class Section:
         found = []
         for k in range(pieces):
             offset = (k + 0.5) * step - 0.5 * self.width
-            _, points = cloud.within(self.centre + offset * self.right, radius)
+            points = cloud.within(self.centre + offset * self.right, radius).points
             # The last piece keeps its far end, so that no point counts twice and none is lost.
             along = (points - self.centre) @ self.right - offset
             own = (along >= -0.5 * step) & ((along < 0.5 * step) | (k == pieces - 1))
