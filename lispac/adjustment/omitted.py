@@ -13,10 +13,10 @@ import numpy as np
 import scipy.stats
 from numpy.typing import NDArray
 
-from lispac.adjustment.components import surface_sigma
+from lispac.adjustment.components import SMALLEST_SURFACE, surface_sigma
 from lispac.adjustment.observability import unseen
 from lispac.adjustment.parameters import SWITCHED, Parameter
-from lispac.adjustment.problem import Linearised
+from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import Contradiction
 
 Array = NDArray[np.float64]
@@ -74,7 +74,8 @@ def _test(
     if any(hidden.name == parameter.name for hidden in unseen(let_go)):
         return None
     problem = let_go.problem
-    if problem.layout.surfaces and problem.model.surface is None:
+    # Where the surfaces' sigma is nothing already, it has swallowed nothing.
+    if problem.layout.surfaces and problem.model.surface is None and not _nothing(problem):
         let_go = let_go.of(problem.with_surface(surface_sigma(let_go)))
     correction, _ = let_go.normal.solve()
     k = int(np.searchsorted(problem.active, parameter.index))
@@ -82,6 +83,10 @@ def _test(
     moved = correction[:3] - before
     surface = let_go.problem.usual_surface
     return Contradiction(parameter.name, float(correction[k]), sigma, moved, surface)
+
+
+def _nothing(problem: Problem) -> bool:
+    return problem.usual_surface < 2 * SMALLEST_SURFACE
 
 
 def _only(every: Linearised, parameters: tuple[Parameter, ...]) -> Linearised:
