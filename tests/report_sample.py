@@ -44,6 +44,7 @@ def _reliability(sighting: SightingResidual, k: int) -> SightingReliability:
         redundancy=float(rng.uniform(0.95, 0.99)),
         strays=0,
         largest_w=2.9,
+        largest_at=416012.375 + k,
         point_detectable=0.0071,
         weight=0.98,
         released=False,

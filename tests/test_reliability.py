@@ -127,6 +127,27 @@ def test_detectable_biases_of_points_follow_from_noise_and_redundancy(linearised
         assert (item.pos_sigma_after <= item.pos_sigma * 1.0001).all()
 
 
+def test_the_point_farthest_off_is_named_by_its_time() -> None:
+    data = survey(2, 0.15)
+    k = int(np.flatnonzero(data.sighting == 4)[11])
+    points = data.points_lidar.copy()
+    points[k] *= 1 + 0.1 / np.linalg.norm(points[k])
+    for loss in ("none", "tukey"):
+        result = adjust(
+            replace(data, points_lidar=points), PRIOR, StochasticModel(surface=0.002, loss=loss)
+        )
+        clean = adjust(data, PRIOR, StochasticModel(surface=0.002, loss=loss))
+        found = max(result.reliability, key=lambda item: item.largest_w)
+        assert found.sighting == data.sightings[4]
+        assert found.largest_at == data.time[k]
+        assert found.largest_w > 6
+        assert found.strays == clean.reliability[4].strays + 1
+        for item, sighting in zip(clean.reliability, data.sightings, strict=True):
+            own = data.time[[data.sightings[s] == sighting for s in data.sighting]]
+            assert item.largest_at in own
+            assert item.largest_w < 5
+
+
 @pytest.mark.parametrize("beam", [False, True])
 def test_lidar_noise_is_propagated_through_the_beam(beam) -> None:
     """Against ``b' C b`` with the full covariance of a beam of any direction."""

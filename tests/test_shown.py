@@ -171,3 +171,25 @@ def test_a_value_is_significant_beyond_one_limit_everywhere(
 
 def test_a_value_without_a_number_is_neither() -> None:
     assert Estimate("lever_z", 0.0, None, reason="Not seen.").significant is None
+
+
+def test_the_point_farthest_off_is_told_with_its_time_everywhere(
+    sample: Sample, tmp_path: Path
+) -> None:
+    result = sample[0]
+    first, second, *rest = result.reliability
+    far = replace(first, largest_w=12.34, largest_at=416012.5)
+    old = replace(second, largest_at=None)  # a result of an earlier version
+    result = replace(result, reliability=(far, old, *rest))
+    told = numbers(result, None)["reliability"]
+    assert (told[0]["largest_w"], told[0]["largest_w_time_s"]) == (12.34, 416012.5)
+    assert told[1]["largest_w_time_s"] is None
+    place = [column.title for column in SIGHTINGS].index("Largest point w")
+    cells = [row.cells[place] for row in sighting_rows(result)]
+    assert (cells[0].text, cells[0].value) == ("12.3 at 416012.500 s", 12.34)
+    assert cells[1].text == "2.9"
+    content = sample_content(replace(sample_project(tmp_path / "report"), result=result))
+    tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
+    (points,) = [table for table in tables if table.title == "Tests of single points"]
+    assert points.rows[0][-2:] == ("12.3", "416012.500")
+    assert points.rows[1][-2:] == ("2.9", "\u2013")

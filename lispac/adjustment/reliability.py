@@ -82,12 +82,11 @@ def reliability(linearised: Linearised) -> tuple[SightingReliability, ...]:
     ).reshape(-1, 6)
     prior = np.hstack([mean(observations.sigma_position), mean(observations.sigma_attitude)])
     strays = np.bincount(observations.sighting, np.abs(w) > CRITICAL)
-    largest = np.zeros(len(observations.sightings))
-    np.maximum.at(largest, observations.sighting, np.abs(w))
     mean_redundancy, mean_weight = mean(redundancy), mean(weights)
     found = []
     for s, sighting in enumerate(observations.sightings):
-        own = detectable[observations.sighting == s]
+        own = np.flatnonzero(observations.sighting == s)
+        worst = own[np.abs(w[own]).argmax()]
         found.append(
             SightingReliability(
                 sighting=sighting,
@@ -100,8 +99,9 @@ def reliability(linearised: Linearised) -> tuple[SightingReliability, ...]:
                 effect=tests.effect[s] * POWER * tests.sigma[s],
                 redundancy=float(mean_redundancy[s]),
                 strays=int(strays[s]),
-                largest_w=float(largest[s]),
-                point_detectable=float(np.median(own)),
+                largest_w=float(abs(w[worst])),
+                largest_at=float(observations.time[worst]),
+                point_detectable=float(np.median(detectable[own])),
                 weight=float(mean_weight[s]),
                 released=bool(not problem.held[s] or mean_weight[s] < WEIGHTLESS),
             )

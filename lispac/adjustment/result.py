@@ -72,6 +72,9 @@ class SightingReliability:
         Points whose own test is beyond the critical value.
     largest_w : float
         Largest test value among the points.
+    largest_at : float or None, seconds
+        Time of the point that has it; of an average, the mean of its points. None in results of
+        earlier versions.
     point_detectable : float, metres
         Median of the points' minimal detectable biases.
     weight : float
@@ -94,6 +97,7 @@ class SightingReliability:
     point_detectable: float
     weight: float
     released: bool
+    largest_at: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

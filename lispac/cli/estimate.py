@@ -269,6 +269,8 @@ def _reliability(item: SightingReliability) -> dict[str, Any]:
         "effect_deg": _degrees(item.effect),
         "redundancy": item.redundancy,
         "strays": item.strays,
+        "largest_w": item.largest_w,
+        "largest_w_time_s": item.largest_at,
         "released": item.released,
     }
 

@@ -38,10 +38,13 @@ def reliability(content: ReportContent) -> list[Block]:
         _test_table(found),
         *_told(found),
         Paragraph(
-            "Redundancy: how far the other data check each point, from 0 (not at all) to 1. "
-            "Strays: points farther off than 3.29 of their sigmas, which one in a thousand exceeds "
-            "by chance."
+            "Single points are tested alike. Redundancy: how far the other data check each point, "
+            "from 0 (not at all) to 1. Strays: points farther off than 3.29 of their sigmas, which "
+            "one in a thousand exceeds by chance. Largest w: that of the point farthest off, by "
+            "its sigma, and the time by which it is found in the line; averaged points have the "
+            "mean of their times."
         ),
+        _point_table(found),
         *_pos_errors(adjustment),
     ]
 
@@ -58,8 +61,6 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
             Column("Effect, roll\n(deg)"),
             Column("Pitch\n(deg)"),
             Column("Yaw\n(deg)"),
-            Column("Redun-\ndancy"),
-            Column("Strays"),
             Column("Finding", "left"),
         ),
         rows(
@@ -70,9 +71,34 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
                 known(s.w, lambda v: signed(v, 1)),
                 known(s.detectable_m, mm),
                 *([UNKNOWN] * 3 if s.effect_deg is None else [angle(v) for v in s.effect_deg]),
+                s.in_words,
+            ]
+            for s in found
+        ),
+    )
+
+
+def _point_table(found: Sequence[SightingCheck]) -> Table:
+    return Table(
+        "Tests of single points",
+        (
+            Column("Target", "left"),
+            Column("Line", "left"),
+            Column("Points"),
+            Column("Redundancy"),
+            Column("Strays"),
+            Column("Largest w"),
+            Column("Its time (s)"),
+        ),
+        rows(
+            [
+                s.target,
+                s.line,
+                f"{s.points:,}",
                 f"{s.redundancy:.2f}",
                 str(s.strays),
-                s.in_words,
+                f"{s.largest_w:.1f}",
+                known(s.largest_w_time_s, lambda v: f"{v:.3f}"),
             ]
             for s in found
         ),

@@ -103,6 +103,7 @@ def _sighting(item: SightingReliability, points: int, critical: float) -> Sighti
         redundancy=item.redundancy,
         strays=item.strays,
         largest_w=item.largest_w,
+        largest_w_time_s=item.largest_at,
         point_detectable_m=number(item.point_detectable),
         weight=item.weight,
         released=item.released,

@@ -173,7 +173,8 @@ class SightingCheck:
     """Whether a sighting agrees with all others, and its estimated POS error.
 
     Shift, test value, detectable shift and its effect are None where no other data check the
-    sighting. POS errors are north, west, up and roll, pitch, heading.
+    sighting. ``largest_w`` is the largest test value of a point, at ``largest_w_time_s``; that is
+    None in results of earlier versions. POS errors are north, west, up and roll, pitch, heading.
     """
 
     target: str
@@ -186,6 +187,7 @@ class SightingCheck:
     redundancy: float
     strays: int
     largest_w: float
+    largest_w_time_s: float | None
     point_detectable_m: float | None
     weight: float
     released: bool

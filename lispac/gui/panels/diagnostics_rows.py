@@ -40,6 +40,11 @@ SIGHTINGS = (
         "Largest change of an angle by a shift of that size that stays unfound, 0.001°",
     ),
     Column("Strays", "Points whose own test is beyond 3.29"),
+    Column(
+        "Largest point w",
+        "Test value of the point farthest off, by its sigma, and its time in the line, s; of an "
+        "average of points, the mean of their times",
+    ),
     Column("Redundancy", "Mean of the points' redundancy numbers, 0 (unchecked) to 1"),
     Column("POS position (mm)", "Estimated position error and its prior sigma, mm (3D length)"),
     Column(
@@ -106,7 +111,7 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
     ]
     names = [Cell(sighting.target), Cell(sighting.line)]
     if test is None:
-        return Row([*names, *fit, *[number(None, "")] * 8, Cell("no test")], key, tip=FOLLOW)
+        return Row([*names, *fit, *[number(None, "")] * 9, Cell("no test")], key, tip=FOLLOW)
     remark, odd = "", standing(test, critical) == "disagrees"
     if test.released:
         remark = "released: disagrees"
@@ -129,12 +134,18 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
         number(test.shift, "+.1f", MM),
         *tests,
         number(test.strays, ",.0f"),
+        _worst_point(test),
         number(test.redundancy, ".2f"),
         _against_prior(test.pos_error[:3], test.pos_sigma[:3], MM),
         _against_prior(test.pos_error[3:], test.pos_sigma[3:], MDEG),
         Cell(remark),
     ]
     return Row(cells, key, marked=test.released or odd, tip=FOLLOW)
+
+
+def _worst_point(test: SightingReliability) -> Cell:
+    when = "" if test.largest_at is None else f" at {test.largest_at:.3f} s"
+    return Cell(f"{test.largest_w:.1f}{when}", test.largest_w)
 
 
 def _against_prior(error: np.ndarray, sigma: np.ndarray, scale: float) -> Cell:
