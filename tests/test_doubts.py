@@ -171,6 +171,7 @@ def test_a_doubt_is_told_alike_everywhere(
     assert told in numbers(result, checks)["doubts"]
     window = result_words.warnings(result, checks)
     assert [each for each in window if each.startswith(doubt.text)]
+    assert "can be used" not in result_words.verdict(result, checks)
     (caution,) = [each for each in sample_content(changed).cautions if each.code == code]
     assert caution.text.startswith(doubt.text)
     assert (caution.severity == "serious") == serious
@@ -194,6 +195,7 @@ def test_a_sound_answer_leaves_no_doubt(
     assert result is not None
     assert doubts(result, checks) == ()
     assert result_words.warnings(result, checks) == []
+    assert result_words.verdict(result, checks).endswith("the uncertainties can be used.")
     print_result(result, checks)
     assert "To know before" not in capsys.readouterr().out
 

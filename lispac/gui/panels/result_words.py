@@ -39,17 +39,14 @@ def surface_words(result: AdjustmentResult) -> str:
     return "none seen" if result.surface < LEAST_SURFACE else f"{result.surface * 1000:.1f} mm"
 
 
-def verdict(result: AdjustmentResult) -> str:
-    """What the chi-square test means, in words."""
+def verdict(result: AdjustmentResult, checks: CrossChecks | None) -> str:
+    """What the chi-square test means, in words; no more than that where something is in doubt."""
     if result.chi_square.passed:
-        if not result.model.correlated:
-            return "The residuals are as large as the stated sigmas say."
-        fits = "The residuals are as large as the stated sigmas say"
+        words = "The residuals are as large as the stated sigmas say"
         if result.model.surface is None and result.surface > FLAT:
-            fits += f", once the targets may differ by {surface_words(result)} from line to line"
-        if result.contradictions:
-            return f"{fits}, but the data contradict a value that was stated."
-        return f"{fits}: the uncertainties can be used."
+            words += f", once the targets may differ by {surface_words(result)} from line to line"
+        doubtful = bool(doubts(result, checks))
+        return f"{words}." if doubtful else f"{words}: the uncertainties can be used."
     if result.variance_factor > 1:
         return (
             "The residuals are larger than the stated sigmas say. Look for a target that is not "

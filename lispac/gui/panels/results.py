@@ -84,7 +84,7 @@ class ResultsPanel(QWidget):
             self._truth_note.setVisible(project.truth_deg is not None)
             self._fill_words(project, result)
             _fill_correlation(self.correlation, result)
-            self._fill_fit(result)
+            self._fill_fit(project, result)
 
     def _scrolled(self) -> QScrollArea:
         outer = QWidget()
@@ -165,7 +165,7 @@ class ResultsPanel(QWidget):
             form.addRow(widgets.label(words, "muted"), value)
         return form
 
-    def _fill_fit(self, result: AdjustmentResult) -> None:
+    def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
         components = result_words.component_words(result)
         texts = {
             "rms": f"{result.rms_before * 1000:.1f} → <b>{result.rms_after * 1000:.1f} mm</b>",
@@ -178,7 +178,7 @@ class ResultsPanel(QWidget):
         }
         for key, text in texts.items():
             self._values[key].setText(text)
-        words = result_words.verdict(result)
+        words = result_words.verdict(result, project.cross_checks)
         self._verdict.setText(f"{words} Errors by the data: {components}." if components else words)
 
 
