@@ -125,8 +125,9 @@ def _chi_square(test: Chi2, independent: bool, noisy: bool) -> Iterator[Caution]
     else:
         yield mild(
             "chi_square_low",
-            "The chi-square test failed on the safe side: the residuals are smaller than the "
-            "stated sigmas let one expect, and the sigmas of the angles are on the large side.",
+            "The chi-square test failed: the residuals are smaller than the stated sigmas let one "
+            "expect. Where nothing else is in doubt, the sigmas of the angles are on the large "
+            "side.",
         )
 
 

@@ -239,8 +239,9 @@ def _chi_square(result: AdjustmentResult) -> Chi2:
         )
     else:
         words = (
-            "Failed on the safe side: the residuals are smaller than the stated sigmas let one "
-            "expect. The LiDAR or POS sigmas are stated too large, and so those of the angles."
+            "Failed: the residuals are smaller than the stated sigmas let one expect. The LiDAR or "
+            "POS sigmas are stated too large, and so, where nothing else is in doubt, are those of "
+            "the angles."
         )
     return Chi2(test.statistic, test.lower, test.upper, test.passed, words)
 

@@ -52,10 +52,12 @@ def verdict(result: AdjustmentResult, checks: CrossChecks | None) -> str:
             "The residuals are larger than the stated sigmas say. Look for a target that is not "
             "flat or a sighting that holds other points, or state larger sigmas."
         )
-    return (
+    words = (
         "The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are "
-        "stated too large, so the uncertainties are on the safe side."
+        "stated too large"
     )
+    doubtful = bool(doubts(result, checks))
+    return f"{words}." if doubtful else f"{words}, so the uncertainties are on the safe side."
 
 
 def test_words(result: AdjustmentResult) -> str:
