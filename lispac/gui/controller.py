@@ -132,12 +132,34 @@ class Controller(QObject):
             return True
         try:
             save_project(project)
-        except (LispacError, OSError) as error:
+        except LispacError as error:
+            self.refused.emit(type(error)(f"{error} File > Save as… does that."))
+            return False
+        except OSError as error:
             self.refused.emit(error)
             return False
         self._document.mark_saved()
         self.noted.emit(f"Saved {project.name}")
         return True
+
+    def save_as(self, folder: Path) -> None:
+        """Save the project in another folder and go on there; its undo steps go along."""
+        project, survey = self._document.project, self._document.survey
+        if project is None or survey is None:
+            return
+
+        def work(progress: Progress) -> Opened:
+            from lispac.workflow.saving_as import save_project_as
+
+            return save_project_as(project, survey, folder, progress=progress)
+
+        def done(saved: Opened) -> None:
+            moved, found = saved
+            self._document.move(moved, found)
+            self._settings.add_recent(moved.folder)
+            self.noted.emit(f"Saved as {moved.folder}; {project.folder} stays as it was saved last")
+
+        self._runner.run(f"Saving as {folder.name}", work, done, lasting=True)
 
     def _opened(self, opened: Opened) -> None:
         project, survey = opened

@@ -1,6 +1,7 @@
 """The open project, its data in memory, and the way back: one undo command per edit."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
@@ -70,6 +71,7 @@ class Document(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._state: _State | None = None
+        self._folder: Path | None = None
         self.survey: Survey | None = None
         self._key: tuple[object, ...] | None = None
         self.undo_stack = QUndoStack(self)
@@ -110,6 +112,7 @@ class Document(QObject):
         """Put a project in, fresh and unmodified."""
         self.undo_stack.clear()
         self._state = None if project is None else _State(project)
+        self._folder = None if project is None else project.folder
         self.set_survey(project, survey)
         self.opened.emit()
         self.changed.emit()
@@ -141,7 +144,7 @@ class Document(QObject):
         if self._state is None or project is self._state.project:
             return
         again = follows and (self._state.project.result is not None or self._state.follows)
-        before, after = self._state, _State(project, follows=again)
+        before, after = self._state, _State(self._here(project), follows=again)
         if survey is not None:
             self.survey, self._key = survey, data_key(project)
         self.undo_stack.push(_Edit(text, self, before, after))
@@ -151,7 +154,7 @@ class Document(QObject):
     def amend(self, project: Project) -> None:
         """Fill in what follows from the last edit; it belongs to that edit's undo step."""
         assert self._state is not None
-        self._state.project = project
+        self._state.project = self._here(project)
         if self.undo_stack.isClean():
             self.undo_stack.resetClean()  # what was saved lacks it
         self.changed.emit()
@@ -166,9 +169,25 @@ class Document(QObject):
         """The project on disk is the one in memory."""
         self.undo_stack.setClean()
 
+    def move(self, project: Project, survey: Survey) -> None:
+        """The project was saved in another folder and goes on there, with every edit before."""
+        assert self._state is not None
+        self._folder = project.folder
+        self._state.project = project
+        self.undo_stack.setClean()
+        self.set_survey(project, survey)
+        self.changed.emit()
+
+    def _here(self, project: Project) -> Project:
+        """The project in the folder it has now; an edit before it moved knows another."""
+        if self._folder is None or project.folder == self._folder:
+            return project
+        return replace(project, folder=self._folder)
+
     def _clean_changed(self, clean: bool) -> None:
         self.modified.emit(not clean)
 
     def _set(self, state: _State) -> None:
+        state.project = self._here(state.project)
         self._state = state
         self.changed.emit()

@@ -1,5 +1,7 @@
 """The life of a project in the window: what is asked before it is opened, computed or left."""
 
+import itertools
+import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -103,6 +105,14 @@ class ProjectLife(QObject):
             if path is not None:
                 self._controller.open(path)
 
+    def save_as(self) -> None:
+        """Ask for another folder, save the project there and go on with it."""
+        project = self._document.project
+        if project is not None and self._document.survey_is_current:
+            folder = self._dialogs.folder_to_save_in(_beside(project.folder))
+            if folder is not None:
+                self._controller.save_as(folder)
+
     def demo(self) -> None:
         """Open the built-in survey."""
         if self.may_leave():
@@ -157,3 +167,10 @@ class ProjectLife(QObject):
             request = self._dialogs.export(what, self._scene.which, project, survey.trajectory)
             if request is not None:
                 self._computing.export(request)
+
+
+def _beside(folder: Path) -> Path:
+    """A free name beside the project, or at home where nothing can be written there."""
+    parent = folder.parent if os.access(folder.parent, os.W_OK) else Path.home()
+    names = (f"{folder.name}-{k}" for k in itertools.count(2))
+    return next(parent / name for name in names if not (parent / name).exists())

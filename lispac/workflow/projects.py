@@ -110,7 +110,7 @@ def new_project(
         draft, lines=known, trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
     )  # fmt: skip
-    with _taken_back(draft):
+    with taken_back(draft):
         survey = load_survey(draft, progress=progress)
         project = create_project(
             folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
@@ -142,7 +142,7 @@ def with_lines_added(
         lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),
     )
     _require_names(edited)
-    with _taken_back(edited):
+    with taken_back(edited):
         survey = load_survey(edited, progress=progress)
     return edited, replace(survey, notes=(*notes, *survey.notes))
 
@@ -162,7 +162,7 @@ def _settled_lines(
 
 
 @contextmanager
-def _taken_back(project: Project) -> Iterator[None]:
+def taken_back(project: Project) -> Iterator[None]:
     """Remove what was imported for a project that comes to nothing, and no more than that.
 
     What was there before, whatever it is and whoever put it there, stays.

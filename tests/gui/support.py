@@ -61,6 +61,9 @@ class ScriptedDialogs(Dialogs):
     def project_to_open(self, start: Path) -> Path | None:
         return self.path
 
+    def folder_to_save_in(self, start: Path) -> Path | None:
+        return self.path
+
     def report_file(self, start: Path) -> Path | None:
         return self.path
 

@@ -97,6 +97,13 @@ class Dialogs:
         )
         return Path(name) if name else None
 
+    def folder_to_save_in(self, start: Path) -> Path | None:
+        """A new folder for the project; ``start`` is proposed."""
+        name, _ = QFileDialog.getSaveFileName(
+            self.parent, "Save project as: name of its new folder", str(start), "Folder (*)"
+        )
+        return Path(name) if name else None
+
     def report_file(self, start: Path) -> Path | None:
         """Where the report goes; the ending chooses its kind."""
         name, kind = QFileDialog.getSaveFileName(
