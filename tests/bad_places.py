@@ -7,7 +7,10 @@ from pathlib import Path
 import laspy
 import numpy as np
 
+from lispac.cli.main import main
 from lispac.io import las_chunks
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import load_survey
 from tests.bad_files import COUNT, REFUSED, TIMES, Case, Scene, Words, doubted, refused
 from tests.intake_files import START, fan, write_line
 from tests.trajectory_files import vessel, write_records
@@ -95,6 +98,12 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
+@doubted("Wrong coordinate system asked for: meant for another part of the world")
+def _(scene: Scene) -> Words:
+    scene.made()
+    return scene.to_map("out", "--crs", "EPSG:32633")
+
+
 # Folders and disks.
 
 
@@ -179,6 +188,22 @@ refused("File removed before the import")(removed("L1.las", lambda _, p: ["impor
 refused("File removed before georeferencing")(removed("L1.las", lambda s, _: s.to_map()))
 refused("File removed before the estimate")(removed("L1.las", lambda _, p: ["estimate", p]))
 refused("Trajectory removed before the import")(removed("pos.sbet", lambda _, p: ["import", p]))
+
+
+def wall(scene: Scene, count: int = COUNT) -> Path:
+    """The line sees a wall 10 m to the left."""
+    points = fan(count) * [1, 0, 1] + [0, 10, 0]
+    return write_line(scene / "L1.las", TIMES[:count], points)
+
+
+@refused("Line changed after a target was picked on it")
+def _(scene: Scene) -> Words:
+    wall(scene)
+    project = scene.made()
+    seed = load_survey(open_project(Path(project))).clouds["L1"].sample[COUNT // 2]
+    assert main(["pick", project, "--name", "T1", "--seed", *(f"{v:.3f}" for v in seed)]) == 0
+    wall(scene, COUNT - 1)
+    return ["estimate", project]
 
 
 def while_read(act: Callable[[Path], object], command: Callable[[Scene, str], Words]) -> Case:
