@@ -1,9 +1,9 @@
 """Importing a line and reading a region of it: 10^6 and 10^7 points, with ``-m long`` 10^8.
 
-The line is a LAS file (point format 6) of a profiler that runs along a quay wall, written by laspy
-as the benchmark goes along, and imported from it like any other. Peak memory is that of the whole
-process, which reads, sorts and writes; what is mapped of files counts too. ``LISPAC_BENCH_LAZ=1``
-takes LAZ instead. Run with ``pytest -s tests/benchmarks/bench_store.py``.
+The line is a LAS or LAZ file (point format 6) of a profiler that runs along a quay wall, written by
+laspy as the benchmark goes along, and imported from it like any other. Peak memory is that of the
+whole process, which reads, sorts and writes; what is mapped of files counts too. Run with
+``pytest -s tests/benchmarks/bench_store.py``.
 """
 
 import os
@@ -28,7 +28,6 @@ from lispac.workflow.reading import local_trajectory
 RATE, SPEED, WALL, DECK = 500_000, 1.5, 15.0, -4.0
 """Points a second, metres a second, metres to the wall on the left, metres down to the quay."""
 LEVER_ARM = (-0.2, 0.04, 2.4)
-ENDING = ".laz" if os.environ.get("LISPAC_BENCH_LAZ") else ".las"
 CHUNK = 1_000_000
 
 
@@ -46,7 +45,7 @@ def points(count: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         yield np.column_stack([np.zeros(len(numbers)), reach * across, reach * up]), 1000 + elapsed
 
 
-def make_project(folder: Path, count: int) -> Project:
+def make_project(folder: Path, count: int, ending: str) -> Project:
     """A project of one line."""
     time_ = np.arange(999.0, 1001 + count / RATE, 0.005)
     along = (time_ - 1000) * SPEED
@@ -62,7 +61,7 @@ def make_project(folder: Path, count: int) -> Project:
     )  # fmt: skip
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales = np.full(3, 1e-4)
-    path = folder / f"L1{ENDING}"
+    path = folder / f"L1.{ending}"
     rng = np.random.default_rng(2)
     with laspy.open(path, mode="w", header=header) as writer:
         for xyz, times in points(count):
@@ -80,15 +79,16 @@ def make_project(folder: Path, count: int) -> Project:
 @pytest.mark.parametrize(
     "count", [10**6, 10**7, pytest.param(10**8, marks=pytest.mark.long)], ids="{:.0e}".format
 )
-def test_store(count: int, tmp_path: Path) -> None:
-    project = make_project(tmp_path, count)
+@pytest.mark.parametrize("ending", ["las", "laz"])
+def test_store(count: int, ending: str, tmp_path: Path) -> None:
+    project = make_project(tmp_path, count, ending)
     command = [sys.executable, __file__, str(tmp_path)]
     run = subprocess.run(
         command, capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2]
     )
     assert run.returncode == 0, run.stderr
     size = project.lines[0].path.stat().st_size / 1e6
-    print(f"\n{count:12,} points, {ENDING[1:].upper()} of {size:,.0f} MB\n{run.stdout}")
+    print(f"\n{count:12,} points, {ending.upper()} of {size:,.0f} MB\n{run.stdout}")
     for path in sorted(tmp_path.rglob("*"), reverse=True):
         path.rmdir() if path.is_dir() else path.unlink()
 
@@ -125,6 +125,10 @@ def report(folder: str) -> None:
     away = trajectory.position[len(trajectory.position) // 2]
     centre = away + [0.0, WALL, 3.0]
     stored.within(centre, 3.0, place)  # compile
+    start = now()
+    stored.require_sound()
+    checking = least([since(start)])
+    print(f"  check      every byte of the store, as after a copy, {checking}")
     forget(stored.folder)
     for state, rounds in (("cold", 1), ("warm", 9)):
         opening, regions = [], []
