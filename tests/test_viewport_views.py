@@ -5,7 +5,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from lispac.gui.viewport.base import Handle, Highlight, Sketch
+from lispac.gui.viewport.base import Handle, Highlight, Shading, Sketch
+from lispac.gui.viewport.clipping import Box
 from tests.view_scenes import BLUE, RED, YELLOW, count, picture, pixel, scene, wall
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -164,3 +165,80 @@ def test_what_is_under_the_resting_mouse_is_told_while_hovering(viewport, qtbot)
     np.testing.assert_allclose(told[0].position, clouds["red"][600], atol=0.11)
     viewport.set_hovering(False)
     assert told[1:] == [None]
+
+
+def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot, tmp_path):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
+    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
+    whole = {c: count(picture(viewport, tmp_path), c) for c in (RED, BLUE, YELLOW)}
+    low = clouds["red"][clouds["red"][:, 2] < 1.5]
+    viewport.clip(Box.about(low, np.array([0.0, 1.0, 0.0]), 0.01))
+    image = picture(viewport, tmp_path)
+    assert count(image, BLUE) == 0
+    assert 0.4 * whole[RED] < count(image, RED) < 0.6 * whole[RED]
+    assert 0.4 * whole[YELLOW] < count(image, YELLOW) < 0.6 * whole[YELLOW]
+    shades = {line: np.full((len(points), 3), INKED, np.uint8) for line, points in clouds.items()}
+    half = clouds["red"][:, 2] < 0.7
+    shades["red"][half] = (0, 90, 20)
+    scale = np.zeros((2, 3), np.uint8)
+    viewport.show_highlights([])
+    viewport.show_clouds(clouds, colours, Shading(shades, "", "", "", scale))
+    image = picture(viewport, tmp_path)  # each point keeps its own colour
+    assert count(image, (0, 90, 20)) == pytest.approx(count(image, INKED), rel=0.25)
+    with qtbot.waitSignal(viewport.signals.missed, timeout=2000):
+        QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, (5.0, 25.0, 5.0)))
+    viewport.clip(None)
+    viewport.show_clouds(clouds, colours)
+    assert count(picture(viewport, tmp_path), BLUE) == pytest.approx(whole[BLUE], rel=0.02)
+
+
+@pytest.mark.parametrize("parallel", [False, True])
+@pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (5_040_000.0, -612_000.0, 0.0)])
+def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(
+    viewport, tmp_path, parallel, origin
+):
+    here = wall(25.0, (-9.0, 9.0), (0.0, 9.0), origin=origin)
+    viewport.set_station(origin)
+    viewport.show_clouds({"blue": here}, {"blue": BLUE})
+    viewport.set_parallel(parallel)
+    viewport.view("front")
+    viewport.show_beside({"blue": here + [0.0, 0.0, 20.0]})
+
+    viewport.fit(np.concatenate([here, here + [0.0, 0.0, 20.0]]))
+    image = picture(viewport, tmp_path)
+    blue = np.abs(image.astype(int) - BLUE).max(axis=2) <= 2
+    upper, lower = blue[:280], blue[320:]
+    assert upper[:, :398].sum() > 300
+    assert upper[:, 402:].sum() == 0
+    assert lower[:, 402:].sum() > 300
+    assert lower[:, :398].sum() == 0
+    camera = viewport.camera
+    drag(viewport, QPoint(400, 300), QPoint(-60, 0))
+    assert viewport.camera is camera
+    blue = np.abs(picture(viewport, tmp_path).astype(int) - BLUE).max(axis=2) <= 2
+    assert blue[320:, 345:398].sum() > 50
+    assert blue[:280, 345:].sum() == 0
+    viewport.show_beside(None)
+    blue = np.abs(picture(viewport, tmp_path).astype(int) - BLUE).max(axis=2) <= 2
+    assert blue[:280].sum() == 0
+
+
+def test_a_box_is_changed_side_by_side_and_never_turns_inside_out():
+    rng = np.random.default_rng(3)
+    points = rng.normal(size=(40_000, 3)) * [3.0, 0.5, 1.0] + 50.0
+    box = Box.about(points, np.array([0.6, -0.8, 0.1]), 1e-6)
+    assert len(box.inside(points)) == len(points)
+    np.testing.assert_allclose(box.axes @ box.axes.T, np.eye(3), atol=1e-14)
+    for side in range(6):
+        (middle, out), other = box.sides[side], side ^ 1
+        moved = box.moved(side, -0.3)
+        np.testing.assert_allclose(moved.sides[side][0], middle - 0.3 * out, atol=1e-12)
+        np.testing.assert_allclose(moved.sides[other][0], box.sides[other][0], atol=1e-12)
+        beyond = (points - moved.sides[side][0]) @ out > 0
+        assert len(moved.inside(points)) == np.count_nonzero(~beyond)
+        flat = box.moved(side, -1e6)
+        assert (flat.half > 0.02).all()
+        np.testing.assert_allclose(flat.sides[other][0], box.sides[other][0], atol=1e-9)

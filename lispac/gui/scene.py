@@ -22,6 +22,8 @@ class Scene(QObject):
 
     which_changed = Signal(str)
     selection_changed = Signal()
+    drawn = Signal()
+    """The lines are drawn anew."""
     placing_wanted = Signal()
     """The lines after are shown, and the project has another result by now."""
 
@@ -171,6 +173,7 @@ class Scene(QObject):
         except ValueError:  # another survey, whose lines have no intensities
             self.colouring, shaded = "line", None
         self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shaded)
+        self.drawn.emit()
 
     def _draw_targets(self) -> None:
         project = self._document.project

@@ -15,6 +15,7 @@ from lispac.gui.pointing import Pointing
 from lispac.gui.scene import Scene
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
+from lispac.gui.viewport.clipping import EDGES, Box
 from lispac.progress import Progress
 from lispac.targets.section import Section
 from lispac.workflow.sections import Cut, cut_between, cut_target
@@ -161,11 +162,7 @@ class Sections(QObject):
 
 def frame_of(section: Section) -> Sketch:
     """The strip's box."""
-    sides = np.array([section.right, section.up, section.across]) * 0.5
-    sides *= np.array([[section.width], [section.height], [section.thickness]])
-    signs = np.array([(a, b, c) for c in (-1, 1) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
-    corners = section.centre + signs @ sides
-    edges = [(k, (k + 1) % 4) for k in range(4)]
-    edges += [(a + 4, b + 4) for a, b in edges] + [(k, k + 4) for k in range(4)]
-    places = tuple((float(x), float(y), float(z)) for x, y, z in corners)
-    return Sketch(places, tuple(edges), COLOUR)
+    half = 0.5 * np.array([section.width, section.height, section.thickness])
+    box = Box(section.centre, np.array([section.right, section.up, section.across]), half)
+    places = tuple((float(x), float(y), float(z)) for x, y, z in box.corners)
+    return Sketch(places, EDGES, COLOUR)

@@ -5,7 +5,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QDockWidget, QWidget
 
+from lispac.gui.clipping import Clipping
+from lispac.gui.comparing import Comparing
 from lispac.gui.measuring import Measuring
+from lispac.gui.panels.clipping import TITLE as CLIPPING
 from lispac.gui.panels.section import TITLE as SECTION
 from lispac.gui.pointing import Pointing
 from lispac.gui.sections import Sections
@@ -15,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Tools(QObject):
-    """Sections and measurements."""
+    """Sections, measurements, the clip box, and before beside after."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -26,17 +29,25 @@ class Tools(QObject):
         self.sections = Sections(
             window.document, window.runner, window.scene, view, actions, self.pointing, bring
         )
+        self.comparing = Comparing(
+            window.document, window.scene, window.computing, view, actions, note
+        )
+        self.clipping = Clipping(window.scene, view, actions, bring)
         window.scene.which_changed.connect(lambda _which: self.measuring.restart())
         window.document.opened.connect(self.pointing.end)
+        window.document.opened.connect(self.clipping.reset)
 
     def make_docks(self, beside: QDockWidget) -> dict[str, QDockWidget]:
         """Put the tools' panels into docks, as tabs beside another; by their titles."""
-        window, sections = self._window, self.sections
-        dock = window._dock(SECTION, sections.panel, Qt.DockWidgetArea.BottomDockWidgetArea)
-        window.tabifyDockWidget(beside, dock)
+        docks = {}
+        for title, panel in (
+            (SECTION, self.sections.panel), (CLIPPING, self.clipping.panel),
+        ):  # fmt: skip
+            docks[title] = self._window._dock(title, panel, Qt.DockWidgetArea.BottomDockWidgetArea)
+            self._window.tabifyDockWidget(beside, docks[title])
         # A dock behind another counts as visible; only this signal tells.
-        dock.visibilityChanged.connect(sections.be_seen)
-        return {SECTION: dock}
+        docks[SECTION].visibilityChanged.connect(self.sections.be_seen)
+        return docks
 
 
 def bring(panel: QWidget) -> None:

@@ -48,6 +48,10 @@ INSPECT_ACTIONS: dict[str, Described] = {
                          "Click two points: slope, horizontal and vertical distance"),
     "measure_angle": ("Measure an &angle", "Angle", "", "Shift+M",
                       "Click a point, the corner and another point"),
+    "clip": ("&Clip box", "Clip", "crop", "X",
+             "Draw only what lies in a box about the selected target"),
+    "wipe": ("Before and after in one &picture", "Wipe", "", "W",
+             "Before on the left, after on the right of a line that the mouse moves"),
     "end_tool": ("&End the tool", "End", "", "Esc", "Give the mouse back to the view"),
 }  # fmt: skip
 """What is measured and looked into with the mouse."""
@@ -59,6 +63,7 @@ VIEW_MENU: Menu = (
     "before",
     "after",
     "toggle",
+    "wipe",
     "",
     "fit",
     "fit_selection",
@@ -78,9 +83,12 @@ INSPECT_MENU: Menu = (
     "measure_distance",
     "measure_angle",
     "",
+    "clip",
+    "",
     "end_tool",
 )
-SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle")
+SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle", "clip",
+            "wipe")  # fmt: skip
 """Actions that are on or off, each by itself."""
 
 KEYS = (
@@ -91,6 +99,8 @@ KEYS = (
     ("+, −", "larger, smaller points"),
     ("S, Shift + S", "section across the selected target, between two points"),
     ("M, Shift + M", "measure a distance, an angle"),
+    ("X", "clip box about the selected target, or none"),
+    ("W", "before and after in one picture: drag the line between them"),
     ("Esc", "end measuring"),
     ("C", "colour the points by line, height, intensity, range, time"),
 )

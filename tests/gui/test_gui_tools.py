@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 from lispac.gui.panels.section import EMPTY
 from lispac.gui.sections import frame_of
 from lispac.project import Project
-from tests.gui.support import Demo, Driver, Key, click, press, seed, settle
+from tests.gui.support import Demo, Driver, Key, click, press, seed, settle, type_into
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -176,3 +176,63 @@ def test_the_section_is_zoomed_and_moved_with_the_mouse(picked: Driver) -> None:
     assert middle - np.mean(axes.get_xlim()) == pytest.approx(metres, rel=0.05)
     picked.bot.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=spot)
     assert np.ptp(axes.get_xlim()) == pytest.approx(whole)
+
+
+def test_the_clip_box_is_laid_about_the_target_and_changed_by_fields_and_handles(
+    picked: Driver,
+) -> None:
+    window, view, clipping = picked.window, picked.viewport, picked.window.tools.clipping
+    window._select("T1", "")
+    press(picked, Key.Key_X)
+    assert window.actions_["clip"].isChecked()
+    box = view.box
+    points = np.concatenate(list(window.scene.selected_points.values()))
+    seen = np.abs((points - box.centre) @ box.axes.T)
+    np.testing.assert_allclose(box.half - seen.max(axis=0), 0.5, atol=1e-9)
+    depth = clipping.panel.fields[0]
+    assert depth.value() == pytest.approx(2 * box.half[0], abs=0.006)
+    type_into(picked, depth, "3.00")
+    picked.bot.keyClick(depth, Key.Key_Return)
+    assert 2 * view.box.half[0] == pytest.approx(3.0)
+    np.testing.assert_array_equal(view.box.centre, box.centre)
+    was = view.box
+    handle = view.sketches["clip"].handles[5]  # the upper side
+    assert handle.axis == pytest.approx((0, 0, 1))
+    view.signals.handle_moved.emit("clip", 5, 0.4)
+    assert view.box is was, "the points follow when the handle is let go"
+    assert view.sketches["clip"].handles[5].position[2] == pytest.approx(handle.position[2] + 0.4)
+    view.signals.handle_let_go.emit("clip")
+    assert view.box.half[2] == pytest.approx(was.half[2] + 0.2)
+    assert view.box.centre[2] - view.box.half[2] == pytest.approx(was.centre[2] - was.half[2])
+    click(picked, clipping.panel.reset)
+    assert view.box is None
+    assert "clip" not in view.sketches
+    assert not window.actions_["clip"].isChecked()
+    window.actions_["clip"].trigger()
+    window.document.open(None, None)
+    assert view.box is None
+
+
+def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
+    window, view = adjusted.window, adjusted.viewport
+    press(adjusted, Key.Key_W)
+    adjusted.rest()
+    assert window.scene.which == "estimated"
+    line = window.document.survey.lines[0]
+    np.testing.assert_array_equal(view.beside[line], window.document.survey.clouds[line].sample)
+    assert not np.array_equal(view.beside[line], view.clouds[line])
+    press(adjusted, Key.Key_W)
+    assert view.beside is None
+    assert window.scene.which == "estimated"
+    press(adjusted, Key.Key_W)
+    assert view.beside is not None
+    press(adjusted, Key.Key_B)  # before alone ends it
+    assert view.beside is None
+    assert not window.actions_["wipe"].isChecked()
+
+
+def test_nothing_to_compare_is_said(picked: Driver) -> None:
+    press(picked, Key.Key_W)
+    assert "Estimate first" in picked.window.log.toPlainText()
+    assert picked.viewport.beside is None
+    assert not picked.window.actions_["wipe"].isChecked()

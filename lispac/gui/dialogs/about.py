@@ -38,7 +38,7 @@ def shortcuts_box(parent: QWidget | None) -> QMessageBox:
         ("Ctrl + E, Ctrl + Shift + E", "export the report, the georeferenced lines"),
         ("Ctrl + Z, Ctrl + Y", "undo, redo"),
     )
-    table = "".join(f"<tr><td><b>{a}</b></td><td>&nbsp;&nbsp;{b}</td></tr>" for a, b in rows)
+    table = "".join(f"<tr><td><b>{a}</b>&nbsp;&nbsp;</td><td>{b}</td></tr>" for a, b in rows)
     box = QMessageBox(parent)
     box.setObjectName("shortcuts_dialog")
     box.setWindowTitle("Mouse and keys")

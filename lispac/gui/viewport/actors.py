@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 from lispac.gui.viewport.base import Array, Colour
@@ -39,6 +39,26 @@ def point_data(points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPol
     if shades is not None:
         data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(shades), deep=True))
     return data
+
+
+def half_space() -> vtkPlane:
+    """What lies on the side its normal points to; of everything else nothing is drawn."""
+    return vtkPlane()
+
+
+def place_half(half: vtkPlane, point: Array, normal: Array) -> None:
+    """Put its plane through a point, shape (3,), across ``normal``."""
+    half.SetOrigin(*point)
+    half.SetNormal(*normal)
+
+
+def confine(actors: Iterable[vtkActor], half: vtkPlane | None) -> None:
+    """Draw only what lies in a half space, or all of the actors."""
+    for actor in actors:
+        mapper = actor.GetMapper()
+        mapper.RemoveAllClippingPlanes()
+        if half is not None:
+            mapper.AddClippingPlane(half)
 
 
 def point_actor(data: vtkPolyData, colour: Colour, *, shaded: bool = False) -> vtkActor:

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.viewport.clipping import Box
+
 Array = NDArray[np.float64]
 Colour = tuple[int, int, int]
 
@@ -169,6 +171,15 @@ class Viewport(Protocol):
 
     def show_markers(self, markers: Sequence[Marker]) -> None:
         """Draw seeds and labels; replaces those shown."""
+
+    def clip(self, box: Box | None) -> None:
+        """Draw only what lies in a box, or everything."""
+
+    def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
+        """Draw the lines as they lie otherwise on the left of a line that the mouse moves.
+
+        They are the same points in the same order, and have the same colours; None ends it.
+        """
 
     def select(self, key: tuple[str, str] | None) -> None:
         """Emphasise one sighting, (target, line), and grey the others of its target.

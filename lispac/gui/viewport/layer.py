@@ -9,10 +9,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.gui.viewport.actors import EDGE, dark, point_actor, point_data, shift_depth, size_points
+from lispac.gui.viewport.actors import (
+    EDGE,
+    confine,
+    dark,
+    point_actor,
+    point_data,
+    shift_depth,
+    size_points,
+)
 from lispac.gui.viewport.base import Array, Colour, Shading
 from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.decimation import in_view, sample_order, shares
+
+FAR = 1e4
+"""Coordinates beyond it (metres) have a common origin removed: float32 steps by a millimetre."""
 
 RIM_DEPTH = 0.006
 """How far the rims of points stand behind them, as part of their distance."""
@@ -23,17 +35,21 @@ class Layer:
 
     Attributes
     ----------
+    colours, shading : of each line, and of each point where that is not its line's
     seen : all points (n, 3) of the lines that are shown, metres, local frame
     sparse : those that are drawn while the camera moves
     origin : ndarray of shape (3,), metres, local frame
         What the coordinates that are drawn count from.
+    half : what is drawn, where that is only what lies in a half space
     """
 
     def __init__(self, renderer: Any) -> None:
         self._renderer = renderer
-        self._colours: dict[str, Colour] = {}
-        self._shading: Shading | None = None
+        self.colours: dict[str, Colour] = {}
+        self.shading: Shading | None = None
         self._clouds: dict[str, Array] = {}
+        self._kept: dict[str, NDArray[np.int64] | None] = {}
+        self.half: Any = None
         self._coarse: list[Any] = []
         self._fine: list[Any] = []
         self._rims: list[Any] = []
@@ -55,21 +71,28 @@ class Layer:
     ) -> None:
         """Take over lines; nothing is drawn yet."""
         self._clouds = {line: points for line, points in clouds.items() if len(points)}
-        self._colours, self._shading = dict(colours), shading
+        self.colours, self.shading = dict(colours), shading
 
-    def draw(self, hidden: set[str], budget: int) -> None:
-        """Draw the lines that are not hidden coarsely, with so many points in all."""
-        self._remove(self._coarse)
-        self._remove_fine()
-        self.seen = {line: p for line, p in self._clouds.items() if line not in hidden}
+    def draw(self, hidden: set[str], budget: int, box: Box | None = None) -> None:
+        """Draw what is in the box of the lines that are not hidden coarsely.
+
+        Parameters
+        ----------
+        budget : points drawn in all
+        """
+        self.remove()
+        shown = {line: p for line, p in self._clouds.items() if line not in hidden}
+        self._kept = {line: None if box is None else box.inside(p) for line, p in shown.items()}
+        self.seen = {line: p if box is None else p[self._kept[line]] for line, p in shown.items()}
         share = shares({line: len(points) for line, points in self.seen.items()}, budget)
-        shaded = self._shading is not None
+        shaded = self.shading is not None
         self.sparse, self._coarse = {}, []
         for line, points in self.seen.items():
             chosen = sample_order(len(points), share[line])
             self.sparse[line] = points[chosen]
             data = point_data(self.sparse[line] - self.origin, self._shades(line, chosen))
-            self._coarse.append(point_actor(data, self._colours[line], shaded=shaded))
+            self._coarse.append(point_actor(data, self.colours[line], shaded=shaded))
+        confine(self._coarse, self.half)
         for actor in self._coarse:
             self._renderer.AddActor(actor)
 
@@ -81,14 +104,15 @@ class Layer:
         self._fine_camera = camera
         found = {line: in_view(points, camera, size) for line, points in self.seen.items()}
         share = shares({line: len(indices) for line, indices in found.items()}, budget)
-        shaded = self._shading is not None
+        shaded = self.shading is not None
         for line, indices in found.items():
             chosen = indices[sample_order(len(indices), share[line])]
             data = point_data(self.seen[line][chosen] - self.origin, self._shades(line, chosen))
-            self._fine.append(point_actor(data, self._colours[line], shaded=shaded))
+            self._fine.append(point_actor(data, self.colours[line], shaded=shaded))
             # The same points larger, darker and a little behind: they draw an edge where something
             # near stands before something far, and vanish inside a surface.
-            self._rims.append(point_actor(data, EDGE if shaded else dark(self._colours[line])))
+            self._rims.append(point_actor(data, EDGE if shaded else dark(self.colours[line])))
+        confine([*self._fine, *self._rims], self.half)
         for actor in (*self._fine, *self._rims):
             self._renderer.AddActor(actor)
         return True
@@ -111,6 +135,12 @@ class Layer:
         for rim in self._rims:
             shift_depth(rim, camera, self.origin, RIM_DEPTH)
 
+    def remove(self) -> None:
+        """Take what is drawn away."""
+        self._remove(self._coarse)
+        self._remove_fine()
+        self._coarse = []
+
     def forget(self) -> None:
         """Let go of everything, after the renderer has."""
         self._coarse, self._fine, self._rims = [], [], []
@@ -126,4 +156,16 @@ class Layer:
             self._renderer.RemoveActor(actor)
 
     def _shades(self, line: str, chosen: NDArray[np.int64]) -> NDArray[np.uint8] | None:
-        return None if self._shading is None else self._shading.colours[line][chosen]
+        if self.shading is None:
+            return None
+        kept = self._kept[line]
+        return self.shading.colours[line][chosen if kept is None else kept[chosen]]
+
+
+def common_origin(clouds: Mapping[str, Array]) -> Array:
+    """Zero, or a round point amid the clouds where they are far from the frame's origin."""
+    if not clouds:
+        return np.zeros(3)
+    middle = np.median([np.median(points[:: max(1, len(points) // 1000)], axis=0)
+                        for points in clouds.values()], axis=0)  # fmt: skip
+    return np.round(middle, -2) if np.abs(middle).max() > FAR else np.zeros(3)

@@ -21,6 +21,7 @@ from lispac.gui.viewport.base import (
     ViewportSignals,
     emphasis,
 )
+from lispac.gui.viewport.clipping import Box
 
 
 class RecordingViewport:
@@ -31,7 +32,7 @@ class RecordingViewport:
     calls : list of (method name, arguments)
         Everything asked, in order.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
-    mouse_mode, hint, hovering, sketches
+    mouse_mode, hint, hovering, sketches, box, beside
         What a real viewport would show now.
     """
 
@@ -51,6 +52,8 @@ class RecordingViewport:
         self.mouse_mode: MouseMode = "navigate"
         self.hint = ""
         self.hovering = False
+        self.box: Box | None = None
+        self.beside: dict[str, Array] | None = None
         self.sketches: dict[str, Sketch] = {}
         self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
         self.closed = False
@@ -103,6 +106,16 @@ class RecordingViewport:
         """Remember the selection."""
         self._record("select", key)
         self.selected = key
+
+    def clip(self, box: Box | None) -> None:
+        """Remember the box."""
+        self._record("clip", box)
+        self.box = box
+
+    def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
+        """Remember the other placement."""
+        self._record("show_beside", clouds)
+        self.beside = None if clouds is None else dict(clouds)
 
     def set_station(self, position: tuple[float, float, float]) -> None:
         """Remember where the standard views look from."""
@@ -171,7 +184,7 @@ class RecordingViewport:
         self._record("clear")
         self.clouds, self.colours, self.hidden = {}, {}, set()
         self.highlights, self.markers, self.selected = [], [], None
-        self.sketches = {}
+        self.sketches, self.box, self.beside = {}, None, None
 
     def close(self) -> None:
         """Remember that the graphics are released."""

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
@@ -37,7 +37,11 @@ class Sketching(QObject):
     Attributes
     ----------
     hovering : whether what is under the mouse is told
+    share : of the picture's width that is on the left of the dividing line
     """
+
+    divided = Signal()
+    """The dividing line was moved."""
 
     def __init__(self, navigator: Navigator, overlay: Overlay, signals: ViewportSignals) -> None:
         super().__init__(navigator)
@@ -47,6 +51,8 @@ class Sketching(QObject):
         self._held: _Held | None = None
         self._spot = (0.0, 0.0)
         self.hovering = False
+        self.share = 0.5
+        self._dividing = self._divides = False
         self._still = QTimer(self, singleShot=True, interval=HOVER_MS)
         self._still.timeout.connect(self._look)
         mouse = navigator.mouse
@@ -71,6 +77,11 @@ class Sketching(QObject):
         self._sketches, self._outline, self._held = {}, [], None
         self.rest()
 
+    def divide(self, divides: bool) -> None:
+        """Show a line that divides the picture, or none."""
+        self._divides, self.share = divides, 0.5
+        self._overlay.update()
+
     def rest(self) -> None:
         """Look at nothing any more."""
         self._still.stop()
@@ -87,6 +98,10 @@ class Sketching(QObject):
         ]
 
     def _grab(self, x: float, y: float) -> bool:
+        width = self._navigator.size.width
+        self._dividing = self._divides and abs(x - self.share * width) <= REACH
+        if self._dividing:
+            return True
         handles = self._handles()
         if not handles:
             return False
@@ -104,6 +119,10 @@ class Sketching(QObject):
         return True
 
     def _move(self, x: float, y: float) -> None:
+        if self._dividing:
+            self.share = min(max(x / self._navigator.size.width, 0.02), 0.98)
+            self.divided.emit()
+            return
         held = self._held
         if held is None:
             return
@@ -126,7 +145,7 @@ class Sketching(QObject):
         return float(axis @ to_eye - slant * (ray @ to_eye)) / (1.0 - slant**2)
 
     def _let_go(self) -> None:
-        held, self._held = self._held, None
+        held, self._held, self._dividing = self._held, None, False
         if held is not None:
             self._signals.handle_let_go.emit(held.sketch)
 
@@ -160,10 +179,30 @@ class Sketching(QObject):
     def _paint(self, painter: QPainter, camera: Camera, size: Size) -> None:
         for sketch in self._sketches.values():
             _paint_sketch(painter, sketch, camera, size)
+        if self._divides:
+            _paint_division(painter, self.share * size.width, size)
         if len(self._outline) > 1:
             painter.setBrush(QColor(255, 196, 0, 45))
             painter.setPen(QPen(INK, 1.4, Qt.PenStyle.DashLine))
             painter.drawPolygon(QPolygonF(self._outline))
+
+
+def _paint_division(painter: QPainter, x: float, size: Size) -> None:
+    painter.setPen(QPen(QColor(255, 255, 255, 230), 5.0))
+    painter.drawLine(QPointF(x, 0.0), QPointF(x, size.height))
+    painter.setPen(QPen(INK, 1.6))
+    painter.drawLine(QPointF(x, 0.0), QPointF(x, size.height))
+    painter.setBrush(PAPER)
+    painter.drawEllipse(QPointF(x, 0.5 * size.height), 7.0, 7.0)
+    metrics = QFontMetricsF(painter.font())
+    for words, sign in (("Before", -1), ("After", 1)):
+        width = metrics.horizontalAdvance(words) + 16.0
+        box = QRectF(x + (8.0 if sign > 0 else -8.0 - width), 44.0, width, 24.0)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.drawRoundedRect(box, 4.0, 4.0)
+        painter.setPen(INK)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size) -> None:

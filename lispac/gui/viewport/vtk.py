@@ -17,8 +17,11 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from lispac.errors import InputError
 from lispac.gui.viewport.actors import (
     aim,
+    confine,
     dark,
+    half_space,
     paint,
+    place_half,
     point_actor,
     point_data,
     shift_depth,
@@ -36,17 +39,15 @@ from lispac.gui.viewport.base import (
     emphasis,
 )
 from lispac.gui.viewport.camera import Camera
+from lispac.gui.viewport.clipping import Box, right_of
 from lispac.gui.viewport.decimation import Budget
-from lispac.gui.viewport.layer import Layer
+from lispac.gui.viewport.layer import Layer, common_origin
 from lispac.gui.viewport.navigation import Navigator
 from lispac.gui.viewport.overlay import Stage
 from lispac.gui.viewport.sketching import Sketching
 
 SKY = (0.99, 0.995, 1.0)
 GROUND = (0.86, 0.885, 0.905)
-
-FAR = 1e4
-"""Coordinates beyond it (metres) have a common origin removed: float32 steps by a millimetre."""
 
 LIFT = 0.004
 """How far a sighting is moved towards the eye, as part of its distance, to lie over its line."""
@@ -81,6 +82,8 @@ class VtkViewport:
         self._renderer.GradientBackgroundOn()
 
         self._layer = Layer(self._renderer)
+        self._beside: Layer | None = None
+        self._box: Box | None = None
         self._hidden: set[str] = set()
         self._highlights: list[Highlight] = []
         self._highlight_actors: list[tuple[Highlight, vtkActor, vtkActor]] = []
@@ -101,6 +104,7 @@ class VtkViewport:
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)
         self._sketching = Sketching(self._navigator, self._overlay, self.signals)
+        self._sketching.divided.connect(self._camera_moved)
 
     # What the window asks
 
@@ -129,7 +133,7 @@ class VtkViewport:
         self._overlay.shading = shading
         self._layer.put(clouds, colours, shading)
         if first:
-            self._layer.origin = _common_origin(self._layer.clouds)
+            self._layer.origin = common_origin(self._layer.clouds)
         self._draw_clouds()
         self.show_highlights(self._highlights)
         if first:
@@ -149,11 +153,15 @@ class VtkViewport:
         self._highlights = list(highlights)
         self._highlight_actors = []
         for highlight in self._highlights:
-            data = point_data(highlight.points - self._layer.origin)
+            points = highlight.points
+            if self._box is not None:
+                points = points[self._box.inside(points)]
+            data = point_data(points - self._layer.origin)
             actor, outline = (
                 point_actor(data, highlight.colour),
                 point_actor(data, highlight.colour),
             )
+            confine([actor, outline], self._layer.half)
             self._highlight_actors.append((highlight, actor, outline))
             self._renderer.AddActor(outline)
             self._renderer.AddActor(actor)
@@ -163,6 +171,30 @@ class VtkViewport:
         """Draw seeds and labels; replaces those shown."""
         self._overlay.markers = tuple(markers)
         self._update()
+
+    def clip(self, box: Box | None) -> None:
+        """Draw only what lies in a box, or everything."""
+        self._box = box
+        self._draw_clouds()
+        self.show_highlights(self._highlights)
+
+    def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
+        """Draw the lines as they lie otherwise on the left of a line that the mouse moves.
+
+        They are the same points in the same order, and have the same colours; None ends it.
+        """
+        if self._beside is not None:
+            self._beside.remove()
+        self._beside = None
+        self._layer.half = None
+        self._sketching.divide(clouds is not None)
+        if clouds is not None:
+            self._beside = Layer(self._renderer)
+            self._beside.origin = self._layer.origin
+            self._layer.half, self._beside.half = half_space(), half_space()
+            self._beside.put(clouds, self._layer.colours, self._layer.shading)
+        self._draw_clouds()
+        self.show_highlights(self._highlights)
 
     def select(self, key: tuple[str, str] | None) -> None:
         """Emphasise one sighting, (target, line), and grey the others of its target."""
@@ -234,6 +266,8 @@ class VtkViewport:
         """Show nothing."""
         self._navigator.release()
         self._sketching.clear()
+        self._box = None
+        self.show_beside(None)
         self._hidden.clear()
         self._selected = None
         self._overlay.markers = ()
@@ -252,7 +286,8 @@ class VtkViewport:
         self._sketching.clear()
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
-        self._layer.forget()
+        for layer in self._layers:
+            layer.forget()
         self._highlights, self._highlight_actors = [], []
         self.canvas.close()
 
@@ -260,7 +295,8 @@ class VtkViewport:
 
     def _draw_clouds(self) -> None:
         """Draw the visible lines coarsely; their detail follows."""
-        self._layer.draw(self._hidden, self._budget.moving)
+        for layer in self._layers:
+            layer.draw(self._hidden, self._budget.moving // len(self._layers), self._box)
         self._navigator.clouds, self._navigator.coarse = self._layer.seen, self._layer.sparse
         self._detailed = False
         self._style_points()
@@ -272,7 +308,8 @@ class VtkViewport:
 
     def _style_points(self) -> None:
         scale = self.canvas.devicePixelRatioF()
-        self._layer.style(self._point_size, scale)
+        for layer in self._layers:
+            layer.style(self._point_size, scale)
         for highlight, actor, outline in self._highlight_actors:
             drawn = emphasis(highlight, self._selected)
             size = self._point_size + drawn.larger
@@ -291,7 +328,9 @@ class VtkViewport:
             lift = LIFT * (2 if emphasis(highlight, self._selected).above else 1)
             shift_depth(actor, camera, origin, -lift)
             shift_depth(outline, camera, origin, 0.3 * LIFT - lift)
-        self._layer.move(camera)
+        for layer in self._layers:
+            layer.move(camera)
+        self._part()
         aim(self._renderer, camera, origin)
         self._update()
 
@@ -306,18 +345,35 @@ class VtkViewport:
 
     def _show_detail(self) -> None:
         self._rest.stop()
-        if self._layer.refine(self.camera, self._navigator.size, self._budget.resting):
+        budget = self._budget.resting // len(self._layers)
+        size = self._navigator.size
+        if any([layer.refine(self.camera, size, budget) for layer in self._layers]):
             self._style_points()
         self._detailed = True
-        self._layer.show_detail(fine=True, coarse=False)
+        for layer in self._layers:
+            layer.show_detail(fine=True, coarse=False)
         self._update()
 
     def _on_moved(self) -> None:
         if self._detail_s > QUICK_S:
             self._detailed = False
-        # The detail is only that of where the camera rested.
-        self._layer.show_detail(fine=self._detailed, coarse=True)
+        for layer in self._layers:
+            # The detail is only that of where the camera rested.
+            layer.show_detail(fine=self._detailed, coarse=True)
         self._camera_moved()
+
+    @property
+    def _layers(self) -> list[Layer]:
+        return [self._layer] if self._beside is None else [self._layer, self._beside]
+
+    def _part(self) -> None:
+        """Let the two placements meet where the dividing line is."""
+        if self._beside is None:
+            return
+        size = self._navigator.size
+        point, normal = right_of(self.camera, self._sketching.share * size.width, size)
+        place_half(self._layer.half, point - self._layer.origin, normal)
+        place_half(self._beside.half, point - self._layer.origin, -normal)
 
     def _on_resized(self) -> None:
         if not self._closed:
@@ -328,12 +384,3 @@ class VtkViewport:
         """Show a coarse picture at once and the detail in a moment."""
         self._on_moved()
         self._rest.start()
-
-
-def _common_origin(clouds: Mapping[str, Array]) -> Array:
-    """Zero, or a round point amid the clouds where they are far from the frame's origin."""
-    if not clouds:
-        return np.zeros(3)
-    middle = np.median([np.median(points[:: max(1, len(points) // 1000)], axis=0)
-                        for points in clouds.values()], axis=0)  # fmt: skip
-    return np.round(middle, -2) if np.abs(middle).max() > FAR else np.zeros(3)

@@ -1,0 +1,86 @@
+"""The clip box: only what lies in it is drawn, picked and measured."""
+
+from collections.abc import Callable
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from lispac.gui.actions import Actions
+from lispac.gui.panels.clipping import ClippingPanel
+from lispac.gui.scene import Scene
+from lispac.gui.viewport.base import Colour, Handle, Sketch, Viewport
+from lispac.gui.viewport.clipping import EDGES, Box
+from lispac.gui.viewport.decimation import robust_sample
+from lispac.targets.section import common_normal
+
+COLOUR: Colour = (255, 170, 0)
+SKETCH = "clip"
+MARGIN = 0.5
+"""Of the box about a target, metres."""
+
+
+class Clipping(QObject):
+    """Keeps the box; handles on its sides and fields change it."""
+
+    def __init__(
+        self, scene: Scene, viewport: Viewport, actions: Actions, bring: Callable[[QObject], None]
+    ) -> None:
+        super().__init__(actions)
+        self._scene, self._viewport, self._actions = scene, viewport, actions
+        self._bring = bring
+        self.panel = ClippingPanel()
+        self.box: Box | None = None
+        actions["clip"].triggered.connect(lambda on: self.begin() if on else self.reset())
+        self.panel.sized.connect(lambda lengths: self._take(self.box and self.box.sized(lengths)))
+        self.panel.about_asked.connect(self.begin)
+        self.panel.reset_asked.connect(self.reset)
+        viewport.signals.handle_moved.connect(self._drag)
+        viewport.signals.handle_let_go.connect(self._let_go)
+
+    def begin(self) -> None:
+        """Lay the box about what is selected, else about everything."""
+        groups = list(self._scene.selected_points.values())
+        if groups:
+            box = Box.about(np.concatenate(groups), common_normal(groups), MARGIN)
+        else:
+            samples = [cloud.sample[::50] for cloud in self._scene.clouds.values()]
+            if not samples:
+                self._actions["clip"].setChecked(False)
+                return
+            everything = robust_sample(np.concatenate(samples), 1.0)
+            box = Box.about(everything, np.array([1.0, 0.0, 0.0]), 0.0)
+        self._take(box)
+        self._bring(self.panel)
+
+    def reset(self) -> None:
+        """Draw everything."""
+        if self.box is not None:
+            self._take(None)
+        self._actions["clip"].setChecked(False)
+
+    def _take(self, box: Box | None) -> None:
+        self.box = box
+        self._actions["clip"].setChecked(box is not None)
+        self._show()
+        self._viewport.clip(box)
+
+    def _show(self) -> None:
+        self.panel.show_box(self.box)
+        self._viewport.show_sketch(SKETCH, None if self.box is None else _sketch(self.box))
+
+    def _drag(self, name: str, side: int, metres: float) -> None:
+        if name == SKETCH and self.box is not None:
+            self.box = self.box.moved(side, metres)
+            self._show()  # the points follow when the handle is let go
+
+    def _let_go(self, name: str) -> None:
+        if name == SKETCH and self.box is not None:
+            self._viewport.clip(self.box)
+
+
+def _sketch(box: Box) -> Sketch:
+    def place(point: np.ndarray) -> tuple[float, float, float]:
+        return float(point[0]), float(point[1]), float(point[2])
+
+    handles = tuple(Handle(place(middle), place(out)) for middle, out in box.sides)
+    return Sketch(tuple(map(place, box.corners)), EDGES, COLOUR, handles=handles)

@@ -1,0 +1,102 @@
+"""What is cut away: all but a box, and one placement on either side of a dividing line."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.gui.viewport.camera import Camera, Size
+
+Array = NDArray[np.float64]
+
+CHUNK = 1 << 14
+"""Points at a time; what is computed of them stays in the processor's cache."""
+
+SMALLEST = 0.05
+"""Smallest side of a box, metres."""
+
+
+@dataclass(frozen=True, eq=False)
+class Box:
+    """A box that may be turned.
+
+    Attributes
+    ----------
+    centre : ndarray of shape (3,), metres, local frame
+    axes : ndarray of shape (3, 3), rows are unit vectors, local frame
+    half : ndarray of shape (3,), metres
+        Half the lengths along the axes.
+    """
+
+    centre: Array
+    axes: Array
+    half: Array
+
+    @classmethod
+    def about(cls, points: Array, ahead: Array, margin: float) -> "Box":
+        """About points (n, 3), one pair of its upright sides square to ``ahead``, shape (3,)."""
+        level = np.array([ahead[0], ahead[1], 0.0])
+        length = np.linalg.norm(level)
+        along = level / length if length > 0.2 else np.array([1.0, 0.0, 0.0])
+        up = np.array([0.0, 0.0, 1.0])
+        axes = np.array([along, np.cross(up, along), up])
+        seen = points @ axes.T
+        low, high = seen.min(axis=0) - margin, seen.max(axis=0) + margin
+        return cls(0.5 * (low + high) @ axes, axes, 0.5 * (high - low))
+
+    def inside(self, points: Array) -> NDArray[np.int64]:
+        """Indices of those of the points (n, 3) that lie in it."""
+        shift, found = self.axes @ self.centre, []
+        for start in range(0, len(points), CHUNK):
+            seen = np.abs(points[start : start + CHUNK] @ self.axes.T - shift)
+            found.append(np.flatnonzero(np.all(seen <= self.half, axis=1)) + start)
+        return np.concatenate(found) if found else np.empty(0, np.int64)
+
+    def moved(self, side: int, metres: float) -> "Box":
+        """One side moved outwards; 0 and 1 are the ends of the first axis, and so on."""
+        axis, sign = side // 2, 1.0 if side % 2 else -1.0
+        metres = max(metres, SMALLEST - 2.0 * self.half[axis])
+        half = self.half.copy()
+        half[axis] += 0.5 * metres
+        return replace(self, centre=self.centre + 0.5 * sign * metres * self.axes[axis], half=half)
+
+    def sized(self, lengths: Array) -> "Box":
+        """The same middle with other lengths, shape (3,), metres."""
+        return replace(self, half=0.5 * np.maximum(lengths, SMALLEST))
+
+    @property
+    def sides(self) -> list[tuple[Array, Array]]:
+        """Middle of each side and the direction out of the box there."""
+        return [
+            (self.centre + sign * self.half[k] * self.axes[k], sign * self.axes[k])
+            for k in range(3)
+            for sign in (-1.0, 1.0)
+        ]
+
+    @property
+    def corners(self) -> Array:
+        """Shape (8, 3), metres; see `EDGES`."""
+        signs = np.array([(a, b, c) for c in (-1, 1) for a, b in RING])
+        corners: Array = self.centre + (signs * self.half) @ self.axes
+        return corners
+
+
+RING = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+_AROUND = [(k, (k + 1) % 4) for k in range(4)]
+EDGES = (
+    *_AROUND,
+    *((a + 4, b + 4) for a, b in _AROUND),
+    *((k, k + 4) for k in range(4)),
+)
+"""Pairs of corners of a box that an edge joins."""
+
+
+def right_of(camera: Camera, x: float, size: Size) -> tuple[Array, Array]:
+    """A point and the normal, shape (3,), of the plane that is seen as the upright line at ``x``.
+
+    The normal points to what is seen on the right of it.
+    """
+    right, _ = camera.slopes(x, 0.0, size)
+    if camera.parallel:
+        return camera.position + right * camera.distance * camera.axes[0], camera.axes[0]
+    return camera.position, camera.axes[0] - right * camera.axes[2]
