@@ -13,6 +13,7 @@ from lispac.adjustment.result import Contradiction
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.cli.estimate import numbers, print_result
 from lispac.gui.panels import result_words
+from lispac.io.project_file import read_project, write_project
 from lispac.project import Project
 from tests.report_sample import sample_content, sample_project
 
@@ -205,3 +206,14 @@ def test_serious_doubts_come_first(project: Project) -> None:
     assert changed.result is not None
     told = [doubt.serious for doubt in doubts(changed.result, changed.cross_checks)]
     assert told == [True, False]
+
+
+def test_a_doubt_outlives_saving(project: Project, tmp_path: Path) -> None:
+    saved = replace(_contradicted(project), folder=tmp_path)
+    write_project(saved)
+    opened = read_project(tmp_path)
+    assert opened.result is not None
+    assert saved.result is not None
+    assert doubts(opened.result, opened.cross_checks) == doubts(saved.result, saved.cross_checks)
+    (found,) = opened.result.contradictions
+    np.testing.assert_array_equal(found.moved, saved.result.contradictions[0].moved)

@@ -175,7 +175,8 @@ def test_components_find_the_errors_that_were_put_in() -> None:
         logs.append([np.log(lidar.factor * noise), np.log(position.factor)])
         assert attitude.lower < 1 < attitude.upper
         if position.applied:
-            assert result.sigma_factors[1] == position.factor
+            assert result.sigma_factors[1] == position.used
+            assert position.used == pytest.approx(position.factor, rel=0.05)
     mean = np.exp(np.mean(logs, axis=0))
     np.testing.assert_allclose(mean, [2.0, 0.5], rtol=0.15)
 

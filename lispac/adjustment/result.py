@@ -163,6 +163,9 @@ class Component:
     applied : bool
         Whether the sigmas were changed by it: raised where the data say more than stated, lowered
         where the whole interval says less.
+    used : float or None
+        The factor the sigmas were changed by, where they were; the adjustment settles a little off
+        the one found with it. None in results of earlier versions.
     """
 
     name: str
@@ -170,6 +173,7 @@ class Component:
     lower: float
     upper: float
     applied: bool = False
+    used: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -292,7 +296,9 @@ class AdjustmentResult:
         """Factors that were applied to the stated sigmas of LiDAR, POS position and attitude."""
         if not self.components:
             return 1.0, 1.0, 1.0
-        lidar, position, attitude = (c.factor if c.applied else 1.0 for c in self.components)
+        lidar, position, attitude = (
+            (c.used or c.factor) if c.applied else 1.0 for c in self.components
+        )
         return lidar, position, attitude
 
     @property

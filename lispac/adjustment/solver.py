@@ -294,6 +294,7 @@ def _with_components(
                 float(t * c.lower),
                 float(t * c.upper),
                 bool(t != 1),
+                float(t),
             )
             for c, t in zip(final.components, total, strict=True)
         ),
