@@ -5,7 +5,12 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
-from lispac.workflow.exporting import export_planes, export_targets, export_trajectory
+from lispac.workflow.exporting import (
+    export_planes,
+    export_targets,
+    export_trajectory,
+    trajectory_datum_words,
+)
 from lispac.workflow.georeferencing import LOCAL, chosen_system
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
@@ -32,6 +37,7 @@ def export(arguments: Namespace) -> None:
     with ConsoleProgress() as progress:
         if what == "trajectory":
             paths = [export_trajectory(project, arguments.output, form)]
+            print(f"note: {trajectory_datum_words(project)}", file=sys.stderr)
             if form == "sbet":
                 print("note: velocities, accelerations and rates in the SBET are zero, the wander "
                       "angle is zero", file=sys.stderr)  # fmt: skip

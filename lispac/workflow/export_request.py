@@ -8,7 +8,12 @@ from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.exporting import export_planes, export_targets, export_trajectory
+from lispac.workflow.exporting import (
+    export_planes,
+    export_targets,
+    export_trajectory,
+    trajectory_datum_words,
+)
 from lispac.workflow.georeferencing import (
     LOCAL,
     Which,
@@ -102,6 +107,7 @@ def export(
         paths = export_planes(project, survey, request.output, request.which, progress=progress)
         return paths, ()
     path = export_trajectory(project, request.output, form)
+    notes = [trajectory_datum_words(project)]
     if form == "sbet":
-        return [path], ("velocities, accelerations, rates and wander angle in the SBET are zero",)
-    return [path], ()
+        notes.append("velocities, accelerations, rates and wander angle in the SBET are zero")
+    return [path], tuple(notes)

@@ -170,6 +170,18 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
     return output
 
 
+def trajectory_datum_words(project: Project) -> str:
+    """What an exported trajectory takes for granted of its datum and epoch, in words."""
+    return (
+        f"latitude, longitude and height are as in {project.trajectory.name}: in the datum and at "
+        "the epoch it was computed in, which the exported file does not name"
+    )
+
+
+EPOCH_WORDS = "coordinates at the epoch of the trajectory, not moved to another one"
+"""What a cloud takes for granted where no epoch was given."""
+
+
 def _targets(project: Project, names: Sequence[str]) -> list[Target]:
     chosen = [project.target(name) for name in names] or list(project.targets)
     found = [target for target in chosen if target.sightings]

@@ -42,6 +42,12 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     dialog.system.setCurrentIndex(dialog.system.count() - 1)
     assert dialog.request().system == "local"
     assert "North, West and Up" in dialog.said.text()
+    dialog.system.setCurrentIndex(0)
+    assert "not shifted to another datum" in dialog.said.text()
+    assert "at the epoch of the trajectory" in dialog.said.text()
+    dialog.what.setCurrentIndex(list(THINGS).index("trajectory"))
+    assert dialog.said.isVisible()
+    assert "in the datum and at the epoch it was computed in" in dialog.said.text()
 
 
 def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:

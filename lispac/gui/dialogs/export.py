@@ -1,5 +1,6 @@
 """What to export, with which boresight, in which coordinates, and where."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import cast
 
@@ -28,6 +29,7 @@ from lispac.workflow.export_request import (
     What,
     system_of,
 )
+from lispac.workflow.exporting import EPOCH_WORDS, trajectory_datum_words
 from lispac.workflow.georeferencing import DOUBT, LOCAL, Which, common_system, utm_zone
 
 THINGS: dict[What, str] = {
@@ -174,7 +176,7 @@ class ExportDialog(QDialog):
     def _show_fields(self) -> None:
         what = self._what
         on_map = what in ("lines", "targets")
-        for field in (self.system, self.height, self.said):
+        for field in (self.system, self.height):
             self._rows.setRowVisible(field, on_map)
         self._rows.setRowVisible(self.boresight, what != "trajectory")
         self.form.clear()
@@ -196,27 +198,34 @@ class ExportDialog(QDialog):
         local = self._system_text == LOCAL
         self.height.setEnabled(not local)
         good = bool(self.folder.text().strip())
-        if self._what in ("lines", "targets"):
-            try:
-                text = self._meaning()
-                role = "error" if DOUBT in text else "muted"
-            except LispacError as error:
-                text, role, good = str(error), "error", False
-            self.said.setText(text)
-            self.said.setProperty("role", role)
-            self.said.style().unpolish(self.said)
-            self.said.style().polish(self.said)
+        try:
+            text = self._meaning()
+            role = "error" if DOUBT in text else "muted"
+        except LispacError as error:
+            text, role, good = str(error), "error", False
+        self.said.setText(text)
+        self.said.setProperty("role", role)
+        self.said.style().unpolish(self.said)
+        self.said.style().polish(self.said)
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
 
     def _meaning(self) -> str:
+        if self._what == "trajectory":
+            return _sentences([trajectory_datum_words(self._project)])
+        local = "Metres North, West and Up from the project's origin."
+        if self._what == "planes":
+            return local
         height = self._height
         found = system_of(self._project, self._trajectory, self._system_text, height)
         if found is None:
-            return "Metres North, West and Up from the project's origin."
-        said = found.assumptions or (found.name,)
-        return ". ".join(some[:1].upper() + some[1:] for some in said) + "."
+            return local
+        return _sentences([*(found.assumptions or (found.name,)), EPOCH_WORDS])
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(self, "Folder to export to", self.folder.text())
         if chosen:
             self.folder.setText(chosen)
+
+
+def _sentences(said: Sequence[str]) -> str:
+    return ". ".join(some[:1].upper() + some[1:] for some in said) + "."
