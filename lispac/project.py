@@ -180,6 +180,8 @@ class PickedSighting:
         Whether the sighting takes part.
     one_in : int
         Of how many points about the seed one was looked at: 1 where all were.
+    by_hand : bool
+        Whether points were added or taken away by hand; they are then not selected again.
     """
 
     line: str
@@ -188,6 +190,7 @@ class PickedSighting:
     used: bool = True
     fingerprint: str = ""
     one_in: int = 1
+    by_hand: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,7 @@
-"""Colours of the points: by line, or by what was measured at each of them."""
+"""Colours of the points: by line, or by what was measured at each of them.
+
+What was left after the adjustment at the points of targets is coloured in `residuals`.
+"""
 
 from collections.abc import Mapping
 from typing import Literal, get_args
@@ -9,7 +12,7 @@ from numpy.typing import NDArray
 from lispac.gui.viewport.base import Array, Shading
 from lispac.survey.cloud import Cloud
 
-Colouring = Literal["line", "height", "intensity", "range", "time"]
+Colouring = Literal["line", "height", "intensity", "range", "time", "residual"]
 COLOURINGS: tuple[Colouring, ...] = get_args(Colouring)
 
 OUTER = 2.0

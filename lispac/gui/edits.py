@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from lispac.errors import ProjectError
-from lispac.project import Project
+from lispac.project import Project, Role
 
 
 def with_use_of_target(project: Project, name: str, used: bool) -> Project:
@@ -49,3 +49,16 @@ def with_name(project: Project, old: str, new: str) -> Project:
     by_name = {target.name: target for target in edited.targets}
     order = [new if name == old else name for name in names]
     return replace(edited, targets=tuple(by_name[name] for name in order))
+
+
+def with_other_role(project: Project, name: str) -> Project:
+    """A target becomes a validation plane, a validation plane a target; it keeps its name.
+
+    Raises
+    ------
+    ProjectError
+        For a sphere, on which lines are not compared.
+    """
+    target = project.target(name)
+    role: Role = "validation" if target.role == "target" else "target"
+    return project.with_target(replace(target, role=role))

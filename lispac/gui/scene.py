@@ -4,13 +4,15 @@ from collections.abc import Mapping
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from lispac.geometry.neighbours import nearest_point
 from lispac.gui import theme
 from lispac.gui.colouring import Colouring, shading
 from lispac.gui.document import Document
-from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Viewport
+from lispac.gui.residuals import residual_shading
+from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Shading, Viewport
 from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
 
@@ -37,6 +39,7 @@ class Scene(QObject):
         self.colouring: Colouring = "line"
         self._fit_next = True
         self._drawn: Mapping[str, Cloud] = {}
+        self._residuals: Mapping[tuple[str, str], NDArray[np.uint8]] = {}
         document.opened.connect(self._another)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
@@ -90,10 +93,11 @@ class Scene(QObject):
         ValueError
             Where a line has nothing to colour by; nothing changes then.
         """
-        shading(colouring, self.clouds)
+        self._shades(colouring)
         self.colouring = colouring
         if self._document.survey is not None:
             self._draw_clouds()
+            self._draw_targets()
 
     def keep_estimated(self, result: object, clouds: Mapping[str, Cloud]) -> None:
         """Keep the lines placed with ``result``."""
@@ -155,7 +159,8 @@ class Scene(QObject):
             elif not self._document.awaits_result:
                 self.which = "prior"
                 self.which_changed.emit(self.which)
-        if self._document.survey is not None and self.clouds is not self._drawn:
+        stale = self.colouring == "residual" and not self._document.awaits_result
+        if self._document.survey is not None and (stale or self.clouds is not self._drawn):
             self._draw_clouds()
         self._draw_targets()
 
@@ -169,11 +174,22 @@ class Scene(QObject):
             self._viewport.set_station((float(north), float(west), float(up)))
         samples = {name: cloud.sample for name, cloud in clouds.items()}
         try:
-            shaded = shading(self.colouring, clouds)
-        except ValueError:  # another survey, whose lines have no intensities
-            self.colouring, shaded = "line", None
+            shaded, self._residuals = self._shades(self.colouring)
+        except ValueError:  # another survey, without intensities or a result
+            self.colouring, shaded, self._residuals = "line", None, {}
         self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shaded)
         self.drawn.emit()
+
+    def _shades(
+        self, colouring: Colouring
+    ) -> tuple[Shading | None, Mapping[tuple[str, str], NDArray[np.uint8]]]:
+        """Colours of the lines' points, and of the sightings' where these have their own."""
+        if colouring != "residual":
+            return shading(colouring, self.clouds), {}
+        project, survey = self._document.project, self._document.survey
+        if project is None or survey is None:
+            return None, {}
+        return residual_shading(project, survey, self.clouds)
 
     def _draw_targets(self) -> None:
         project = self._document.project
@@ -187,7 +203,11 @@ class Scene(QObject):
                 colour = self._colour(target) if used else theme.UNUSED_COLOUR
                 points = self._points(target, sighting.line)
                 if points is not None:
-                    highlights.append(Highlight((target.name, sighting.line), points, colour))
+                    key = target.name, sighting.line
+                    shades = self._residuals.get(key)
+                    if shades is not None and len(shades) != len(points):
+                        shades = None  # edited since the adjustment
+                    highlights.append(Highlight(key, points, colour, shades))
             label = f"{target.name}?" if target is self.candidate else target.name
             markers.append(Marker(label, self._centre(target), self._colour(target)))
         self._viewport.show_highlights(highlights)

@@ -7,10 +7,12 @@ from PySide6.QtWidgets import QDockWidget, QWidget
 
 from lispac.gui.clipping import Clipping
 from lispac.gui.comparing import Comparing
+from lispac.gui.lasso import Lasso
 from lispac.gui.measuring import Measuring
 from lispac.gui.panels.clipping import TITLE as CLIPPING
 from lispac.gui.panels.section import TITLE as SECTION
 from lispac.gui.pointing import Pointing
+from lispac.gui.roles import Roles
 from lispac.gui.sections import Sections
 
 if TYPE_CHECKING:
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Tools(QObject):
-    """Sections, measurements, the clip box, and before beside after."""
+    """Sections, measurements, the clip box, the lasso, and before beside after."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -33,6 +35,13 @@ class Tools(QObject):
             window.document, window.scene, window.computing, view, actions, note
         )
         self.clipping = Clipping(window.scene, view, actions, bring)
+        self.lasso = Lasso(
+            window.document, window.scene, view, actions, self.pointing, self.clipping, note,
+            window.controller.refused.emit,
+        )  # fmt: skip
+        self.roles = Roles(
+            window.document, window.scene, actions, note, window.controller.refused.emit
+        )
         window.scene.which_changed.connect(lambda _which: self.measuring.restart())
         window.document.opened.connect(self.pointing.end)
         window.document.opened.connect(self.clipping.reset)

@@ -28,7 +28,7 @@ VIEW_ACTIONS: dict[str, Described] = {
     "smaller": ("S&maller points", "Smaller", "magnify-minus-outline", "-",
                 "Draw smaller points"),
     "colour_next": ("&Next colouring", "Colours", "palette-outline", "C",
-                    "Colour the points by line, height, intensity, range, time, in turn"),
+                    "Colour the points by line, height, intensity, range, time, residual, in turn"),
     "colour_line": ("Colour by &line", "Line", "", "", "Each line in its own colour"),
     "colour_height": ("Colour by &height", "Height", "", "", "Colour the points by height"),
     "colour_intensity": ("Colour by &intensity", "Intensity", "", "",
@@ -37,6 +37,8 @@ VIEW_ACTIONS: dict[str, Described] = {
                      "Colour the points by their distance from the scanner"),
     "colour_time": ("Colour by ti&me", "Time", "", "",
                     "Colour the points by the time they were measured"),
+    "colour_residual": ("Colour by r&esidual", "Residual", "", "",
+                        "Colour the points of targets by their distance from the adjusted surface"),
 }  # fmt: skip
 
 INSPECT_ACTIONS: dict[str, Described] = {
@@ -52,6 +54,12 @@ INSPECT_ACTIONS: dict[str, Described] = {
              "Draw only what lies in a box about the selected target"),
     "wipe": ("Before and after in one &picture", "Wipe", "", "W",
              "Before on the left, after on the right of a line that the mouse moves"),
+    "lasso_add": ("A&dd points with a lasso", "Add", "lasso", "L",
+                  "Draw around points near the selected target to add them to it"),
+    "lasso_remove": ("Re&move points with a lasso", "Remove", "", "Shift+L",
+                     "Draw around points of the selected target to take them from it"),
+    "change_role": ("Change the &role", "Role", "", "F8",
+                    "Make a validation plane of the selected target, or a target of it"),
     "end_tool": ("&End the tool", "End", "", "Esc", "Give the mouse back to the view"),
 }  # fmt: skip
 """What is measured and looked into with the mouse."""
@@ -88,7 +96,7 @@ INSPECT_MENU: Menu = (
     "end_tool",
 )
 SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle", "clip",
-            "wipe")  # fmt: skip
+            "wipe", "lasso_add", "lasso_remove")  # fmt: skip
 """Actions that are on or off, each by itself."""
 
 KEYS = (
@@ -101,7 +109,9 @@ KEYS = (
     ("M, Shift + M", "measure a distance, an angle"),
     ("X", "clip box about the selected target, or none"),
     ("W", "before and after in one picture: drag the line between them"),
-    ("Esc", "end measuring"),
-    ("C", "colour the points by line, height, intensity, range, time"),
+    ("F8", "the selected target becomes a validation plane, or the other way round"),
+    ("L, Shift + L", "lasso: add points to the selected target, remove points"),
+    ("Esc", "end measuring or the lasso"),
+    ("C", "colour the points by line, height, intensity, range, time, residual"),
 )
 """Rows of the list of keys."""

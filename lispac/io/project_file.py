@@ -149,6 +149,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
                         "used": s.used,
                         "fingerprint": s.fingerprint,
                         "one_in": s.one_in,
+                        **({"by_hand": True} if s.by_hand else {}),
                     }
                     for s in target.sightings
                 ],
@@ -206,6 +207,7 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
             item["used"],
             item["fingerprint"],
             int(item.get("one_in", 1)),
+            bool(item.get("by_hand", False)),
         )
         for item, indices in zip(
             content["sightings"],

@@ -25,7 +25,8 @@ the motion of the vessel, and that stays."""
 def reselect(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Project:
     """Seek every target that takes part once more, in lines placed with the estimated boresight.
 
-    A sighting that is not found again keeps its points. No sighting is added: which lines a
+    A sighting that is not found again keeps its points, and so does one that was edited by hand. No
+    sighting is added: which lines a
     target is used in is the user's choice.
     """
     clouds = survey.placed(project, "estimated")
@@ -59,7 +60,7 @@ def _again(target: Target, before: Mapping[str, Cloud], after: Mapping[str, Clou
                 s.used,
                 one_in=found[s.line].one_in,
             )
-            if s.line in found
+            if s.line in found and not s.by_hand
             else s
             for s in target.sightings
         ),

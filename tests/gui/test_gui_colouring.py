@@ -13,7 +13,7 @@ from tests.gui.support import Demo, Driver, Key, press
 def test_colours_follow_the_values(demo: Demo) -> None:
     clouds = demo.survey.clouds
     assert shading("line", clouds) is None
-    for colouring in COLOURINGS[1:]:
+    for colouring in COLOURINGS[1:-1]:
         shaded = shading(colouring, clouds)
         assert shaded is not None
         for name, cloud in clouds.items():
@@ -34,7 +34,7 @@ def test_colours_follow_the_values(demo: Demo) -> None:
 
 
 def test_keys_and_menu_change_the_colours(opened: Driver) -> None:
-    for colouring in (*COLOURINGS[1:], "line"):
+    for colouring in (*COLOURINGS[1:-1], "line"):
         press(opened, Key.Key_C)
         assert opened.window.scene.colouring == colouring
         assert opened.window.actions_[COLOURED[colouring]].isChecked()

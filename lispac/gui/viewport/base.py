@@ -32,11 +32,14 @@ class Highlight:
     ----------
     key : (target name, line name)
     points : ndarray of shape (n, 3), metres, local frame
+    shades : uint8 ndarray of shape (n, 3), optional
+        A colour of its own for each point.
     """
 
     key: tuple[str, str]
     points: Array
     colour: Colour
+    shades: NDArray[np.uint8] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,6 +168,9 @@ class Viewport(Protocol):
 
     def set_line_visible(self, line: str, visible: bool) -> None:
         """Show or hide one line."""
+
+    def hides(self, line: str) -> bool:
+        """Whether a line is hidden."""
 
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
         """Draw sightings over the clouds; replaces those shown."""

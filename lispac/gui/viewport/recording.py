@@ -92,6 +92,10 @@ class RecordingViewport:
         else:
             self.hidden.add(line)
 
+    def hides(self, line: str) -> bool:
+        """Whether a line is hidden."""
+        return line in self.hidden
+
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
         """Remember the sightings."""
         self._record("show_highlights", highlights)

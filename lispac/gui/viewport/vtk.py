@@ -146,6 +146,10 @@ class VtkViewport:
         (self._hidden.discard if visible else self._hidden.add)(line)
         self._draw_clouds()
 
+    def hides(self, line: str) -> bool:
+        """Whether a line is hidden."""
+        return line in self._hidden
+
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
         """Draw sightings over the clouds; replaces those shown."""
         for _, *actors in self._highlight_actors:
@@ -153,14 +157,13 @@ class VtkViewport:
         self._highlights = list(highlights)
         self._highlight_actors = []
         for highlight in self._highlights:
-            points = highlight.points
+            points, shades = highlight.points, highlight.shades
             if self._box is not None:
-                points = points[self._box.inside(points)]
-            data = point_data(points - self._layer.origin)
-            actor, outline = (
-                point_actor(data, highlight.colour),
-                point_actor(data, highlight.colour),
-            )
+                inside = self._box.inside(points)
+                points, shades = points[inside], None if shades is None else shades[inside]
+            data = point_data(points - self._layer.origin, shades)
+            actor = point_actor(data, highlight.colour, shaded=shades is not None)
+            outline = point_actor(data, highlight.colour)
             confine([actor, outline], self._layer.half)
             self._highlight_actors.append((highlight, actor, outline))
             self._renderer.AddActor(outline)

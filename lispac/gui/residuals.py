@@ -1,0 +1,79 @@
+"""Colours of the points of sightings by their distance from the adjusted surface."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import Plane
+from lispac.geometry.spheres import Sphere
+from lispac.gui.viewport.base import Array, Shading
+from lispac.project import Project
+from lispac.survey.cloud import Cloud
+from lispac.workflow.survey import Survey
+
+TITLE = "Distance from the adjusted surface (mm)"
+GREY = (188, 194, 200)
+"""Of points that belong to no target."""
+OUTER = 2.0
+"""Percent of the points, half at either end, that share the last colour."""
+
+Key = tuple[str, str]
+
+
+def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
+    """Signed distances of all points of the sightings that were adjusted.
+
+    Returns
+    -------
+    ndarray of shape (n,), metres, by target and line; after the adjustment
+
+    Raises
+    ------
+    ValueError
+        Where nothing has been adjusted yet, in words.
+    """
+    if project.result is None:
+        raise ValueError("Estimate first; residuals are what is left after the adjustment")
+    clouds = survey.placed(project, "estimated")
+    found = {}
+    for fit in project.result.targets:
+        values = fit.plane
+        surface = Sphere(values[:3], float(values[3])) if fit.sphere else None
+        plane = Plane(values[:3], float(values[3]))
+        target = next((each for each in project.targets if each.name == fit.target), None)
+        for sighting in target.used_sightings if target is not None else ():
+            points = clouds[sighting.line][sighting.indices]
+            distances = plane.distances(points) if surface is None else surface.distances(points)
+            found[fit.target, sighting.line] = distances
+    return found
+
+
+def residual_shading(
+    project: Project, survey: Survey, clouds: Mapping[str, Cloud]
+) -> tuple[Shading, dict[Key, NDArray[np.uint8]]]:
+    """Grey lines with the legend, and the colours of the sightings' points by target and line.
+
+    Raises
+    ------
+    ValueError
+        See `residuals`.
+    """
+    from matplotlib import colormaps
+
+    found = residuals(project, survey)
+    everything = np.abs(np.concatenate(list(found.values())))
+    reach = float(np.percentile(everything, 100 - OUTER)) or 1e-3
+    scale = np.asarray(
+        np.round(255 * colormaps["coolwarm"](np.linspace(0, 1, 255))[:, :3]), dtype=np.uint8
+    )
+    colours = {
+        key: scale[np.clip(np.round(127 * (1 + values / reach)), 0, 254).astype(np.int64)]
+        for key, values in found.items()
+    }
+    grey = {
+        line: np.broadcast_to(np.array(GREY, np.uint8), (len(cloud.sample), 3))
+        for line, cloud in clouds.items()
+    }
+    end = f"{reach * 1000:.1f}" if reach < 0.02 else f"{reach * 1000:.0f}"
+    return Shading(grey, TITLE, f"\N{MINUS SIGN}{end}", f"+{end}", scale), colours

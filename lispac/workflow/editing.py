@@ -1,0 +1,112 @@
+"""Points of a target's sightings added or taken away by hand."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import PlaneNotFound, ProjectError
+from lispac.geometry.planes import fit_plane, rms_distance
+from lispac.geometry.spheres import fit_sphere, rms_from_sphere
+from lispac.project import PickedSighting, Target
+from lispac.survey.cloud import Cloud
+
+Array = NDArray[np.float64]
+Chosen = Callable[[Array], NDArray[np.bool_]]
+"""Which of the points (n, 3) are meant."""
+
+FEWEST = 10
+"""Points that a sighting keeps at least."""
+BESIDE = 2.0
+"""Metres beyond a sighting within which points are added to it."""
+
+
+def without_points(
+    target: Target, clouds: Mapping[str, Cloud], chosen: Chosen, line: str = ""
+) -> tuple[Target, int]:
+    """Take points away from a target's sightings, or from the one on ``line``.
+
+    Parameters
+    ----------
+    clouds : the lines as the choice was made in them
+
+    Returns
+    -------
+    Target, and how many points it lost
+
+    Raises
+    ------
+    ProjectError
+        Where a sighting would keep fewer than `FEWEST` points.
+    """
+
+    def edited(sighting: PickedSighting, cloud: Cloud) -> NDArray[np.int64]:
+        kept = sighting.indices[~chosen(cloud[sighting.indices])]
+        if len(kept) < min(FEWEST, len(sighting.indices)):
+            raise ProjectError(
+                f"{target.name} on {sighting.line} would keep {len(kept)} points only; untick the "
+                "sighting in the table instead."
+            )
+        return kept
+
+    return _edited(target, clouds, edited, line)
+
+
+def with_points(
+    target: Target, clouds: Mapping[str, Cloud], chosen: Chosen, line: str = ""
+) -> tuple[Target, int]:
+    """Add points near their surface to a target's sightings, or to the one on ``line``.
+
+    Added is what lies within the target's threshold of the sighting's own surface, and no farther
+    than `BESIDE` from it: an outline on the screen holds also what is behind.
+
+    Parameters, returns
+    -------------------
+    See `without_points`; the number is that of points gained.
+    """
+
+    def edited(sighting: PickedSighting, cloud: Cloud) -> NDArray[np.int64]:
+        own = cloud[sighting.indices]
+        centre = own.mean(axis=0)
+        radius = float(np.linalg.norm(own - centre, axis=1).max()) + BESIDE
+        numbers, points = cloud.within(centre, radius)
+        near = np.abs(_distances(target, own, points)) <= target.threshold
+        added = numbers[near][chosen(points[near])]
+        return np.union1d(sighting.indices, added)
+
+    return _edited(target, clouds, edited, line)
+
+
+def _edited(
+    target: Target,
+    clouds: Mapping[str, Cloud],
+    edited: Callable[[PickedSighting, Cloud], NDArray[np.int64]],
+    line: str,
+) -> tuple[Target, int]:
+    sightings, changed = [], 0
+    for sighting in target.sightings:
+        if line in ("", sighting.line) and sighting.line in clouds:
+            cloud = clouds[sighting.line]
+            indices = edited(sighting, cloud)
+            if len(indices) != len(sighting.indices):
+                changed += abs(len(indices) - len(sighting.indices))
+                rms = _rms(target, cloud[indices])
+                sighting = replace(sighting, indices=indices, rms=rms, by_hand=True)
+        sightings.append(sighting)
+    return (replace(target, sightings=tuple(sightings)), changed) if changed else (target, 0)
+
+
+def _distances(target: Target, own: Array, points: Array) -> Array:
+    if target.shape == "sphere":
+        return fit_sphere(own, target.sphere_radius).distances(points)
+    return fit_plane(own).distances(points)
+
+
+def _rms(target: Target, points: Array) -> float:
+    if target.shape == "sphere":
+        return rms_from_sphere(fit_sphere(points, target.sphere_radius), points)
+    try:
+        return rms_distance(fit_plane(points), points)
+    except PlaneNotFound as error:
+        raise ProjectError(f"{target.name}: what would be left is no surface. {error}") from None

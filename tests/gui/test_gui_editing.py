@@ -1,0 +1,193 @@
+"""Lasso, roles, and the name of every undo step; residuals as colours."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from lispac.gui.residuals import GREY, residuals
+from lispac.project import Project
+from tests.gui.support import Demo, Driver, Key, press, seed, settle
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def adjusted(driver: Driver, demo: Demo, estimated: Project) -> Driver:
+    """The demo survey with its boresight."""
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    return driver
+
+
+def undo_text(driver: Driver) -> str:
+    return driver.window.actions_["undo"].text().replace("&", "")
+
+
+def outline(driver: Driver, points: np.ndarray) -> None:
+    """Draw around points as the recording viewport shows them: a rectangle."""
+    pixels = driver.viewport.to_pixels(points)
+    (left, top), (right, low) = pixels.min(axis=0) - 1e-6, pixels.max(axis=0) + 1e-6
+    corners = np.array([(left, top), (right, top), (right, low), (left, low)])
+    driver.viewport.signals.outlined.emit(corners)
+
+
+def sizes(driver: Driver, name: str) -> dict[str, int]:
+    return {s.line: len(s.indices) for s in driver.project.target(name).sightings}
+
+
+def test_a_lasso_takes_points_from_a_sighting_and_gives_them_back(picked: Driver) -> None:
+    window, view = picked.window, picked.viewport
+    press(picked, Key.Key_L, SHIFT)
+    assert "Select a target first" in window.log.toPlainText()
+    assert view.mouse_mode == "navigate"
+    before = sizes(picked, "T1")
+    line = picked.project.target("T1").sightings[1].line
+    window._select("T1", line)
+    press(picked, Key.Key_L, SHIFT)
+    assert view.mouse_mode == "outline"
+    assert f"take from T1 on {line}" in view.hint
+    points = window.scene.selected_points[line]
+    part = points[points[:, 0] > np.median(points[:, 0])]
+    outline(picked, part)
+    after = sizes(picked, "T1")
+    lost = before[line] - after[line]
+    assert lost >= len(part)
+    assert {k: v for k, v in after.items() if k != line} == {
+        k: v for k, v in before.items() if k != line
+    }
+    assert undo_text(picked) == f"Undo removal of {lost:,} points, T1 on {line}"
+    press(picked, Key.Key_L)
+    assert "add to T1" in view.hint
+    outline(picked, points)
+    assert sizes(picked, "T1")[line] >= 0.99 * before[line]
+    assert undo_text(picked).startswith("Undo adding")
+    outline(picked, points + 500.0)
+    assert "no points of it there" in window.log.toPlainText()
+    press(picked, Key.Key_Escape)
+    assert view.mouse_mode == "navigate"
+    window.actions_["undo"].trigger()
+    assert sizes(picked, "T1") == after
+    window.actions_["undo"].trigger()
+    assert sizes(picked, "T1") == before
+
+
+def test_the_lasso_spares_hidden_lines_and_what_the_box_hides(picked: Driver) -> None:
+    window, view = picked.window, picked.viewport
+    before = sizes(picked, "T1")
+    first, second = list(before)[:2]
+    view.set_line_visible(first, False)
+    window._select("T1", "")
+    press(picked, Key.Key_X)
+    clipping = window.tools.clipping
+    clipping._take(clipping.box.moved(5, -1.1))  # its upper side, down into the target
+    press(picked, Key.Key_L, SHIFT)
+    points = window.scene.clouds[second][picked.project.target("T1").sighting(second).indices]
+    low = points[points[:, 2] < points[:, 2].min() + 0.3]
+    outline(picked, low)
+    after = sizes(picked, "T1")
+    assert after[first] == before[first]
+    assert after[second] < before[second]
+    gone = np.setdiff1d(
+        window.document.undo_stack.command(0)._before.project.target("T1").sighting(second).indices,
+        picked.project.target("T1").sighting(second).indices,
+    )
+    assert len(clipping.box.inside(window.scene.clouds[second][gone])) == len(gone)
+
+
+def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
+    window = picked.window
+    window._select("T1", "")
+    press(picked, Key.Key_L, SHIFT)
+    points = np.concatenate(list(window.scene.selected_points.values()))
+    outline(picked, points)
+    assert "untick the sighting" in str(picked.dialogs.errors[0])
+    assert not window.document.is_modified
+    press(picked, Key.Key_Escape)
+
+
+def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
+    window, control = picked.window, picked.window.controller
+    stack = window.document.undo_stack
+    line = picked.project.lines[0].name
+    settings = replace(picked.project.settings, lidar_sigma=0.006)
+
+    def candidate() -> None:
+        seed(picked, "T2")
+        press(picked, Key.Key_Return)
+
+    def role() -> None:
+        window._select("T1", "")
+        press(picked, Key.Key_F8)
+
+    for step, words in (
+        (candidate, "pick of T3"),
+        (lambda: control.rename("T1", "Board"), "rename of T1"),
+        (lambda: control.rename("Board", "T1"), "rename of Board"),
+        (role, "change of role of T1"),
+        (role, "change of role of T1"),
+        (lambda: control.use_target("T1", False), "leaving out T1"),
+        (lambda: control.use_sighting("T2", line, False), f"leaving out T2 on {line}"),
+        (lambda: control.use_line(line, False), f"leaving out line {line}"),
+        (lambda: control.change_settings(settings), "change of the mounting"),
+        (lambda: control.remove("V1"), "removal of V1"),
+    ):
+        count, before = stack.count(), picked.project
+        step()
+        settle(picked)
+        assert undo_text(picked) == f"Undo {words}"
+        assert stack.count() == count + 1
+        after = picked.project
+        window.actions_["undo"].trigger()
+        assert picked.project is before
+        window.actions_["redo"].trigger()
+        assert picked.project is after
+        picked.rest()
+
+
+def test_roles_change_but_for_spheres(picked: Driver) -> None:
+    window = picked.window
+    press(picked, Key.Key_F8)
+    assert "Select a target or validation plane first" in window.log.toPlainText()
+    window._select("V1", "")
+    press(picked, Key.Key_F8)
+    assert picked.project.target("V1").role == "target"
+    assert "V1 is a target now" in window.log.toPlainText()
+    ball = replace(picked.project.target("T1"), shape="sphere")
+    window.document.edit("trial", picked.project.with_target(ball))
+    window._select("T1", "")
+    press(picked, Key.Key_F8)
+    assert "compared on planes only" in str(picked.dialogs.errors[0])
+    assert picked.project.target("T1").role == "target"
+
+
+def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
+    window, view = adjusted.window, adjusted.viewport
+    window.actions_["colour_residual"].trigger()
+    found = residuals(adjusted.project, window.document.survey)
+    targets = {fit.target: fit for fit in adjusted.project.result.targets}
+    for name, fit in targets.items():
+        mine = np.concatenate([found[key] for key in found if key[0] == name])
+        assert np.sqrt(np.mean(mine**2)) == pytest.approx(fit.rms_after, rel=0.25)
+    assert view.shading.title == "Distance from the adjusted surface (mm)"
+    assert {tuple(c) for c in view.shading.colours[window.document.survey.lines[0]]} == {GREY}
+    places = {tuple(colour): k for k, colour in enumerate(view.shading.scale.tolist())}
+    for highlight in view.highlights:
+        if highlight.key not in found:
+            assert highlight.shades is None  # validation planes were not adjusted
+            continue
+        order = np.argsort(found[highlight.key])
+        along = [places[tuple(colour)] for colour in highlight.shades[order].tolist()]
+        assert (np.diff(along) >= 0).all()
+    window._select("T1", "")
+    window.controller.use_target("T2", False)
+    settle(adjusted)
+    assert window.scene.colouring == ("residual" if adjusted.project.result else "line")
+
+
+def test_without_a_result_there_are_no_residuals(picked: Driver) -> None:
+    picked.window.actions_["colour_residual"].trigger()
+    assert "Estimate first" in picked.window.log.toPlainText()
+    assert picked.window.scene.colouring == "line"
+    assert picked.window.actions_["colour_line"].isChecked()

@@ -1,0 +1,91 @@
+"""Points of sightings added and taken away by hand."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.errors import ProjectError
+from lispac.io.project_file import read_project, write_project
+from lispac.project import Project
+from lispac.workflow.editing import BESIDE, FEWEST, with_points, without_points
+from lispac.workflow.reselection import reselect
+from lispac.workflow.survey import Survey
+
+
+def test_points_are_taken_away_and_found_again(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    clouds, whole = survey.placed(project, "estimated"), project.target("T1")
+    line = whole.sightings[2].line
+    level = float(clouds[line][whole.sightings[2].indices][:, 2].mean())
+    less, count = without_points(whole, clouds, lambda points: points[:, 2] > level, line)
+    for before, after in zip(whole.sightings, less.sightings, strict=True):
+        if before.line != line:
+            assert after is before
+            continue
+        assert after.by_hand
+        assert after.fingerprint == before.fingerprint
+        assert len(before.indices) - len(after.indices) == count > 100
+        kept = clouds[line][after.indices]
+        assert kept[:, 2].max() <= level
+        centred = kept - kept.mean(axis=0)
+        rms = np.linalg.svd(centred, compute_uv=False)[2] / np.sqrt(len(kept))
+        assert after.rms == pytest.approx(rms, rel=1e-6)
+    # All that is near its plane comes back, and nothing of the wall behind, though it is outlined.
+    more, back = with_points(less, clouds, lambda points: np.ones(len(points), bool), line)
+    sighting = more.sighting(line)
+    assert sighting is not None
+    found = set(sighting.indices.tolist())
+    original = set(whole.sightings[2].indices.tolist())
+    assert len(original - found) <= 0.01 * len(original)
+    assert back == len(found) - len(less.sightings[2].indices)
+    points = clouds[line][sighting.indices]
+    centre, _, axes = points.mean(axis=0), *np.linalg.svd(points - points.mean(axis=0))[1:]
+    assert np.abs((points - centre) @ axes[2]).max() < 2 * whole.threshold
+    assert np.linalg.norm(points - centre, axis=1).max() < 1.2 + BESIDE
+
+
+def test_all_lines_are_edited_together_and_nothing_chosen_changes_nothing(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    target = project.target("T1")
+    less, count = without_points(target, survey.clouds, lambda p: p[:, 2] > np.median(p[:, 2]))
+    assert all(sighting.by_hand for sighting in less.sightings)
+    lost = [len(a.indices) - len(b.indices)
+            for a, b in zip(target.sightings, less.sightings, strict=True)]  # fmt: skip
+    assert sum(lost) == count
+    assert min(lost) > 0
+    same, none = without_points(target, survey.clouds, lambda p: np.zeros(len(p), bool))
+    assert same is target
+    assert none == 0
+    shown = {line: survey.clouds[line] for line in survey.lines[:2]}
+    less, _ = without_points(target, shown, lambda p: p[:, 2] > np.median(p[:, 2]))
+    assert [s.line for s in less.sightings if s.by_hand] == list(survey.lines[:2])
+
+
+def test_a_sighting_is_not_emptied(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    with pytest.raises(ProjectError, match="untick the sighting"):
+        without_points(
+            project.target("T1"), survey.clouds, lambda p: np.arange(len(p)) >= FEWEST - 1
+        )
+
+
+def test_what_was_edited_by_hand_is_not_selected_again_and_survives_the_file(
+    calibrated: tuple[Project, Survey], copy: Project
+) -> None:
+    project, survey = calibrated
+    target = project.target("T1")
+    line = target.sightings[0].line
+    less, _ = without_points(target, survey.clouds, lambda p: p[:, 2] > np.median(p[:, 2]), line)
+    edited = replace(project, targets=tuple(less if t is target else t for t in project.targets))
+    again = reselect(edited, survey).target("T1")
+    np.testing.assert_array_equal(again.sightings[0].indices, less.sightings[0].indices)
+    assert len(again.sightings[1].indices) > 0
+    whole = reselect(project, survey).target("T1")
+    assert len(whole.sightings[0].indices) > 1.5 * len(less.sightings[0].indices)
+    write_project(replace(copy, targets=edited.targets))
+    read = read_project(copy.folder).target("T1")
+    assert [s.by_hand for s in read.sightings] == [s.line == line for s in read.sightings]
+    np.testing.assert_array_equal(read.sightings[0].indices, less.sightings[0].indices)
