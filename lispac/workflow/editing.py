@@ -70,9 +70,9 @@ def with_points(
         own = cloud[sighting.indices]
         centre = own.mean(axis=0)
         radius = float(np.linalg.norm(own - centre, axis=1).max()) + BESIDE
-        numbers, points = cloud.within(centre, radius)
-        near = np.abs(_distances(target, own, points)) <= target.threshold
-        added = numbers[near][chosen(points[near])]
+        around = cloud.within(centre, radius)
+        near = np.abs(_distances(target, own, around.points)) <= target.threshold
+        added = around.numbers[near][chosen(around.points[near])]
         return np.union1d(sighting.indices, added)
 
     return _edited(target, clouds, edited, line)
