@@ -71,8 +71,43 @@ class Pattern:
     constants: Mapping[str, int] = field(default_factory=dict)
 
 
-def pattern_of_las(path: Path) -> Pattern:
+def write_header_alone(path: Path, to: Path) -> None:
+    """Write what a LAS or LAZ file says besides its points as a LAS file without any.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read.
+    """
+    try:
+        with laspy.open(path) as reader:
+            header = deepcopy(reader.header)
+        described = _extra_bytes(header)
+        for records in (header.vlrs, header.evlrs or []):
+            records[:] = [record for record in records if not _is_of_the_file(record)]
+        with to.open("wb") as file, laspy.LasWriter(file, header, closefd=False) as writer:
+            if header.evlrs and header.version.minor >= 4:
+                writer.write_evlrs(header.evlrs)
+        with laspy.open(to) as reader:
+            emptied = _extra_bytes(reader.header)
+        if emptied != described:  # without points laspy writes no sensible least and largest value
+            to.write_bytes(to.read_bytes().replace(emptied, described, 1))
+    except (LaspyException, LazrsError, ValueError) as error:
+        raise InputError(f"{path}: cannot be read as LAS or LAZ ({error}).") from error
+
+
+def _extra_bytes(header: laspy.LasHeader) -> bytes:
+    """The record that describes the extra bytes; empty where there are none."""
+    return b"".join(record.record_data_bytes() for record in header.vlrs.get("ExtraBytesVlr"))
+
+
+def pattern_of_las(path: Path, shown: Path | None = None) -> Pattern:
     """The pattern of a LAS or LAZ file: its own point format, extra bytes and records.
+
+    Parameters
+    ----------
+    shown : Path, optional
+        What it is called in notes, where it stands for another file.
 
     Raises
     ------
@@ -93,8 +128,8 @@ def pattern_of_las(path: Path) -> Pattern:
         header.global_encoding.waveform_data_packets_external = False
         header.start_of_waveform_data_packet_record = 0
         notes = (
-            f"{path.name}: the points' references to waveforms are kept, the waveforms themselves "
-            "are not; their directions stay those of the source",
+            f"{(shown or path).name}: the points' references to waveforms are kept, the waveforms "
+            "themselves are not; their directions stay those of the source",
         )
     for records in (header.vlrs, header.evlrs or []):
         records[:] = [record for record in records if not _is_of_the_file(record)]

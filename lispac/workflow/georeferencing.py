@@ -1,7 +1,7 @@
 """All lines of a project on the map, one LAS or LAZ file each."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -23,7 +23,7 @@ from lispac.survey.recovery import Recovery
 from lispac.survey.store.reading import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.clouds import Written, write_cloud
-from lispac.workflow.importing import line_folder, stored_line
+from lispac.workflow.importing import kept_header, line_folder, stored_line
 from lispac.workflow.reading import LAS_ENDINGS, local_trajectory
 
 Which = Literal["prior", "estimated"]
@@ -128,12 +128,12 @@ def georeference_project(
     require_other_files(project, paths)
     way = PointMapper(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
-    gone: list[str] = []
+    gone: dict[str, Pattern | None] = {}
     for chunks in chosen:
         if not chunks.line.path.exists() and chunks.line.name not in stores:
             stored = stored_line(project, chunks.line, trajectory)
             stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading.time_shift)
-            gone.append(chunks.line.name)
+            gone[chunks.line.name] = _kept_pattern(stored, chunks.line.path)
     sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
     written: list[Written] = []
     made = _missing_folders(output)
@@ -154,7 +154,7 @@ def georeference_project(
                     stack.enter_context(written_whole(path)),
                     path,
                     way,
-                    chunks.pattern,
+                    _pattern_of(chunks, gone.get(chunks.line.name)),
                     time_shift=chunks.line.reading.time_shift,
                     recovery=recovery,
                     compressed=ending == "laz",
@@ -162,11 +162,7 @@ def georeference_project(
                 )
                 notes = (*done.notes, *_said(target))
                 if chunks.line.name in gone:
-                    notes += (
-                        f"{chunks.line.name}: its file is not there; the points have all their "
-                        "attributes, but other records of the file's header, and the scaling and "
-                        "descriptions of its extra attributes, are not kept",
-                    )
+                    notes += (_said_of_gone(chunks.line.name, gone[chunks.line.name]),)
                 written.append(replace(done, notes=notes))
             progress(1.0, "Lines written")
     except BaseException:
@@ -175,6 +171,32 @@ def georeference_project(
                 folder.rmdir()
         raise
     return written
+
+
+def _kept_pattern(stored: StoredLine, path: Path) -> Pattern | None:
+    """What the records of the line's file looked like, where that was kept at the import."""
+    header = kept_header(stored)
+    try:
+        return None if header is None else pattern_of_las(header, path)
+    except InputError:
+        return None  # damaged: the points are all there, and what is missing is said
+
+
+def _pattern_of(chunks: Chunks, kept: Pattern | None) -> Callable[[PointChunk], Pattern]:
+    return chunks.pattern if kept is None else lambda first: kept
+
+
+def _said_of_gone(name: str, kept: Pattern | None) -> str:
+    if kept is not None:
+        return (
+            f"{name}: its file is not there; points, attributes and the records of its header are "
+            "those kept at the import"
+        )
+    return (
+        f"{name}: its file is not there; the points have all their attributes, but other records "
+        "of the file's header, and the scaling and descriptions of its extra attributes, are not "
+        "kept"
+    )
 
 
 def utm_zone(trajectory: LocalTrajectory) -> str:

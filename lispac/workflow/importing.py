@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import require_file
+from lispac.io.las_export import write_header_alone
 from lispac.io.registry import PointChunk
 from lispac.io.values import encoded
 from lispac.progress import Progress, no_progress, part
@@ -27,12 +28,14 @@ from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, tidy, write_store
 from lispac.survey.time_base import matches, sentence
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.reading import line_stream, local_trajectory
+from lispac.workflow.reading import LAS_ENDINGS, line_stream, local_trajectory
 
 Array = NDArray[np.float64]
 
 LINES = "lines"
 """Folder of the stored lines, in that of the project."""
+HEADER = "header.las"
+"""In the folder of a line's columns: the header of its file and the records that go with it."""
 INDEX = "\0index"
 """Goes with the points of a chunk through whatever leaves some of them out; no file has it."""
 LOOKED_AT = 100
@@ -141,9 +144,25 @@ def import_line(
         source.pieces,
         Georeferencer.of(trajectory, mounting),
         source.assumptions,
+        beside=lambda columns: _keep_header(line, columns),
         progress=progress,
     )
     return Imported(open_store(folder, line.name), time.monotonic() - started, reason)
+
+
+def _keep_header(line: LineSource, columns: Path) -> None:
+    """Keep what a LAS file says besides its points, for a cloud made when it is gone."""
+    is_las = line.reading.format == "las" or (
+        not line.reading.format and line.path.suffix.lower() in LAS_ENDINGS
+    )
+    if is_las:
+        write_header_alone(line.path, columns / HEADER)
+
+
+def kept_header(stored: StoredLine) -> Path | None:
+    """The LAS file without points that holds the header of a stored line's file, if it had one."""
+    path = stored.folder / stored.manifest.folder / HEADER
+    return path if path.is_file() else None
 
 
 def _without_remedy(error: ProjectError) -> str:

@@ -11,7 +11,7 @@ from lispac.project import Project
 from lispac.survey.cloud import Cloud, CloudOnDisk, Line
 from lispac.survey.store.layout import MANIFEST
 from lispac.survey.store.reading import StoredLine
-from lispac.workflow.importing import line_folder
+from lispac.workflow.importing import HEADER, kept_header, line_folder
 from lispac.workflow.projects import taken_back
 from lispac.workflow.survey import Survey
 
@@ -80,6 +80,8 @@ def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Prog
     manifest = stored.manifest
     (there / manifest.folder).mkdir(parents=True)
     names = [f"{manifest.folder}/{column.file}" for column in manifest.files]
+    if kept_header(stored) is not None:
+        names.append(f"{manifest.folder}/{HEADER}")
     for name in [*names, MANIFEST]:
         with (stored.folder / name).open("rb") as source, (there / name).open("wb") as copy:
             while piece := source.read(PIECE):

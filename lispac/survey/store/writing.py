@@ -73,6 +73,7 @@ def write_store(
     place: Place,
     assumptions: Callable[[int], tuple[str, ...]] = lambda left_out: (),
     *,
+    beside: Callable[[Path], None] = lambda folder: None,
     progress: Progress = no_progress,
 ) -> Manifest:
     """Import a line into its folder; an earlier import of it stays until this one is complete.
@@ -87,6 +88,8 @@ def write_store(
         Puts points into the local frame for the order in space.
     assumptions : callable
         From the number of points left out to what was taken for granted, in words.
+    beside : callable
+        Puts into the folder of the columns what is to be kept besides them.
 
     Raises
     ------
@@ -102,7 +105,9 @@ def write_store(
             with locked(folder):
                 current = _current(folder)
                 remove_leftovers(folder, keep=current)
-                return _import(folder, recipe, pieces, place, assumptions, current, progress)
+                return _import(
+                    folder, recipe, pieces, place, assumptions, beside, current, progress
+                )
     except LispacError:
         _remove_empty(made)
         raise
@@ -114,6 +119,7 @@ def _import(
     pieces: Pieces,
     place: Place,
     assumptions: Callable[[int], tuple[str, ...]],
+    beside: Callable[[Path], None],
     current: str,
     progress: Progress,
 ) -> Manifest:
@@ -129,6 +135,7 @@ def _import(
                 spool, new, place, recipe.line, progress=part(progress, READING_SHARE, 1.0)
             )
             manifest = _manifest(spool, recipe, new.name, own, attributes, read, assumptions)
+            beside(new)
             manifest = stamped(folder, manifest)
             write_manifest(folder, manifest)
     except BaseException as error:

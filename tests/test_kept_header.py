@@ -1,0 +1,117 @@
+"""What a LAS file says besides its points outlives the file: it is kept at the import."""
+
+import uuid
+from dataclasses import replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.project import LineSource, Project
+from lispac.survey.store.reading import StoredLine
+from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.importing import HEADER, import_lines, kept_header, line_folder
+from lispac.workflow.projects import create_project
+from lispac.workflow.saving_as import save_project_as
+from lispac.workflow.survey import Survey, load_survey
+
+GUID = uuid.UUID("12345678-1234-5678-1234-567812345678")
+
+
+@pytest.fixture
+def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
+    """One line, written by laspy with records and extra bytes of its own, imported."""
+    source, survey = calibrated
+    name = survey.lines[0]
+    numbers = np.arange(5000)
+    points, times = survey.scans[name].take(numbers)
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales = np.full(3, 1e-4)
+    header.system_identifier, header.uuid = "SCANNER 5", GUID
+    header.file_source_id = 41
+    header.add_extra_dims(
+        [
+            laspy.ExtraBytesParams(
+                "reflectance", "i2", "in decibels", scales=np.array([0.01]), offsets=np.array([5.0])
+            )
+        ]
+    )
+    header.vlrs.append(laspy.VLR("maker", 7, "laboratory", b"calibrated in May"))
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = points.T
+    las.gps_time = times
+    las.intensity = numbers % 4000
+    las.reflectance = 5.0 + 0.01 * (numbers % 100)
+    path = tmp_path / "raw" / "own.laz"
+    path.parent.mkdir()
+    las.write(path)
+    made = create_project(
+        tmp_path / "quay", trajectory=source.trajectory, lines=[LineSource("own", path)],
+        settings=source.settings,
+    )  # fmt: skip
+    import_lines(made)
+    return made
+
+
+def written(project: Project, folder: Path) -> tuple[laspy.LasData, tuple[str, ...]]:
+    (done,) = georeference_project(project, folder, "prior", system="EPSG:32619")
+    return laspy.read(done.path), done.notes
+
+
+def test_a_cloud_has_the_same_records_without_the_file(project: Project, tmp_path: Path) -> None:
+    with_file, _ = written(project, tmp_path / "one")
+    path = project.lines[0].path
+    path.rename(path.with_suffix(".moved"))
+    without, notes = written(project, tmp_path / "two")
+    assert any("the records of its header are those kept at the import" in note for note in notes)
+    for name in ("system_identifier", "uuid", "file_source_id", "generating_software"):
+        assert getattr(without.header, name) == getattr(with_file.header, name)
+    assert without.header.uuid == GUID
+    assert without.header.point_format == with_file.header.point_format
+    records = [
+        [
+            (v.user_id, v.record_id, v.record_data_bytes())
+            for v in cloud.header.vlrs
+            if not isinstance(v, laspy.vlrs.known.ExtraBytesVlr)  # least and largest are laspy's
+        ]
+        for cloud in (with_file, without)
+    ]
+    assert records[0] == records[1]
+    assert ("maker", 7, b"calibrated in May") in records[1]
+    order = [np.argsort(cloud.gps_time, kind="stable") for cloud in (with_file, without)]
+    for name in ("intensity", "reflectance", "gps_time", "x", "y", "z"):
+        one, two = np.asarray(with_file[name])[order[0]], np.asarray(without[name])[order[1]]
+        np.testing.assert_allclose(one, two, atol=2e-4 if name in "xyz" else 0, err_msg=name)
+    assert np.asarray(without.reflectance).max() == pytest.approx(5.99)
+
+    # Copied along with the project.
+    moved, _ = save_project_as(project, load_survey(project), tmp_path / "office")
+    third, _ = written(moved, tmp_path / "three")
+    assert third.header.uuid == GUID
+
+
+def test_without_what_was_kept_the_loss_is_said(project: Project, tmp_path: Path) -> None:
+    project.lines[0].path.unlink()
+    folder = line_folder(project, project.lines[0])
+    (header,) = folder.glob(f"columns-*/{HEADER}")
+    header.write_bytes(header.read_bytes()[:100])
+    cloud, notes = written(project, tmp_path / "one")
+    assert len(cloud.points) == 5000
+    assert any("are not kept" in note for note in notes)
+    header.unlink()
+    assert any("are not kept" in note for note in written(project, tmp_path / "two")[1])
+
+
+def test_a_text_line_has_no_header_to_keep(
+    calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    source, survey = calibrated
+    points, times = survey.scans[survey.lines[0]].take(np.arange(100))
+    path = tmp_path / "line.csv"
+    np.savetxt(path, np.column_stack([times, points]), fmt="%.6f", delimiter=",")
+    line = LineSource("line", path, ("time", "x", "y", "z"))
+    made = replace(source, folder=tmp_path / "p", lines=(line,), targets=(), result=None)
+    (imported,) = import_lines(made)
+    assert isinstance(imported.stored, StoredLine)
+    assert kept_header(imported.stored) is None
