@@ -98,6 +98,8 @@ _MENUS: dict[str, Menu] = {
         "accept",
         "reject",
         "",
+        "hover",
+        "",
         "change_role",
         "lasso_add",
         "lasso_remove",

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QDockWidget, QWidget
 
 from lispac.gui.clipping import Clipping
 from lispac.gui.comparing import Comparing
+from lispac.gui.hovering import Hovering, Wanted
 from lispac.gui.lasso import Lasso
 from lispac.gui.measuring import Measuring
 from lispac.gui.panels.clipping import TITLE as CLIPPING
@@ -39,12 +40,17 @@ class Tools(QObject):
             window.document, window.scene, view, actions, self.pointing, self.clipping, note,
             window.controller.refused.emit,
         )  # fmt: skip
+        self.hovering = Hovering(window.document, window.runner, view, actions, self._wanted)
         self.roles = Roles(
             window.document, window.scene, actions, note, window.controller.refused.emit
         )
         window.scene.which_changed.connect(lambda _which: self.measuring.restart())
         window.document.opened.connect(self.pointing.end)
         window.document.opened.connect(self.clipping.reset)
+
+    def _wanted(self) -> Wanted:
+        targets = self._window.targets
+        return Wanted(targets.threshold, targets.radius, targets.shape == "plane")
 
     def make_docks(self, beside: QDockWidget) -> dict[str, QDockWidget]:
         """Put the tools' panels into docks, as tabs beside another; by their titles."""

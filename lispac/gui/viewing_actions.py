@@ -54,6 +54,8 @@ INSPECT_ACTIONS: dict[str, Described] = {
              "Draw only what lies in a box about the selected target"),
     "wipe": ("Before and after in one &picture", "Wipe", "", "W",
              "Before on the left, after on the right of a line that the mouse moves"),
+    "hover": ("S&how what a click would take", "Hover", "", "H",
+              "Outline the plane under the resting mouse"),
     "lasso_add": ("A&dd points with a lasso", "Add", "lasso", "L",
                   "Draw around points near the selected target to add them to it"),
     "lasso_remove": ("Re&move points with a lasso", "Remove", "", "Shift+L",
@@ -96,7 +98,7 @@ INSPECT_MENU: Menu = (
     "end_tool",
 )
 SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle", "clip",
-            "wipe", "lasso_add", "lasso_remove")  # fmt: skip
+            "wipe", "lasso_add", "lasso_remove", "hover")  # fmt: skip
 """Actions that are on or off, each by itself."""
 
 KEYS = (
@@ -109,6 +111,7 @@ KEYS = (
     ("M, Shift + M", "measure a distance, an angle"),
     ("X", "clip box about the selected target, or none"),
     ("W", "before and after in one picture: drag the line between them"),
+    ("H", "show what a click would take under the resting mouse, or not"),
     ("F8", "the selected target becomes a validation plane, or the other way round"),
     ("L, Shift + L", "lasso: add points to the selected target, remove points"),
     ("Esc", "end measuring or the lasso"),

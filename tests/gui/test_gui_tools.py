@@ -1,5 +1,7 @@
 """Measuring and cutting sections with the mouse, in the window."""
 
+import re
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
@@ -8,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.gui.panels.section import EMPTY
 from lispac.gui.sections import frame_of
+from lispac.gui.viewport.base import PickedPoint
 from lispac.project import Project
 from tests.gui.support import Demo, Driver, Key, click, press, seed, settle, type_into
 
@@ -236,3 +239,29 @@ def test_nothing_to_compare_is_said(picked: Driver) -> None:
     assert "Estimate first" in picked.window.log.toPlainText()
     assert picked.viewport.beside is None
     assert not picked.window.actions_["wipe"].isChecked()
+
+
+def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None:
+    window, view = picked.window, picked.viewport
+    assert not view.hovering
+    press(picked, Key.Key_H)
+    picked.rest()
+    assert view.hovering
+    sighting = picked.project.target("T1").sightings[0]
+    board = window.scene.clouds[sighting.line][sighting.indices]
+    north, west, up = (float(v) for v in board[np.argmin(np.linalg.norm(
+        board - board.mean(axis=0), axis=1))])  # fmt: skip
+    view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
+    sketch = view.sketches["hover"]
+    assert re.fullmatch(rf"About 1\.[12] × 1\.[12] m on {sighting.line}", sketch.label)
+    outline = np.array(sketch.points)
+    # It is the outline of what was picked by a click there.
+    np.testing.assert_allclose(outline.min(axis=0), board.min(axis=0), atol=0.08)
+    np.testing.assert_allclose(outline.max(axis=0), board.max(axis=0), atol=0.08)
+    view.signals.hovered.emit(None)
+    assert "hover" not in view.sketches
+    view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
+    view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up + 300.0)))
+    assert "hover" not in view.sketches
+    press(picked, Key.Key_H)
+    assert not view.hovering

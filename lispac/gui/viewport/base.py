@@ -218,6 +218,9 @@ class Viewport(Protocol):
     def set_hovering(self, hovering: bool) -> None:
         """Tell what is under the resting mouse, or not."""
 
+    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+        """Those of a line's points that are drawn now and lie within a sphere, shape (n, 3)."""
+
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
         """Draw something over the picture, or take it away."""
 

@@ -38,6 +38,7 @@ class Layer:
     colours, shading : of each line, and of each point where that is not its line's
     seen : all points (n, 3) of the lines that are shown, metres, local frame
     sparse : those that are drawn while the camera moves
+    detail : those drawn when it rested last, of what is in view; empty while there is none
     origin : ndarray of shape (3,), metres, local frame
         What the coordinates that are drawn count from.
     half : what is drawn, where that is only what lies in a half space
@@ -56,6 +57,7 @@ class Layer:
         self._fine_camera: Camera | None = None
         self.seen: dict[str, Array] = {}
         self.sparse: dict[str, Array] = {}
+        self.detail: dict[str, Array] = {}
         self.origin: Array = np.zeros(3)
 
     @property
@@ -107,7 +109,8 @@ class Layer:
         shaded = self.shading is not None
         for line, indices in found.items():
             chosen = indices[sample_order(len(indices), share[line])]
-            data = point_data(self.seen[line][chosen] - self.origin, self._shades(line, chosen))
+            self.detail[line] = self.seen[line][chosen]
+            data = point_data(self.detail[line] - self.origin, self._shades(line, chosen))
             self._fine.append(point_actor(data, self.colours[line], shaded=shaded))
             # The same points larger, darker and a little behind: they draw an edge where something
             # near stands before something far, and vanish inside a surface.
@@ -144,12 +147,12 @@ class Layer:
     def forget(self) -> None:
         """Let go of everything, after the renderer has."""
         self._coarse, self._fine, self._rims = [], [], []
-        self._clouds, self.seen, self.sparse = {}, {}, {}
+        self._clouds, self.seen, self.sparse, self.detail = {}, {}, {}, {}
 
     def _remove_fine(self) -> None:
         self._remove(self._fine)
         self._remove(self._rims)
-        self._fine, self._rims, self._fine_camera = [], [], None
+        self._fine, self._rims, self._fine_camera, self.detail = [], [], None, {}
 
     def _remove(self, actors: list[Any]) -> None:
         for actor in actors:

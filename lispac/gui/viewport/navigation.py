@@ -1,6 +1,6 @@
 """From mouse to camera: turning about what is under the cursor, fitting, standard views, picks."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -37,6 +37,7 @@ class Navigator(QObject):
     camera : where the eye is
     clouds : all points (n, 3) of the visible lines, which are picked
     coarse : the thinned points (n, 3) of them, which are navigated by
+    drawn : gives the points (n, 3) of them that are on the screen now, by which hovering looks
     station : ndarray of shape (3,), metres, local frame
         Where "front" looks from.
     """
@@ -52,6 +53,7 @@ class Navigator(QObject):
         self.camera = Camera(np.zeros(3), 0.0, float(np.radians(VIEWS_DEG["isometric"][1])), 50.0)
         self.clouds: Mapping[str, Array] = {}
         self.coarse: Mapping[str, Array] = {}
+        self.drawn: Callable[[], Mapping[str, Array]] = lambda: self.coarse
         self.station: Array = np.zeros(3)
         self._widget = widget
         self._pivot: Array = np.zeros(3)

@@ -153,6 +153,11 @@ class RecordingViewport:
         self._record("set_hovering", hovering)
         self.hovering = hovering
 
+    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+        """All of a shown line's points within a sphere."""
+        points = self.clouds[line]
+        return points[np.linalg.norm(points - centre, axis=1) <= radius]
+
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
         """Remember the sketches."""
         self._record("show_sketch", name, sketch)

@@ -166,7 +166,7 @@ class Sketching(QObject):
             self._still.start()
 
     def _look(self) -> None:
-        clouds = self._navigator.coarse
+        clouds = self._navigator.drawn()
         hit = pick(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP)
         if hit is None:
             self._signals.hovered.emit(None)

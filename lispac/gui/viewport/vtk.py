@@ -15,7 +15,9 @@ from pyvistaqt import QtInteractor
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from lispac.errors import InputError
+from lispac.geometry.neighbours import points_within
 from lispac.gui.viewport.actors import (
+    EDGE,
     aim,
     confine,
     dark,
@@ -104,6 +106,7 @@ class VtkViewport:
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)
         self._sketching = Sketching(self._navigator, self._overlay, self.signals)
+        self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
         self._sketching.divided.connect(self._camera_moved)
 
     # What the window asks
@@ -240,6 +243,11 @@ class VtkViewport:
             self._sketching.rest()
         self._sketching.hovering = hovering
 
+    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+        """Those of a line's points that are drawn now and lie within a sphere, shape (n, 3)."""
+        points = self._navigator.drawn().get(line, np.empty((0, 3)))
+        return points[points_within(points, centre, radius)]
+
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
         """Draw something over the picture, or take it away."""
         self._sketching.show(name, sketch)
@@ -319,7 +327,7 @@ class VtkViewport:
             size_points([actor], size * scale)
             size_points([outline], (size + 3) * scale)
             paint(actor, drawn.colour)
-            paint(outline, dark(drawn.colour))
+            paint(outline, dark(drawn.colour) if highlight.shades is None else EDGE)
             shown = highlight.key[1] not in self._hidden
             actor.SetVisibility(shown)
             outline.SetVisibility(shown and drawn.outlined)
