@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from lispac.adjustment.doubts import doubts
 from lispac.project import Project
 from lispac.workflow.survey import Survey
 
@@ -124,12 +125,17 @@ def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str
     if project.result is not None:
         factor = project.result.variance_factor
         passed = project.result.chi_square.passed
+        serious = any(doubt.serious for doubt in doubts(project.result, project.cross_checks))
+        if serious:
+            advice = "Do not use the angles before you have read the warnings on the right."
+        elif passed:
+            advice = "The result stands on the right."
+        else:
+            advice = "The residuals do not match the stated sigmas: see the test on the right."
         return StepStatus(
-            "done" if passed else "warning",
-            f"done: variance factor {factor:.2f}",
-            "The result stands on the right."
-            if passed
-            else "The residuals do not match the stated sigmas: see the test on the right.",
+            "done" if passed and not serious else "warning",
+            f"done{', in doubt' if serious else ''}: variance factor {factor:.2f}",
+            advice,
             ready=ready,
         )
     if refusal:

@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
+from lispac.adjustment.result import Contradiction
 from lispac.errors import Cancelled, InputError
 from lispac.gui import edits, status
 from lispac.gui.dialogs.error import describe, error_box
@@ -16,6 +17,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.progress import Progress
+from lispac.project import Project
 from tests.gui.support import Demo
 
 
@@ -178,6 +180,18 @@ def test_steps_say_what_is_there_and_what_comes_next(demo: Demo):
     first = demo.picked.target("T1")
     lonely = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))
     assert "fewer than two lines" in status.steps(lonely, demo.survey)[1].advice
+
+
+def test_a_serious_doubt_is_no_done_step(demo: Demo, estimated: Project):
+    sound = status.steps(estimated, demo.survey)[2]
+    assert sound.state == "done"
+    assert "doubt" not in sound.sentence
+    found = Contradiction("lever_x", 0.1, 0.004, estimated.result.sigma * 9, 0.0)
+    result = replace(estimated.result, contradictions=(found,))
+    doubtful = status.steps(replace(estimated, result=result), demo.survey)[2]
+    assert doubtful.state == "warning"
+    assert doubtful.sentence.startswith("done, in doubt")
+    assert "warnings on the right" in doubtful.advice
 
 
 def test_renaming_a_validation_plane_keeps_the_order(demo: Demo):
