@@ -43,7 +43,7 @@ class Sections(QObject):
         self._viewport, self._pointing, self._bring = viewport, pointing, bring
         self.panel = SectionPanel()
         self._ends: list[Array] = []
-        self._stale = self._seen = False
+        self._stale = self._seen = self._drawn = False
         self._shown: tuple[tuple[object, ...], tuple[object, ...]] | None = None
         self._cuts: Sequence[Cut] = ()
         self.panel.changed.connect(self._update)
@@ -72,14 +72,14 @@ class Sections(QObject):
             self._pointing.end()
             return
         self._ends = []
-        self._viewport.show_sketch(SKETCH, None)
+        self._draw(None)
         self._pointing.begin("section_points", HINTS[0], pointed=self._take, ended=self._give_up)
 
     def _take(self, point: PickedPoint) -> None:
         self._ends.append(np.array(point.position))
         if len(self._ends) == 1:
             self._pointing.hint(HINTS[1])
-            self._viewport.show_sketch(SKETCH, Sketch((point.position,), (), COLOUR, dots=True))
+            self._draw(Sketch((point.position,), (), COLOUR, dots=True))
             return
         self._pointing.end()
         self._open()
@@ -88,7 +88,7 @@ class Sections(QObject):
     def _give_up(self) -> None:
         if len(self._ends) < 2:
             self._ends = []
-            self._viewport.show_sketch(SKETCH, None)
+            self._draw(None)
 
     # -- cutting -----------------------------------------------------------------------------
 
@@ -101,7 +101,7 @@ class Sections(QObject):
         project, survey = self._document.project, self._document.survey
         panel, selected = self.panel, self._scene.selected
         if not self._seen:
-            self._viewport.show_sketch(SKETCH, None)
+            self._draw(None)
             return
         ends = tuple(self._ends) if len(self._ends) == 2 else None
         known = project is not None and {target.name for target in project.targets}
@@ -152,12 +152,17 @@ class Sections(QObject):
     def _show_nothing(self, words: str) -> None:
         self._stale, self._shown = False, None
         self.panel.show_nothing(words)
-        self._viewport.show_sketch(SKETCH, None)
+        self._draw(None)
 
     def _sketch(self) -> None:
         """Draw the frame of what is cut into the view."""
         cut = next((c for c in self._cuts if c.which == self._scene.which), self._cuts[0])
-        self._viewport.show_sketch(SKETCH, frame_of(cut.section))
+        self._draw(frame_of(cut.section))
+
+    def _draw(self, sketch: Sketch | None) -> None:
+        if sketch is not None or self._drawn:
+            self._drawn = sketch is not None
+            self._viewport.show_sketch(SKETCH, sketch)
 
 
 def frame_of(section: Section) -> Sketch:
