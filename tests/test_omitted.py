@@ -29,6 +29,38 @@ def test_what_does_harm_is_named_first(name, seed) -> None:
     assert (np.abs(mended) <= np.maximum(off, 2 * result.sigma)).all()
 
 
+@pytest.mark.parametrize(
+    ("wrong", "names"),
+    [
+        ((0.05, 0.05, 0.0), {"lever_x", "lever_y"}),
+        ((0.05, -0.05, 0.0), {"lever_x", "lever_y"}),
+        ((0.04, 0.0, 0.0), {"lever_x"}),
+    ],
+)
+def test_a_wrong_lever_arm_is_no_jump_of_good_lines(wrong, names) -> None:
+    """Lines would be let go of until the rest agreed with the wrong value."""
+    for seed in range(3):
+        stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + wrong)
+        points = survey(KNOWN, 200 + seed)
+        result = adjust(points, stated, MODEL)
+        assert result.suspects == ()
+        assert {each.name for each in result.contradictions} == names
+        for each in result.contradictions:
+            off = wrong["xyz".index(each.name[-1])]
+            assert abs(each.change + off) < 4 * each.sigma
+            assert each.change == pytest.approx(-off, abs=0.015)
+
+
+def test_a_shifted_sighting_is_named_beside_a_wrong_lever_arm() -> None:
+    from tests.test_robustness import shifted
+
+    stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
+    points = survey(KNOWN, 221)
+    result = adjust(shifted(points, 4, 0.3), stated, MODEL)
+    assert result.suspects == (points.sightings[4],)
+    assert [each.name for each in result.contradictions] == ["lever_x"]
+
+
 def test_estimating_it_settles_the_matter() -> None:
     from lispac.adjustment.parameters import Parameter
 

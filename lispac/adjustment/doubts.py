@@ -62,6 +62,12 @@ STRAY_CHANCE = 0.001
 FEW_STRAYS = 0.005
 """Share of strays that any survey has; fewer are not worth the reader's time."""
 
+MOST_JUMPED = 0.2
+"""Share of the lines beyond which lines that were let go of make the rest doubtful."""
+
+SHIFTED = 2.0
+"""Test value below which a sighting that was let go of is not off by its shift."""
+
 MOST_NAMED = 4
 """Sightings, parts or targets named one by one; more are counted."""
 
@@ -116,14 +122,15 @@ def _contradictions(result: AdjustmentResult, _: CrossChecks | None) -> Iterator
             for angle, moved, sigma in zip(ANGLES, found.moved, result.sigma, strict=True)
             if abs(moved) > OF_CONSEQUENCE * sigma
         ]
+        so = f", which would move {listed(moves)}" if moves else ""
         larger = "larger" if found.change > 0 else "smaller"
         yield Doubt(
             f"contradicted_{found.name}",
             True,
             f"The data contradict the stated {parameter(found.name)}: they want it "
             f"{amount(found.name, abs(found.change))} {larger} "
-            f"(\u00b1\u00a0{amount(found.name, found.sigma)}, w\u00a0{signed(found.w, 1)}), which "
-            f"would move {listed(moves)}. Measure it again, or have it estimated.",
+            f"(\u00b1\u00a0{amount(found.name, found.sigma)}, w\u00a0{signed(found.w, 1)})"
+            f"{so}. Measure it again, or have it estimated.",
         )
 
 
@@ -225,11 +232,13 @@ def _sightings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doub
             "the trajectory there.",
         )
     if result.suspect_lines:
+        jumped, lines = sorted(result.suspect_lines), {item.sighting.line for _, item in found}
         yield Doubt(
             "line_jumped",
-            False,
-            f"Every target is off on line {listed(sorted(result.suspect_lines))}: the position may "
-            "have jumped there, or targets are mixed up.",
+            len(jumped) > MOST_JUMPED * len(lines),
+            f"Every target is off on {'line' if len(jumped) == 1 else 'lines'} {listed(jumped)}: "
+            "the position may have jumped there, targets are mixed up, or a stated value of the "
+            "mounting is wrong.",
         )
     doubtful = [item for finding, item in found if finding == "disagrees"]
     if doubtful:
@@ -248,8 +257,8 @@ def _named(items: list[SightingReliability]) -> str:
 
 def _off(item: SightingReliability) -> str:
     where = _where(item.sighting)
-    if not item.detectable < UNCHECKED:
-        return where
+    if not item.detectable < UNCHECKED or abs(item.w) < SHIFTED:
+        return where  # not checked, or turned rather than shifted
     return f"{where} (off by {mm(abs(item.shift))}\u00a0mm, w\u00a0{signed(item.w, 1)})"
 
 

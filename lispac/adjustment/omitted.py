@@ -27,11 +27,21 @@ FAMILY = 0.01
 OF_CONSEQUENCE = 0.5
 """Sigmas by which an angle would move at least for an error that is worth telling."""
 
+PLAIN = 6.0
+"""Test value beyond which an error is told whatever it does: the sigmas have grown with it."""
 
-def contradictions(linearised: Linearised) -> tuple[Contradiction, ...]:
+
+def contradictions(
+    linearised: Linearised, *, least: float = OF_CONSEQUENCE
+) -> tuple[Contradiction, ...]:
     """Values that the data contradict, the most surprising first (correlated model).
 
-    What the geometry does not see is left alone, and so is what no angle feels.
+    What the geometry does not see is left alone.
+
+    Parameters
+    ----------
+    least : float
+        Sigmas by which an angle would move at least.
     """
     problem = linearised.problem
     estimated = {parameter.name for parameter in problem.parameters}
@@ -53,7 +63,7 @@ def contradictions(linearised: Linearised) -> tuple[Contradiction, ...]:
         worst = max(tests, key=lambda test: abs(test.w), default=None)
         if worst is None or abs(worst.w) <= critical:
             break
-        if (np.abs(worst.moved) > OF_CONSEQUENCE * sigma_now).any():
+        if abs(worst.w) > PLAIN or (np.abs(worst.moved) >= least * sigma_now).any():
             found.append(worst)
         gone, moved = (*gone, Parameter(worst.name)), moved + worst.moved
         omitted = [each for each in omitted if each.name != worst.name]

@@ -164,11 +164,6 @@ class Problem:
             problem, surface_sigma=self.surface_sigma, scale=self.scale, noise=self.noise
         )
 
-    def with_shared_errors(self) -> "Problem":
-        """The same in the correlated model."""
-        model = replace(self.model, pos_errors="correlated")
-        return Problem.of(self.observations, self.prior, model, self.parameters, self.moments)
-
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "Problem":
         """The same with other values to estimate."""
         return replace(self, parameters=parameters)

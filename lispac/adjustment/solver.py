@@ -13,10 +13,11 @@ from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_bl
 from lispac.adjustment.components import FACTORS, variance_components
 from lispac.adjustment.iteration import Solution, iterate
 from lispac.adjustment.noise import astray, at_target, noise_factors
-from lispac.adjustment.observability import require_determined, require_two_facings, unseen
+from lispac.adjustment.observability import NAMES, require_determined, require_two_facings, unseen
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.omitted import contradictions
 from lispac.adjustment.parameters import Estimate, Parameter
-from lispac.adjustment.problem import Problem
+from lispac.adjustment.problem import RELEASED, Linearised, Problem
 from lispac.adjustment.result import AdjustmentResult, Component
 from lispac.adjustment.shapes import (
     about,
@@ -26,6 +27,7 @@ from lispac.adjustment.shapes import (
     shapes_of_most,
     usual_radii,
 )
+from lispac.adjustment.shown import amount, parameter, plain
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
@@ -145,14 +147,13 @@ def _adjusted(
         # Sigmas that are too small would make blunders of sightings that are none.
         solution, _, factors = _with_components(solution, factors, progress)
     if _may_release(model):
-        solution = _without_blunders(solution, gone, progress)
+        solution = _explained(solution, gone, progress)
     if components and model.correlated:
         solution, found, factors = _with_components(solution, factors, progress)
     if len(few) < len(observations):
         observations = about(observations.with_sigmas(*factors), origins)
         solution = _completed(solution, observations, progress)
-    # Without what was let go of, the rest may not be enough.
-    require_determined(solution.linearised)
+    _require_determined_still(solution.linearised)
     return summary(
         solution.linearised, solution.state, fitted, origins,
         path=solution.path, held=held, components=found, diagnostics=diagnostics,
@@ -163,18 +164,48 @@ def _adjusted(
 def _seen(problem: Problem, state: State) -> tuple[tuple[Parameter, ...], tuple[Estimate, ...]]:
     """The parameters to estimate, and those the geometry hides; refuse a hopeless boresight."""
     linearised = problem.linearised(state)
-    # Thesis mode would see with its sigmas what no geometry shows.
-    judged = linearised
-    if not problem.model.correlated:
-        shared = problem.with_shared_errors()
-        judged = shared.linearised(shared.start(state.mounting, state.shapes))
-    hidden = unseen(judged)
-    held = {estimate.name for estimate in hidden if estimate.prior_sigma is None}
+    hidden = unseen(linearised) if problem.model.correlated else _not_in_thesis_mode(problem)
+    correlated = problem.model.correlated
+    held = {e.name for e in hidden if e.prior_sigma is None or not correlated}
     kept = tuple(p for p in problem.parameters if p.name not in held)
     if held:
         linearised = problem.with_parameters(kept).linearised(state)
     require_determined(linearised)
     return kept, hidden
+
+
+def _require_determined_still(linearised: Linearised) -> None:
+    """Refuse what is left when sightings are let go of and surfaces are as different as they seem.
+
+    Raises
+    ------
+    RankDeficient
+    """
+    try:
+        require_determined(linearised)
+    except RankDeficient as error:
+        wrong = contradictions(linearised, least=0.0) if linearised.problem.layout.surfaces else ()
+        if not wrong:
+            raise
+        worst = wrong[0]
+        larger = "larger" if worst.change > 0 else "smaller"
+        raise RankDeficient(
+            f"The data contradict the stated {parameter(worst.name)}: they want it "
+            f"{plain(amount(worst.name, abs(worst.change)))} {larger}, and with the stated one "
+            "they do not determine the boresight. Measure it again, or have it estimated."
+        ) from error
+
+
+def _not_in_thesis_mode(problem: Problem) -> tuple[Estimate, ...]:
+    """All are held: independent POS errors would give them wrong values with small sigmas."""
+    return tuple(
+        Estimate(
+            each.name, float(problem.prior.values[each.index]), each.sigma,
+            reason=f"Thesis mode estimates the boresight alone: {NAMES[each.name]} would come out "
+            "wrong, with a sigma far too small. It is held; choose the correlated model for it.",
+        )
+        for each in problem.parameters
+    )  # fmt: skip
 
 
 def _sampled(observations: Observations) -> Observations:
@@ -191,7 +222,10 @@ def _completed(near: Solution, observations: Observations, progress: Progress) -
         observations, sample.prior, sample.model, sample.parameters, sample.moments
     )
     problem = replace(
-        problem, noise=sample.noise, scale=sample.scale, surface_sigma=sample.surface_sigma
+        problem,
+        noise=sample.noise,
+        scale=sample.scale,
+        surface_sigma=sample.surface_sigma,
     )
     if problem.model.correlated:
         few, residuals = sample.observations, sample.residuals(near.state)[1]
@@ -235,6 +269,47 @@ def _led_by_most(
                 problem = found.out_of(problem)
             return iterate(problem, solution.state, progress, earlier=solution.path), plain
     return iterate(problem, start, progress), []
+
+
+def _let_go(solution: Solution) -> int:
+    """Sightings that are not held to their target's place."""
+    return int((~solution.linearised.problem.held).sum())
+
+
+def _explained(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:
+    """Let go of what does not agree, but not of what a wrong value of the mounting explains.
+
+    A lever arm that is stated wrongly makes good sightings disagree, whole lines of them. Where the
+    values that the data contradict leave fewer to let go of, one a value, those alone are let go
+    of; the values are not estimated, and the result says that they are contradicted.
+    """
+    released = _without_blunders(solution, gone, progress)
+    problem = solution.linearised.problem
+    count = _let_go(released)
+    if count <= _let_go(solution):
+        return released
+    fewest, surfaces = count, None
+    tried: list[tuple[str, ...]] = [()]
+    for judged in (solution, released):
+        # In the order they were found: what explains most comes first.
+        names = tuple(each.name for each in contradictions(judged.linearised, least=0.0))
+        if names in tried:
+            continue
+        tried.append(names)
+        wider = problem.with_parameters((*problem.parameters, *map(Parameter, names)))
+        try:
+            let_go = iterate(wider, solution.state, progress, earlier=solution.path)
+            explained = _without_blunders(let_go, gone, progress)
+        except (RankDeficient, NotConverged):
+            continue
+        if _let_go(explained) + len(names) < fewest:
+            fewest = _let_go(explained) + len(names)
+            surfaces = explained.linearised.problem.surface_sigma
+    if surfaces is None:
+        return released
+    surfaces = np.where(surfaces >= RELEASED, RELEASED, problem.usual_surface)
+    problem = replace(problem, surface_sigma=surfaces)
+    return iterate(problem, solution.state, progress, earlier=solution.path)
 
 
 def _without_blunders(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:
