@@ -29,10 +29,13 @@ from lispac.adjustment.shown import (
 from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.estimate_options import noise_and_offsets
+from lispac.cli.qualities import as_list, print_doubtful
 from lispac.io.plane_file import read_plane_files
+from lispac.progress import part
 from lispac.project import Project, Settings
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow import calibration, projects
+from lispac.workflow.qualities import qualities
 from lispac.workflow.survey import load_survey
 
 LABEL = 29
@@ -65,14 +68,16 @@ def estimate(arguments: Namespace) -> None:
             project,
             survey,
             cross_check=not arguments.no_cross_checks,
-            progress=progress,
+            progress=part(progress, 0.0, 0.9),
         )
+        found = qualities(project, survey, progress=part(progress, 0.9, 1.0))
     projects.save_project(project)
     if arguments.json:
-        print_json(project_numbers(project))
+        print_json(project_numbers(project) | {"qualities": as_list(found)})
     else:
         assert project.result is not None
         print_result(project.result, project.cross_checks)
+        print_doubtful(found)
 
 
 def asked_settings(settings: Settings, arguments: Namespace) -> Settings:

@@ -5,9 +5,12 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.qualities import as_values
 from lispac.project import Target
+from lispac.targets.quality import SightingQuality
 from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow import picking, projects
+from lispac.workflow.qualities import judge_target
 from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import load_survey
 
@@ -36,6 +39,7 @@ def pick(arguments: Namespace) -> None:
     projects.save_project(project)
     target = project.target(arguments.name)
     spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
+    found = judge_target(project, survey, target)
     usual = picking.DEFAULT_RADII[target.role][0]
     if arguments.radius is None and target.shape == "plane" and target.radius > usual:
         print(
@@ -46,14 +50,17 @@ def pick(arguments: Namespace) -> None:
     for words in thinned_words(target):
         print(f"note: {words}", file=sys.stderr)
     if arguments.json:
-        print_json(_as_json(target, spheres))
+        print_json(_as_json(target, spheres, found))
     else:
-        _print(target, spheres)
+        _print(target, spheres, found)
 
 
-def _as_json(target: Target, spheres: dict[str, SpherePatch]) -> dict[str, Any]:
+def _as_json(
+    target: Target, spheres: dict[str, SpherePatch], found: dict[str, SightingQuality]
+) -> dict[str, Any]:
     lines: dict[str, dict[str, Any]] = {
-        s.line: {"points": len(s.indices), "rms_m": s.rms} for s in target.sightings
+        s.line: {"points": len(s.indices), "rms_m": s.rms, "quality": as_values(found[s.line])}
+        for s in target.sightings
     }
     for line, patch in spheres.items():
         lines[line] |= {
@@ -72,12 +79,16 @@ def _as_json(target: Target, spheres: dict[str, SpherePatch]) -> dict[str, Any]:
     }
 
 
-def _print(target: Target, spheres: dict[str, SpherePatch]) -> None:
+def _print(
+    target: Target, spheres: dict[str, SpherePatch], found: dict[str, SightingQuality]
+) -> None:
     for sighting in target.sightings:
         print(
             f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
-            f"RMS {sighting.rms * 1000:.1f} mm"
+            f"RMS {sighting.rms * 1000:.1f} mm, {found[sighting.line].light}"
         )
+        for reason in found[sighting.line].reasons:
+            print(f"    {reason}")
         if sighting.line in spheres:
             patch = spheres[sighting.line]
             north, west, up = patch.centre

@@ -5,12 +5,13 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, Delaunay, QhullError
+from scipy.spatial import ConvexHull, QhullError
 from scipy.stats import f as f_distribution
 
 from lispac.geometry.planes import Plane, extent_in_plane, in_plane_axes, rms_distance
 from lispac.geometry.spheres import Sphere, rms_from_sphere, share_seen
 from lispac.targets import outline
+from lispac.targets.smear import smear_taken_off
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -58,6 +59,9 @@ class SightingQuality:
         Whether the bend is more than chance.
     unevenness : float or None, metres
         RMS by which the surface departs from its smooth shape, noise taken off.
+    smear : float or None, metres
+        RMS of what an error of the boresight can explain; it is taken off before RMS, curvature and
+        unevenness are judged. None where the boresight is an estimated one.
     light : "good", "doubtful" or "poor"
     reasons : tuple of str
         Why it is not good, the worst first.
@@ -75,6 +79,19 @@ class SightingQuality:
     unevenness: float | None
     light: Light
     reasons: tuple[str, ...]
+    smear: float | None = None
+
+    @property
+    def words(self) -> str:
+        """The light and its reasons as sentences."""
+        return " ".join([f"{self.light.capitalize()}.", *self.reasons])
+
+
+def undetermined(points: int, rms: float, reason: str) -> SightingQuality:
+    """The quality of points that form no plane or sphere."""
+    return SightingQuality(
+        points, rms, 0.0, None, None, None, 0.0, None, False, None, "poor", (reason,)
+    )
 
 
 def plane_quality(
@@ -85,6 +102,7 @@ def plane_quality(
     noise: float,
     *,
     scanner_local: Array | None = None,
+    turns_local: Array | None = None,
 ) -> SightingQuality:
     """Judge a plane as one line saw it.
 
@@ -99,6 +117,9 @@ def plane_quality(
         Of a point across the plane.
     scanner_local : ndarray of shape (3,) or (m, 3), metres, optional
         Where the scanner was when it measured the sighting's points.
+    turns_local : ndarray of shape (3, m, 3), metres per radian, optional
+        How the sighting's points move as roll, pitch and yaw of the boresight change. Given where
+        the boresight is not estimated yet: what its error can explain does not count then.
     """
     points = points_local[indices]
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
@@ -107,14 +128,18 @@ def plane_quality(
     cell = _cell(placed)
     area = outline.area(placed, cell)
     coverage = _coverage(placed, cell)
-    sagitta, curved, uneven = _shape(placed, off, cell)
+    own = off
+    if turns_local is not None:
+        own = smear_taken_off(placed, off, (turns_local @ plane.normal).T, noise)
+    sagitta, curved, uneven = _shape(placed, own, cell)
     incidence = None
     if scanner_local is not None:
         beams = points - scanner_local
         cosines = np.abs(beams @ plane.normal) / np.linalg.norm(beams, axis=1)
         incidence = float(np.median(np.arccos(np.minimum(cosines, 1.0))))
     rms = rms_distance(plane, points)
-    said = [*_few(len(points)), *_rough(rms, noise)]
+    rms_own = float(np.sqrt(np.mean(own**2)))
+    said = [*_few(len(points)), *_rough(rms_own, noise)]
     if incidence is not None:
         degrees = float(np.degrees(incidence))
         said += _beyond(
@@ -135,6 +160,7 @@ def plane_quality(
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
         extent_in_plane(plane, points), coverage, sagitta, curved, uneven, light, reasons,
+        None if turns_local is None else float(np.sqrt(np.mean((off - own) ** 2))),
     )  # fmt: skip
 
 
@@ -199,9 +225,10 @@ def _coverage(placed: Array, cell: float) -> float:
     filled[at[:, 0], at[:, 1]] = True
     middles = low + (np.argwhere(np.ones_like(filled)) + 0.5) * cell
     try:
-        inside = Delaunay(placed).find_simplex(middles) >= 0
+        sides = ConvexHull(placed).equations
     except QhullError:  # all in one row: it is its own outline
         return 1.0
+    inside = (middles @ sides[:, :2].T <= -sides[:, 2]).all(axis=1)
     inside |= filled.ravel()
     return float(np.count_nonzero(filled) / np.count_nonzero(inside))
 

@@ -33,7 +33,7 @@ def reselect(project: Project, survey: Survey, *, progress: Progress = no_progre
     used = [target for target in project.of_role("target") if target.used_sightings]
     for k, target in enumerate(used):
         progress(k / len(used), f"Selecting the points of {target.name} again")
-        again = _again(target, survey.clouds, clouds)
+        again = selected_again(target, survey.clouds, clouds)
         project = replace(
             project,
             targets=tuple(again if other is target else other for other in project.targets),
@@ -41,9 +41,23 @@ def reselect(project: Project, survey: Survey, *, progress: Progress = no_progre
     return project
 
 
-def _again(target: Target, before: Mapping[str, Cloud], after: Mapping[str, Cloud]) -> Target:
+def selected_again(
+    target: Target,
+    before: Mapping[str, Cloud],
+    after: Mapping[str, Cloud],
+    *,
+    narrowed: float = NARROWED,
+) -> Target:
+    """The used sightings of a target, sought in lines that are placed otherwise now.
+
+    Parameters
+    ----------
+    before, after : lines by name, as the target was picked in them and as they are placed now
+    narrowed : float
+        Share of the threshold of the pick; that of a sphere stays.
+    """
     line, seed = _moved_seed(target, before, after)
-    narrowed = NARROWED if target.shape == "plane" else 1.0
+    narrowed = narrowed if target.shape == "plane" else 1.0
     settings = FinderSettings(threshold=narrowed * target.threshold, radius=target.radius)
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:

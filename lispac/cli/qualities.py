@@ -1,0 +1,47 @@
+"""How good sightings are, for the terminal and as plain values."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from lispac.targets.quality import SightingQuality
+
+Key = tuple[str, str]
+
+
+def as_values(quality: SightingQuality) -> dict[str, Any]:
+    """One quality as plain values, in degrees and metres."""
+    incidence, extent = quality.incidence, quality.extent
+    return {
+        "light": quality.light,
+        "reasons": list(quality.reasons),
+        "points": quality.points,
+        "rms_m": quality.rms,
+        "smear_of_prior_m": quality.smear,
+        "range_m": quality.range,
+        "density_per_m2": quality.density,
+        "incidence_deg": None if incidence is None else float(np.degrees(incidence)),
+        "extent_m": None if extent is None else [float(side) for side in extent],
+        "coverage": quality.coverage,
+        "curvature_m": quality.curvature,
+        "unevenness_m": quality.unevenness,
+    }
+
+
+def as_list(found: Mapping[Key, SightingQuality]) -> list[dict[str, Any]]:
+    """All qualities as plain values."""
+    return [
+        {"target": target, "line": line, **as_values(quality)}
+        for (target, line), quality in found.items()
+    ]
+
+
+def print_doubtful(found: Mapping[Key, SightingQuality]) -> None:
+    """The sightings that are not good, the poor ones first."""
+    told = [(key, quality) for key, quality in found.items() if quality.light != "good"]
+    if not told:
+        return
+    print("\nSightings that are less than good:")
+    for (target, line), quality in sorted(told, key=lambda each: each[1].light != "poor"):
+        print(f"- {target} on {line}: {quality.words}")

@@ -1,0 +1,42 @@
+"""What a wrong boresight does to a plane that is seen from a moving platform."""
+
+from math import radians
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+PRIOR_OFF = radians(2.0)
+"""Sigma of each angle of a boresight that nothing has been estimated for, radians."""
+
+
+def smear_taken_off(placed: Array, off: Array, moves: Array, noise: float) -> Array:
+    """Distances without what an error of the boresight can explain in them.
+
+    A turn of the LiDAR moves the points of a board along its normal. Where the platform turns or
+    travels meanwhile they do not move alike, and a flat board is placed bent. The turn that
+    explains most is sought by least squares together with a plane; it is held to what a prior
+    boresight may be off by, so that a board crossed in no time keeps its own bend.
+
+    Parameters
+    ----------
+    placed : ndarray of shape (m, 2), metres, in the plane
+    off : ndarray of shape (m,), metres, from the plane
+    moves : ndarray of shape (m, 3), metres per radian
+        Along the normal, as each angle turns.
+    noise : float, metres
+        Of a point.
+
+    Returns
+    -------
+    ndarray of shape (m,), metres
+        From the plane that is left.
+    """
+    scale = max(float(np.abs(placed).max()), 1e-6)
+    design = np.column_stack([np.ones(len(off)), placed / scale, moves * PRIOR_OFF])
+    normal = np.einsum("ni,nj->ij", design, design) / noise**2
+    normal[[3, 4, 5], [3, 4, 5]] += 1.0  # the angles in units of their sigma
+    right = np.einsum("ni,n->i", design, off) / noise**2
+    found = np.linalg.lstsq(normal, right, rcond=1e-14)[0]
+    return np.asarray(off - design @ found)

@@ -1,0 +1,163 @@
+"""How good each sighting of a project is."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import LispacError
+from lispac.geometry.planes import fit_plane
+from lispac.geometry.spheres import fit_sphere
+from lispac.progress import Progress, no_progress
+from lispac.project import PickedSighting, Project, Settings, Target
+from lispac.survey.georeferencing import Georeferencer, Mounting
+from lispac.targets.quality import SightingQuality, plane_quality, sphere_quality, undetermined
+from lispac.workflow.reselection import selected_again
+from lispac.workflow.survey import Survey
+
+Key = tuple[str, str]
+"""Names of target and line."""
+
+STEP = 1e-5
+"""Radians by which the boresight is turned to see how points move."""
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """A quality, and what it was judged from."""
+
+    quality: SightingQuality
+    indices: NDArray[np.int64]
+    of: tuple[object, ...]
+
+    def holds(self, project: Project, target: Target, sighting: PickedSighting) -> bool:
+        """Whether the quality is that of the sighting as the project has it now."""
+        return self.indices is sighting.indices and self.of == _rests_on(project, target)
+
+
+def judge(
+    project: Project,
+    survey: Survey,
+    *,
+    known: Mapping[Key, Judged] | None = None,
+    progress: Progress = no_progress,
+) -> dict[Key, Judged]:
+    """Judge every sighting of a project; what is ``known`` and still holds is taken over.
+
+    Before the calibration the points are those that were picked, and what an error of the prior
+    boresight can explain in them does not count. After it they are selected once more in the lines
+    as they lie then, with the threshold of the pick: the adjustment too leaves the picked ones.
+    """
+    known, judged = known or {}, {}
+    placing = _Placing.of(project, survey)
+    placed = survey.placed(project, "estimated") if project.result is not None else None
+    for k, target in enumerate(project.targets):
+        progress(k / len(project.targets), f"Judging the sightings of {target.name}")
+        kept = {
+            key: known[key]
+            for key in ((target.name, sighting.line) for sighting in target.sightings)
+            if key in known
+        }
+        if all(
+            (target.name, s.line) in kept and kept[target.name, s.line].holds(project, target, s)
+            for s in target.sightings
+        ):
+            judged |= kept
+            continue
+        now = target
+        if placed is not None:
+            sightings = tuple(replace(s, used=True) for s in target.sightings)
+            every = replace(target, sightings=sightings, used=True)
+            now = selected_again(every, survey.clouds, placed, narrowed=1.0)
+        for picked, sighting in zip(target.sightings, now.sightings, strict=True):
+            quality = _quality(project, survey, placing, target, sighting)
+            judged[target.name, picked.line] = Judged(
+                quality, picked.indices, _rests_on(project, target)
+            )
+    return judged
+
+
+def judge_target(project: Project, survey: Survey, target: Target) -> dict[str, SightingQuality]:
+    """The quality of each sighting of a target, by line, before a calibration or after it."""
+    judged = judge(replace(project, targets=(target,)), survey)
+    return {line: each.quality for (_, line), each in judged.items()}
+
+
+def qualities(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> dict[Key, SightingQuality]:
+    """The quality of every sighting, by the names of target and line."""
+    judged = judge(project, survey, progress=progress)
+    return {key: each.quality for key, each in judged.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class _Placing:
+    """Where points and scanner are, and where points go as each angle turns.
+
+    With the estimated mounting where there is one. Before, with the prior one, whose error bends a
+    plane that is seen from a moving vessel: what such an error can explain does not count.
+    """
+
+    points: Georeferencer
+    scanner: Georeferencer
+    turned: tuple[Georeferencer, ...]
+
+    @classmethod
+    def of(cls, project: Project, survey: Survey) -> "_Placing":
+        """As the project stands."""
+        mounting = project.mounting("prior" if project.result is None else "estimated")
+        # A range offset has nothing to say about where the scanner was.
+        scanner = Mounting(mounting.lever_arm, mounting.boresight, latency=mounting.latency)
+        turned = (mounting.with_boresight(mounting.boresight + step) for step in STEP * np.eye(3))
+        return cls(
+            Georeferencer.of(survey.trajectory, mounting),
+            Georeferencer.of(survey.trajectory, scanner),
+            tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
+            if project.result is None
+            else (),
+        )
+
+
+def _quality(
+    project: Project, survey: Survey, placing: _Placing, target: Target, sighting: PickedSighting
+) -> SightingQuality:
+    points_lidar, time = survey.scans[sighting.line].take(sighting.indices)
+    points_local = placing.points(points_lidar, time)
+    noise = lidar_noise(project.settings)
+    every = np.arange(len(points_local))
+    try:
+        if target.shape == "sphere":
+            sphere = fit_sphere(points_local, target.sphere_radius)
+            return sphere_quality(points_lidar, points_local, every, sphere, noise)
+        plane = fit_plane(points_local)
+    except LispacError as error:
+        return undetermined(len(every), sighting.rms, str(error))
+    turns = None
+    if placing.turned:
+        turned = [each(points_lidar, time) for each in placing.turned]
+        turns = np.stack([(points - points_local) / STEP for points in turned])
+    return plane_quality(
+        points_lidar, points_local, every, plane, noise,
+        scanner_local=placing.scanner(np.zeros_like(points_lidar), time), turns_local=turns,
+    )  # fmt: skip
+
+
+def lidar_noise(settings: Settings) -> float:
+    """Of a point across a surface that the beam meets head on, metres."""
+    if settings.lidar_beam_sigma is not None:
+        return settings.lidar_beam_sigma[0]
+    if settings.lidar_sigma_xyz is not None:
+        return float(np.sqrt(np.mean(np.square(settings.lidar_sigma_xyz))))
+    return settings.lidar_sigma
+
+
+def _rests_on(project: Project, target: Target) -> tuple[object, ...]:
+    """Besides the points, what a quality depends on."""
+    estimated = project.result is not None
+    mounting = project.mounting("estimated" if estimated else "prior")
+    return (
+        target.shape, target.sphere_radius, lidar_noise(project.settings), estimated,
+        *mounting.values.tolist(),
+    )  # fmt: skip

@@ -1,0 +1,114 @@
+"""Every sighting of a project judged: before and after the calibration."""
+
+import json
+from dataclasses import replace
+from math import radians
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.project import Project
+from lispac.targets.quality import plane_quality
+from lispac.targets.smear import smear_taken_off
+from lispac.workflow.qualities import judge, qualities
+from lispac.workflow.survey import Survey
+from tests.test_quality import NOISE, board, fit_plane
+
+
+def with_fewer(project: Project, name: str, line: str, kept: int) -> Project:
+    """The project, one sighting with its first points only."""
+    target = project.target(name)
+    sightings = tuple(
+        replace(s, indices=s.indices[:kept]) if s.line == line else s for s in target.sightings
+    )
+    edited = project.with_target(replace(target, sightings=sightings))
+    return replace(edited, result=project.result)
+
+
+def test_every_sighting_of_the_demo_is_judged(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    after = qualities(project, survey)
+    before = qualities(replace(project, result=None), survey)
+    keys = {(t.name, s.line) for t in project.targets for s in t.sightings}
+    assert set(before) == set(after) == keys
+    assert all(quality.smear is None for quality in after.values())
+    assert all(quality.smear < 0.004 for quality in before.values())
+    # A board that faces up is seen from the side: the beams meet it steeply, and nothing is bent.
+    for key in keys:
+        assert after[key].light != "poor", (key, after[key].words)
+        assert not after[key].curvature > 0.006, (key, after[key].words)
+        assert before[key].light == after[key].light, (key, before[key].words, after[key].words)
+
+
+def test_what_still_holds_is_not_judged_again(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    known = judge(project, survey)
+    first = project.targets[0]
+    line = first.sightings[0].line
+    again = judge(with_fewer(project, first.name, line, 40), survey, known=known)
+    assert {key[0] for key, each in again.items() if each is not known[key]} == {first.name}
+    assert judge(replace(project, result=None), survey, known=known).keys() == known.keys()
+    moved = replace(project, result=None)
+    assert all(
+        each is not known[key] for key, each in judge(moved, survey, known=known).items()
+    )  # another mounting, other points
+
+
+def test_points_on_a_row_are_poor_with_the_reason(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    target = project.targets[0]
+    line = target.sightings[0].line
+    few = with_fewer(replace(project, result=None), target.name, line, 2)
+    quality = qualities(few, survey)[target.name, line]
+    assert quality.light == "poor"
+    assert "at least three points" in quality.words
+
+
+def smeared(bend: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+    """A board whose points lie off as an error of 1 deg lets them, and how they move as it turns.
+
+    The vessel yaws while it passes: the yaw error acts in proportion to the square of the place.
+    """
+    points = board(lambda x, z: bend * (x / 0.6) ** 2)
+    moves = np.zeros((3, len(points), 3))
+    moves[2, :, 1] = (points[:, 0] / 0.6) ** 2 * 0.5  # metres per radian
+    return points + radians(1.0) * moves[2], moves
+
+
+def test_what_the_prior_explains_is_not_called_a_bend():
+    points, moves = smeared()
+    plane, every = fit_plane(points), np.arange(len(points))
+    told = plane_quality(points, points, every, plane, NOISE)
+    assert told.curved
+    assert told.light == "poor"
+    spared = plane_quality(points, points, every, plane, NOISE, turns_local=moves)
+    assert spared.light == "good", spared.words
+    assert spared.smear == pytest.approx(0.3 * radians(1.0) * 0.5, rel=0.1)
+    # More than the prior can be off by is the board's own.
+    points, moves = smeared(bend=0.06)
+    plane = fit_plane(points)
+    assert plane_quality(points, points, every, plane, NOISE, turns_local=moves / 20).curved
+
+
+def test_a_plane_seen_in_no_time_keeps_its_distances():
+    rng = np.random.default_rng(2)
+    placed = rng.uniform(-0.6, 0.6, (2000, 2))
+    off = 0.02 * placed[:, 0] ** 2
+    off -= off.mean()
+    moves = np.column_stack([placed @ [3.0, 1.0], placed @ [0.5, 9.0], np.full(2000, 20.0)])
+    left = smear_taken_off(placed, off, moves, NOISE)
+    np.testing.assert_allclose(np.sqrt(np.mean(left**2)), np.std(off), rtol=0.02)
+
+
+def test_the_terminal_says_how_good_each_sighting_is(
+    copy: Project, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = str(copy.folder)
+    assert main(["estimate", folder, "--no-cross-checks", "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)["qualities"]
+    assert {each["light"] for each in said} <= {"good", "doubtful"}
+    for each in said:
+        assert each["points"] > 50
+        assert len(each["reasons"]) == (each["light"] != "good") or each["reasons"]
+        assert 0 < each["incidence_deg"] < 90
