@@ -56,6 +56,18 @@ def swatch(colour: "Colour", size: int = 12) -> QIcon:
     return QIcon(pixmap)
 
 
+LIGHTS = {
+    "good": ("check-circle", DONE), "doubtful": ("alert-circle", "#d97a00"),
+    "poor": ("close-circle", ERROR),
+}  # fmt: skip
+"""Traffic lights differ in shape as well: colours alone do not tell everybody."""
+
+
+def light(which: str) -> QIcon:
+    """The traffic light of a quality: good, doubtful or poor."""
+    return icon(*LIGHTS[which])
+
+
 def icon(name: str, colour: str = TEXT) -> QIcon:
     """An icon of the Material Design set by its name."""
     return qtawesome.icon(f"mdi6.{name}", color=colour, color_disabled="#a9b3bd")

@@ -40,9 +40,11 @@ from lispac.report.values import (
     PickedPlane,
     ReportContent,
     SightingFit,
+    SightingJudged,
     TargetFit,
     ValidationPlane,
 )
+from lispac.targets.quality import SightingQuality
 from lispac.validation.comparison import DistanceStatistics, PlaneComparison
 
 __all__ = ["CONVENTION", "ReportContent", "report_content"]
@@ -63,6 +65,7 @@ def report_content(
     track_local: Mapping[str, Array],
     notes: Sequence[str],
     generated: datetime,
+    qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Gather what a report says about a project, finished or not.
@@ -76,6 +79,7 @@ def report_content(
     notes : what was assumed while reading, in words
     generated : datetime
         Taken as UTC where it has no time zone.
+    qualities : by the names of target and line
 
     Notes
     -----
@@ -109,6 +113,7 @@ def report_content(
         settings=settings_used(project),
         files=_files(project, progress),
         notes=tuple(notes),
+        qualities=tuple(_judged(*key, each) for key, each in (qualities or {}).items()),
     )
     found = doubts(project.result, project.cross_checks) if project.result else ()
     return replace(content, cautions=cautions_of(content, found))
@@ -214,6 +219,22 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
             )
             for s in result.sightings
         ),
+    )
+
+
+def _judged(target: str, line: str, quality: SightingQuality) -> SightingJudged:
+    incidence = quality.incidence
+    return SightingJudged(
+        target,
+        line,
+        quality.light,
+        quality.reasons,
+        quality.points,
+        quality.rms,
+        quality.range,
+        quality.density,
+        None if incidence is None else float(np.degrees(incidence)),
+        quality.coverage,
     )
 
 

@@ -8,6 +8,7 @@ from lispac.report import sections
 from lispac.report.blocks import Block, Document, Picture, Section, Signature, Status
 from lispac.report.boresight_section import boresight
 from lispac.report.checks_section import cross_checks, reliability
+from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
@@ -32,6 +33,7 @@ def document_of(content: ReportContent, pictures: Mapping[str, Path]) -> Documen
     parts = [
         _section("Boresight and its uncertainty", boresight(content)),
         _section("Targets and residuals", sections.residuals(content)),
+        _section("Quality of the sightings", quality_of_sightings(content)),
         _section("Reliability of the sightings", reliability(content)),
         _section("Cross-checks", cross_checks(content)),
         _section("Validation", sections.validation(content)),

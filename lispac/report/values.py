@@ -318,6 +318,22 @@ class ValidationPlane:
 
 
 @dataclass(frozen=True)
+class SightingJudged:
+    """How good a sighting is; None where a figure does not apply or is not known."""
+
+    target: str
+    line: str
+    light: str
+    reasons: tuple[str, ...]
+    points: int
+    rms_m: float
+    range_m: float
+    density_per_m2: float | None
+    incidence_deg: float | None
+    coverage: float
+
+
+@dataclass(frozen=True)
 class PickedPlane:
     """A target or validation plane as picked; a sphere's radius is None where it is unknown."""
 
@@ -365,3 +381,4 @@ class ReportContent:
     settings: SettingsUsed
     files: tuple[InputFile, ...]
     notes: tuple[str, ...]
+    qualities: tuple[SightingJudged, ...] = ()

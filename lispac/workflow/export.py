@@ -8,16 +8,21 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.files import written_whole
-from lispac.progress import Progress, no_progress
+from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
+from lispac.workflow.qualities import qualities
 from lispac.workflow.survey import Survey
 
 REPORT_ENDINGS = (".pdf", ".html", ".json")
 
 
 def content_of(
-    project: Project, survey: Survey, *, generated: datetime | None = None
+    project: Project,
+    survey: Survey,
+    *,
+    generated: datetime | None = None,
+    progress: Progress = no_progress,
 ) -> ReportContent:
     """Numbers of the report."""
     tracks = {}
@@ -31,6 +36,7 @@ def content_of(
         track_local=tracks,
         notes=survey.notes,
         generated=generated or datetime.now(UTC),
+        qualities=qualities(project, survey, progress=progress),
     )
 
 
@@ -59,7 +65,7 @@ def write_report(
             f"{path}: a report is written as {', '.join(REPORT_ENDINGS)}; end its name so."
         )
     progress(0.0, "Collecting the report")
-    content = content_of(project, survey)
+    content = content_of(project, survey, progress=part(progress, 0.0, 0.3))
     progress(0.3, f"Writing {path.name}")
     with written_whole(path) as temporary:
         if ending == ".json":

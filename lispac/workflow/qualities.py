@@ -49,7 +49,8 @@ def judge(
     boresight can explain in them does not count. After it they are selected once more in the lines
     as they lie then, with the threshold of the pick: the adjustment too leaves the picked ones.
     """
-    known, judged = known or {}, {}
+    known = known or {}
+    judged: dict[Key, Judged] = {}
     placing = _Placing.of(project, survey)
     placed = survey.placed(project, "estimated") if project.result is not None else None
     for k, target in enumerate(project.targets):

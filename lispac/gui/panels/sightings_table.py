@@ -1,5 +1,6 @@
 """Targets by lines: points and RMS of every sighting, and which of them take part."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from PySide6.QtCore import (
@@ -15,6 +16,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme
 from lispac.project import PickedSighting, Project, Target
+from lispac.targets.quality import SightingQuality
 from lispac.workflow.survey import Survey
 
 Role = Qt.ItemDataRole
@@ -36,6 +38,7 @@ class SightingsModel(QAbstractTableModel):
         super().__init__()
         self._project: Project | None = None
         self._heading: dict[str, float] = {}
+        self._qualities: Mapping[tuple[str, str], SightingQuality] = {}
         self._lines: list[str] = []
         self._colours: dict[str, tuple[int, int, int]] = {}
 
@@ -47,6 +50,13 @@ class SightingsModel(QAbstractTableModel):
         self._colours = theme.line_colours(self._lines)
         self._heading = {} if survey is None else dict(survey.heading)
         self.endResetModel()
+
+    def show_qualities(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
+        """Show how good the sightings are, by the names of target and line."""
+        self._qualities = qualities
+        if self.rowCount():
+            last = self.index(self.rowCount() - 1, self.columnCount() - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
 
     def key(self, index: Index) -> tuple[str, str] | None:
         """(target, line) of a cell; line "" for the name's column."""
@@ -165,8 +175,12 @@ class SightingsModel(QAbstractTableModel):
 
     def _of_sighting(self, target: Target, sighting: PickedSighting, role: int) -> Any:
         used = target.used and sighting.used
+        quality = self._qualities.get((target.name, sighting.line))
         if role == Role.DisplayRole:
-            return f"{len(sighting.indices):,}   {sighting.rms * 1000:.1f} mm"
+            light = "" if quality is None or quality.light == "good" else f"   {quality.light}"
+            return f"{len(sighting.indices):,}   {sighting.rms * 1000:.1f} mm{light}"
+        if role == Role.DecorationRole and quality is not None:
+            return theme.light(quality.light)
         if role == Role.CheckStateRole:
             return Qt.CheckState.Checked if sighting.used else Qt.CheckState.Unchecked
         if role == Role.ForegroundRole and not used:
@@ -180,6 +194,8 @@ class SightingsModel(QAbstractTableModel):
             f"{target.name} on {sighting.line}: {len(sighting.indices):,} points, "
             f"{sighting.rms * 1000:.1f} mm RMS about their own plane"
         ]
+        if (quality := self._qualities.get((target.name, sighting.line))) is not None:
+            lines += [quality_words(quality)]
         if sighting.one_in > 1:
             lines.append(f"Drawn from one in {sighting.one_in} of the many points about the seed")
         result = None if self._project is None else self._project.result
@@ -251,6 +267,24 @@ class SightingsTable(QTableView):
         key = self.sightings.key(current)
         if key is not None:
             self.sighting_selected.emit(*key)
+
+
+def quality_words(quality: SightingQuality) -> str:
+    """The light, its reasons and the figures behind them, a line each."""
+    figures = [f"range {quality.range:.1f} m"]
+    if quality.density is not None:
+        figures.append(f"{quality.density:,.0f} points per m²")
+    if quality.incidence is not None:
+        figures.append(f"{quality.incidence * 57.29578:.0f}° from the normal")
+    if quality.extent is not None:
+        figures.append(f"{quality.extent[0]:.2f} × {quality.extent[1]:.2f} m")
+    lines = [f"Quality: {quality.light}", *quality.reasons, ", ".join(figures)]
+    if quality.smear is not None:
+        lines.append(
+            f"Up to {quality.smear * 1000:.1f} mm (RMS) may be the error of the prior boresight; "
+            "it does not count before the calibration"
+        )
+    return "\n".join(lines)
 
 
 def _of_name(target: Target, role: int) -> Any:

@@ -1,0 +1,77 @@
+"""How good the sightings are: judged by the worker whenever nobody waits for anything else."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QObject, Signal
+
+from lispac.gui.document import Document
+from lispac.gui.tasks import Task, TaskRunner
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.targets.quality import SightingQuality
+from lispac.workflow.qualities import Judged, judge
+
+Key = tuple[str, str]
+
+
+class Judging(QObject):
+    """Keeps the quality of every sighting in step with the project."""
+
+    judged = Signal(object)
+    """Qualities by the names of target and line, those that are known by now."""
+
+    def __init__(self, document: Document, runner: TaskRunner, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._runner = document, runner
+        self._known: Mapping[Key, Judged] = {}
+        self._asked: tuple[Task, Project] | None = None
+        document.changed.connect(self._watch)
+        document.survey_changed.connect(self._watch)
+        runner.idle.connect(self._judge)
+
+    def _watch(self) -> None:
+        self._tell()
+        if not self._runner.active:
+            self._judge()
+
+    def _still_known(self) -> dict[Key, SightingQuality]:
+        """The qualities that are those of the sightings as they are now.
+
+        While a new result is on its way those of the last one stay: it moves little.
+        """
+        project, waits = self._document.project, self._document.awaits_result
+        still: dict[Key, SightingQuality] = {}
+        for target in () if project is None else project.targets:
+            for sighting in target.sightings:
+                each = self._known.get((target.name, sighting.line))
+                if each is None or each.indices is not sighting.indices:
+                    continue
+                if waits or each.holds(project, target, sighting):
+                    still[target.name, sighting.line] = each.quality
+        return still
+
+    def _tell(self) -> None:
+        self.judged.emit(self._still_known())
+
+    def _judge(self) -> None:
+        document, known = self._document, self._known
+        project, survey = document.project, document.survey
+        if project is None or survey is None or not document.survey_is_current:
+            return
+        if self._runner.active or document.awaits_result:
+            return  # the runner tells when it is idle
+        task, asked = self._asked or (None, None)
+        if task is not None and asked is project and not task.gave_way:
+            return  # it failed, or was cancelled by hand
+        if len(self._still_known()) == sum(len(target.sightings) for target in project.targets):
+            return
+
+        def work(progress: Progress) -> dict[Key, Judged]:
+            return judge(project, survey, known=known, progress=progress)
+
+        def done(judged: dict[Key, Judged]) -> None:
+            self._known = judged
+            self._tell()
+
+        task = self._runner.run("Judging the sightings", work, done, quiet=True, key="quality")
+        self._asked = (task, project)

@@ -1,0 +1,79 @@
+"""The light of every sighting in the table."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import Qt
+
+from lispac.project import Project
+from tests.gui.support import Demo, Driver, settle
+
+Role = Qt.ItemDataRole
+
+
+def shown(driver: Driver, name: str, line: str, role: Role = Role.DisplayRole):
+    model = driver.window.table.sightings
+    lines = [each.name for each in driver.project.lines]
+    return model.data(model.index(model.row_of(name), 1 + lines.index(line)), role)
+
+
+def with_few_points(project: Project) -> Project:
+    target = project.target("T1")
+    first = target.sightings[0]
+    few = replace(first, indices=first.indices[:40])
+    return project.with_target(replace(target, sightings=(few, *target.sightings[1:])))
+
+
+def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
+    line = picked.project.target("T1").sightings[0].line
+    picked.bot.waitUntil(lambda: shown(picked, "T1", line, Role.DecorationRole) is not None)
+    assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert "m²" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert "before the calibration" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert shown(picked, "T1", line).endswith("mm")
+    steep = picked.project.target("T2").sightings[-1].line
+    assert shown(picked, "T2", steep).endswith("doubtful")
+    assert "from its normal." in shown(picked, "T2", steep, Role.ToolTipRole)
+
+
+def test_a_poor_one_is_told_and_can_be_left_out_and_undone(picked: Driver) -> None:
+    line = picked.project.target("T1").sightings[0].line
+    picked.window.document.edit("less", with_few_points(picked.project))
+    picked.rest()
+    assert shown(picked, "T1", line).endswith("poor")
+    assert "It has only 40 points." in shown(picked, "T1", line, Role.ToolTipRole)
+    picked.window.controller.use_sighting("T1", line, False)
+    picked.rest()
+    assert shown(picked, "T1", line).endswith("poor")
+    picked.window.document.undo_stack.undo()
+    picked.window.document.undo_stack.undo()
+    picked.rest()
+    assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
+
+
+def test_after_the_calibration_they_are_judged_with_its_boresight(
+    picked: Driver, demo: Demo, estimated: Project
+) -> None:
+    line = picked.project.target("T1").sightings[0].line
+    picked.window.document.edit("estimate", estimated)
+    picked.rest()
+    tip = shown(picked, "T1", line, Role.ToolTipRole)
+    assert "Quality: good" in tip
+    assert "prior boresight" not in tip
+    # Leaving one out keeps the lights of the others while the new result is on its way.
+    picked.window.controller.use_sighting("T1", line, False)
+    assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
+    settle(picked)
+    assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
+
+
+def test_work_that_somebody_waits_for_goes_first(picked: Driver) -> None:
+    """Judging gives way, and comes after it by itself."""
+    line = picked.project.target("T1").sightings[0].line
+    picked.window.document.edit("less", with_few_points(picked.project))
+    assert picked.window.runner.current is not None
+    assert not picked.window.runner.busy
+    done = []
+    picked.window.runner.run("Something else", lambda progress: 1, done.append)
+    picked.rest()
+    assert done == [1]
+    assert shown(picked, "T1", line).endswith("poor")
