@@ -238,7 +238,7 @@ class Controller(QObject):
                 threshold=threshold, radius=radius, progress=progress,
             )  # fmt: skip
 
-        task = self._runner.run(f"Seeking {name} on {line or 'every line'}", work, self._found)
+        task = self._runner.run(f"Seeking {name} on {line or 'every line'}", work, self.offer)
         self.based_on_project(task)
 
     def accept(self) -> None:
@@ -258,7 +258,8 @@ class Controller(QObject):
             self.noted.emit(f"{self.candidate.name} rejected")
             self._drop_candidate()
 
-    def _found(self, candidate: Target) -> None:
+    def offer(self, candidate: Target) -> None:
+        """Show what was found and wait for a yes or a no."""
         self.candidate = candidate
         self._scene.show_candidate(candidate)
         for words in thinned_words(candidate):

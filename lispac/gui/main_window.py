@@ -14,7 +14,6 @@ from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
-from lispac.gui.judging import Judging
 from lispac.gui.life import ProjectLife
 from lispac.gui.looking import Looking
 from lispac.gui.panels.adjust import AdjustPanel
@@ -34,6 +33,7 @@ from lispac.gui.panels.workflow import WorkflowPanel
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
+from lispac.gui.target_work import TargetWork
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.tools import Tools
 from lispac.gui.viewport.base import PickedPoint, Viewport
@@ -76,7 +76,6 @@ class MainWindow(QMainWindow):
             self.document, self.runner, self.scene, self.controller, viewport
         )
         self.estimating = Estimating(self.document, self.runner, self.scene, self.controller)
-        self.judging = Judging(self.document, self.runner, self)
         self.life = ProjectLife(
             self.document, self.controller, self.computing, self.estimating, self.scene,
             self.dialogs, self.settings,
@@ -88,6 +87,7 @@ class MainWindow(QMainWindow):
         self._join_panels()
         self._join_actions()
         self._join_work()
+        TargetWork(self)
         FileDrops(self).dropped.connect(self.life.take_in)
         self._refresh()
 
@@ -240,7 +240,6 @@ class MainWindow(QMainWindow):
         self.controller.candidate_changed.connect(self._show_candidate)
         self.controller.candidate_changed.connect(self.docks["Targets by lines"].raise_)
         self.computing.counted.connect(self._show_count)
-        self.judging.judged.connect(self.table.sightings.show_qualities)
         self.computing.validated.connect(self.docks["Histograms"].raise_)
         self.scene.which_changed.connect(self._show_which)
         self.scene.placing_wanted.connect(lambda: self.computing.show("estimated"))

@@ -12,14 +12,17 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QWidget
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.error import error_box
 from lispac.gui.dialogs.export import ExportDialog
+from lispac.gui.dialogs.find_again import FindAgainDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.gui.settings import AppSettings
-from lispac.project import LineSource, Project
+from lispac.project import LineSource, Project, Target
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.intake import ImportRequest
+from lispac.workflow.proposing import Proposal
 
 Answer = Literal["save", "discard", "cancel"]
 DropAnswer = Literal["add", "new", "cancel"]
@@ -121,6 +124,20 @@ class Dialogs:
         """What to export besides the report, and where."""
         dialog = ExportDialog(what, which, project, trajectory, self.parent)
         answer = dialog.request() if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def proposal(self, proposal: Proposal) -> tuple[str, ...]:
+        """Names of the proposed targets that are wanted."""
+        dialog = ProposalDialog(proposal, self.parent)
+        answer = dialog.ticked if dialog.exec() == QDialog.DialogCode.Accepted else ()
+        dialog.deleteLater()
+        return answer
+
+    def find_again(self, target: Target) -> tuple[float, float] | None:
+        """Threshold and search radius, metres, to find a target again with."""
+        dialog = FindAgainDialog(target, self.parent)
+        answer = dialog.settings if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 

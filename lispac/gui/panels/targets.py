@@ -7,7 +7,6 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
     QFormLayout,
-    QFrame,
     QHBoxLayout,
     QHeaderView,
     QTableWidget,
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.panels import widgets
+from lispac.gui.panels.candidate_box import CandidateBox
 from lispac.project import Project, Role, Shape, Target
 from lispac.workflow.survey import Survey
 
@@ -33,6 +33,9 @@ class TargetsPanel(QWidget):
     removed = Signal(str)
     used_changed = Signal(str, bool)
     selected = Signal(str)
+    current_changed = Signal()
+    """Another row, or none, is selected; told or not."""
+    propose_asked = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -43,7 +46,7 @@ class TargetsPanel(QWidget):
         layout.addWidget(self.hint)
         layout.addLayout(self._roles())
         layout.addLayout(self._seed_form())
-        self.candidate = _CandidateBox()
+        self.candidate = CandidateBox()
         self.candidate.accept.clicked.connect(self.accepted)
         self.candidate.reject.clicked.connect(self.rejected)
         self.candidate.hide()
@@ -153,6 +156,7 @@ class TargetsPanel(QWidget):
         name = self.current
         self.rename.setEnabled(name is not None)
         self.remove.setEnabled(name is not None)
+        self.current_changed.emit()
         if name is not None and tell:
             self.selected.emit(name)
         self._explain()
@@ -272,7 +276,13 @@ class TargetsPanel(QWidget):
         self.remove.clicked.connect(self._remove)
         gone = QShortcut(QKeySequence.StandardKey.Delete, self.table, self._remove)
         gone.setContext(Qt.ShortcutContext.WidgetShortcut)
+        self.propose = widgets.button(
+            "Propose targets", "propose_targets", icon="auto-fix",
+            tip="Find flat surfaces on all lines and propose targets and validation planes",
+        )  # fmt: skip
+        self.propose.clicked.connect(self.propose_asked)
         row = QHBoxLayout()
+        row.addWidget(self.propose)
         row.addStretch(1)
         row.addWidget(self.rename)
         row.addWidget(self.remove)
@@ -286,62 +296,6 @@ class TargetsPanel(QWidget):
     def _remove(self) -> None:
         if self.current is not None:
             self.removed.emit(self.current)
-
-
-class _CandidateBox(QFrame):
-    """The target just found, waiting for a yes or a no."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("candidate_box")
-        self.setProperty("role", "candidate")
-        layout = widgets.column(self, 10)
-        self.title = widgets.label("", "heading", name="candidate_title")
-        self.detail = widgets.label("", wrap=True, name="candidate_detail")
-        layout.addWidget(self.title)
-        layout.addWidget(self.detail)
-        self.accept = widgets.button(
-            "Accept  ⏎", "accept_candidate", icon="check-bold", primary=True, tip="Enter"
-        )
-        self.reject = widgets.button("Reject  Esc", "reject_candidate", icon="close", tip="Esc")
-        row = QHBoxLayout()
-        row.addWidget(self.accept, 1)
-        row.addWidget(self.reject, 1)
-        layout.addLayout(row)
-
-    def fill(
-        self, candidate: Target, known: Target | None, lines: int, survey: Survey | None
-    ) -> None:
-        """Say what was found, and where not."""
-        what = "Target" if candidate.role == "target" else "Validation plane"
-        again = "" if known is None else " (in place of the present one)"
-        self.title.setText(f"{what} {candidate.name}{again}")
-        found = candidate.sightings
-        points = sum(len(sighting.indices) for sighting in found)
-        worst = max((sighting.rms for sighting in found), default=0.0)
-        text = (
-            f"Found on {len(found)} of {lines} lines: {points:,} points, "
-            f"within {worst * 1000:.1f} mm RMS of their {candidate.shape}s."
-        )
-        if candidate.shape == "sphere" and survey is not None:
-            text += f" {_of_spheres(candidate, survey)}"
-        if candidate.missing:
-            text += f" Not found on {', '.join(candidate.missing)}."
-        self.detail.setText(text)
-
-
-def _of_spheres(target: Target, survey: Survey) -> str:
-    """Radius and share seen, over the lines."""
-    from lispac.workflow.picking import spheres_of
-
-    patches = spheres_of(target, survey).values()
-    radii = [patch.sphere.radius for patch in patches]
-    shares = [100 * patch.share for patch in patches]
-    if target.sphere_radius is not None:
-        radius = f"Radius {target.sphere_radius:g} m (known)"
-    else:
-        radius = f"Radius {min(radii):.3f} to {max(radii):.3f} m"
-    return f"{radius}; {min(shares):.0f} to {max(shares):.0f} % of the surface seen."
 
 
 def _targets_table() -> QTableWidget:

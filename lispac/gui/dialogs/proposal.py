@@ -1,0 +1,103 @@
+"""What is proposed: a list to tick in, accept or reject."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from lispac.adjustment.result import ANGLES
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+from lispac.workflow.proposing import Proposal
+
+ROLES = {"target": "Target", "validation": "Validation plane"}
+
+
+class ProposalDialog(QDialog):
+    """Targets and validation planes with the reason of each; all are ticked at first."""
+
+    def __init__(self, proposal: Proposal, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("proposal_dialog")
+        self.setWindowTitle("Proposed targets")
+        self.resize(860, 420)
+        self._proposal = proposal
+        layout = widgets.column(self, 16)
+        layout.addWidget(widgets.label(_said(proposal), wrap=True, name="proposal_sigmas"))
+        self.table = QTableWidget(len(proposal.targets), 4)
+        self.table.setObjectName("proposal_table")
+        self.table.setAccessibleName("Proposed targets and validation planes")
+        self.table.setHorizontalHeaderLabels(["Name", "Role", "Lines", "Why"])
+        self.table.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft)
+        self.table.verticalHeader().hide()
+        self.table.setShowGrid(False)
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self._fill(proposal)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(3, QHeaderView.ResizeMode.Stretch)
+        self.table.resizeRowsToContents()
+        self.table.itemChanged.connect(lambda _item: self._count())
+        layout.addWidget(self.table, 1)
+        self.accept_button = widgets.button(
+            "", "accept_proposal", primary=True, tip="Add the ticked ones to the project"
+        )
+        self.accept_button.clicked.connect(self.accept)
+        reject = widgets.button("Reject", "reject_proposal", tip="Add nothing")
+        reject.clicked.connect(self.reject)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(reject)
+        row.addWidget(self.accept_button)
+        layout.addLayout(row)
+        self._count()
+
+    @property
+    def ticked(self) -> tuple[str, ...]:
+        """Names of those that are to be added."""
+        checked = Qt.CheckState.Checked
+        return tuple(
+            target.name
+            for row, target in enumerate(self._proposal.targets)
+            if self.table.item(row, 0).checkState() == checked
+        )
+
+    def _fill(self, proposal: Proposal) -> None:
+        for row, target in enumerate(proposal.targets):
+            is_target = target.role == "target"
+            colour = theme.TARGET_COLOUR if is_target else theme.VALIDATION_COLOUR
+            name = QTableWidgetItem(theme.swatch(colour), target.name)
+            name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
+            name.setCheckState(Qt.CheckState.Checked)
+            name.setToolTip("Untick to leave it out")
+            lines = ", ".join(sighting.line for sighting in target.sightings)
+            seen = QTableWidgetItem(str(len(target.sightings)))
+            seen.setToolTip(f"Seen on {lines}")
+            why = QTableWidgetItem(proposal.reasons[target.name])
+            why.setToolTip(proposal.reasons[target.name])
+            for column, item in enumerate((name, QTableWidgetItem(ROLES[target.role]), seen, why)):
+                self.table.setItem(row, column, item)
+
+    def _count(self) -> None:
+        count = len(self.ticked)
+        self.accept_button.setText(f"Accept {count} of {self.table.rowCount()}")
+        self.accept_button.setEnabled(count > 0)
+
+
+def _said(proposal: Proposal) -> str:
+    sigmas = ", ".join(
+        f"{angle} {value * 57.29578:.3f}°"
+        for angle, value in zip(ANGLES, proposal.sigma, strict=True)
+    )
+    return (
+        f"Expected sigmas of the boresight from all targets proposed: {sigmas}. Validation planes "
+        "take no part in the adjustment; the lines are compared on them. Untick what you do not "
+        "want."
+    )

@@ -1,0 +1,63 @@
+"""The target just found, waiting for a yes or a no."""
+
+from PySide6.QtWidgets import QFrame, QHBoxLayout
+
+from lispac.gui.panels import widgets
+from lispac.project import Target
+from lispac.workflow.survey import Survey
+
+
+class CandidateBox(QFrame):
+    """The target just found, waiting for a yes or a no."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("candidate_box")
+        self.setProperty("role", "candidate")
+        layout = widgets.column(self, 10)
+        self.title = widgets.label("", "heading", name="candidate_title")
+        self.detail = widgets.label("", wrap=True, name="candidate_detail")
+        layout.addWidget(self.title)
+        layout.addWidget(self.detail)
+        self.accept = widgets.button(
+            "Accept  ⏎", "accept_candidate", icon="check-bold", primary=True, tip="Enter"
+        )
+        self.reject = widgets.button("Reject  Esc", "reject_candidate", icon="close", tip="Esc")
+        row = QHBoxLayout()
+        row.addWidget(self.accept, 1)
+        row.addWidget(self.reject, 1)
+        layout.addLayout(row)
+
+    def fill(
+        self, candidate: Target, known: Target | None, lines: int, survey: Survey | None
+    ) -> None:
+        """Say what was found, and where not."""
+        what = "Target" if candidate.role == "target" else "Validation plane"
+        again = "" if known is None else " (in place of the present one)"
+        self.title.setText(f"{what} {candidate.name}{again}")
+        found = candidate.sightings
+        points = sum(len(sighting.indices) for sighting in found)
+        worst = max((sighting.rms for sighting in found), default=0.0)
+        text = (
+            f"Found on {len(found)} of {lines} lines: {points:,} points, "
+            f"within {worst * 1000:.1f} mm RMS of their {candidate.shape}s."
+        )
+        if candidate.shape == "sphere" and survey is not None:
+            text += f" {_of_spheres(candidate, survey)}"
+        if candidate.missing:
+            text += f" Not found on {', '.join(candidate.missing)}."
+        self.detail.setText(text)
+
+
+def _of_spheres(target: Target, survey: Survey) -> str:
+    """Radius and share seen, over the lines."""
+    from lispac.workflow.picking import spheres_of
+
+    patches = spheres_of(target, survey).values()
+    radii = [patch.sphere.radius for patch in patches]
+    shares = [100 * patch.share for patch in patches]
+    if target.sphere_radius is not None:
+        radius = f"Radius {target.sphere_radius:g} m (known)"
+    else:
+        radius = f"Radius {min(radii):.3f} to {max(radii):.3f} m"
+    return f"{radius}; {min(shares):.0f} to {max(shares):.0f} % of the surface seen."

@@ -1,0 +1,111 @@
+"""Work on targets besides the click: judging them, finding them again, and proposing them."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.judging import Judging
+from lispac.progress import Progress
+from lispac.project import Project, Target
+from lispac.workflow.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+    from lispac.workflow.proposing import Proposal
+
+
+class TargetWork(QObject):
+    """Joined to the window's parts."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._document, self._runner = window.document, window.runner
+        self._controller, self._dialogs = window.controller, window.dialogs
+        self._targets, self._actions = window.targets, window.actions_
+        self.judging = Judging(window.document, window.runner, self)
+        self.judging.judged.connect(window.table.sightings.show_qualities)
+        window.targets.propose_asked.connect(self.propose)
+        window.actions_["propose"].triggered.connect(lambda _=False: self.propose())
+        window.actions_["find_again"].triggered.connect(lambda _=False: self.find_again())
+        for changed in (
+            window.document.changed, window.document.survey_changed, window.runner.changed,
+            window.targets.current_changed,
+        ):  # fmt: skip
+            changed.connect(self._enable)
+        self._enable()
+
+    def propose(self) -> None:
+        """Detect planes in all lines, and offer what could be used."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+
+        def work(progress: Progress) -> "Proposal":
+            from lispac.workflow.accepting import not_picked
+            from lispac.workflow.proposing import propose
+
+            return not_picked(project, propose(project, survey, progress=progress))
+
+        task = self._runner.run(
+            "Proposing targets", work, lambda proposal: self._offer(project, proposal)
+        )
+        self._controller.based_on_project(task)
+
+    def find_again(self) -> None:
+        """Seek the selected target at its seed with other settings."""
+        project, survey = self._ready()
+        name = self._targets.current
+        if project is None or survey is None or name is None:
+            return
+        target = project.target(name)
+        settings = self._dialogs.find_again(target)
+        if settings is None:
+            return
+        threshold, radius = settings
+
+        def work(progress: Progress) -> Target:
+            from lispac.workflow import picking
+
+            found = picking.find(
+                project, survey, target.seed, name=target.name, role=target.role,
+                shape=target.shape, sphere_radius=target.sphere_radius, threshold=threshold,
+                radius=radius, progress=progress,
+            )  # fmt: skip
+            return _used_as_before(found, target)
+
+        task = self._runner.run(f"Finding {name} again", work, self._controller.offer)
+        self._controller.based_on_project(task)
+
+    def _offer(self, project: Project, proposal: "Proposal") -> None:
+        from lispac.workflow.accepting import with_accepted
+
+        if self._document.project is not project:
+            return
+        if not proposal.targets:
+            self._controller.noted.emit("Nothing to propose that is not picked already")
+            return
+        names = self._dialogs.proposal(proposal)
+        if not names:
+            self._controller.noted.emit("Proposal rejected")
+            return
+        edited, given = with_accepted(project, proposal, names)
+        self._document.edit("proposal", edited)
+        self._controller.noted.emit(f"Accepted {', '.join(given)} of the proposal")
+
+    def _ready(self) -> tuple[Project | None, Survey | None]:
+        current = self._document.survey_is_current and not self._runner.busy
+        return self._document.project, self._document.survey if current else None
+
+    def _enable(self) -> None:
+        ready = self._ready()[1] is not None
+        self._targets.propose.setEnabled(ready)
+        self._actions["propose"].setEnabled(ready)
+        self._actions["find_again"].setEnabled(ready and self._targets.current is not None)
+
+
+def _used_as_before(found: Target, before: Target) -> Target:
+    """What was left out stays left out."""
+    left_out = {sighting.line for sighting in before.sightings if not sighting.used}
+    sightings = tuple(replace(s, used=s.line not in left_out) for s in found.sightings)
+    return replace(found, used=before.used, sightings=sightings)

@@ -1,0 +1,138 @@
+"""Targets proposed, and a target found again, through the real dialogues."""
+
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QDialog, QDoubleSpinBox, QPushButton, QTableWidget
+
+from lispac.gui.dialogs.proposal import ProposalDialog
+from lispac.project import Project
+from lispac.workflow.accepting import not_picked, with_accepted
+from lispac.workflow.proposing import Proposal, propose
+from tests.gui.support import Demo, Driver, Left, click, open_step
+
+TARGETS = 1
+
+
+@pytest.fixture(scope="module")
+def proposal(demo: Demo) -> Proposal:
+    """What is proposed for the demo."""
+    return propose(demo.project, demo.survey)
+
+
+def answered(driver: Driver, answer: Callable[[QDialog], None]) -> None:
+    """Let a hand answer the next dialogue."""
+
+    def look() -> None:
+        dialog = QApplication.activeModalWidget()
+        if dialog is None:
+            QTimer.singleShot(50, look)
+        else:
+            answer(dialog)
+
+    QTimer.singleShot(50, look)
+
+
+def press(driver: Driver, dialog: QDialog, name: str) -> None:
+    driver.bot.mouseClick(dialog.findChild(QPushButton, name), Left)
+
+
+def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> None:
+    open_step(opened, TARGETS)
+    before = opened.project
+    seen = []
+
+    def answer(dialog: QDialog) -> None:
+        table = dialog.findChild(QTableWidget, "proposal_table")
+        rows = range(table.rowCount())
+        seen.append([[table.item(row, k).text() for k in range(4)] for row in rows])
+        seen.append(dialog.findChild(object, "proposal_sigmas").text())
+        table.item(0, 0).setCheckState(Qt.CheckState.Unchecked)
+        press(opened, dialog, "accept_proposal")
+
+    answered(opened, answer)
+    click(opened, opened.window.targets.propose)
+    assert opened.window.runner.busy
+    assert not opened.window.targets.propose.isEnabled()
+    opened.rest()
+    rows, sigmas = seen
+    assert [row[1] for row in rows].count("Validation plane") >= 4
+    assert all(row[3] for row in rows)
+    assert "roll 0." in sigmas
+    names = [target.name for target in opened.project.targets]
+    assert names == [row[0] for row in rows][1:]
+    assert opened.window.document.undo_stack.undoText() == "proposal"
+    opened.window.document.undo_stack.undo()
+    assert opened.project is before
+
+
+def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
+    open_step(opened, TARGETS)
+    before = opened.project
+    answered(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
+    click(opened, opened.window.targets.propose)
+    opened.rest()
+    assert opened.project is before
+    click(opened, opened.window.targets.propose)
+    opened.bot.waitUntil(lambda: opened.window.runner.current.fraction > 0)
+    opened.window.actions_["cancel"].trigger()
+    opened.rest()
+    assert opened.project is before
+    assert not opened.window.document.undo_stack.canUndo()
+    assert opened.window.targets.propose.isEnabled()
+
+
+def test_what_is_picked_is_not_proposed_and_names_stay_apart(
+    demo: Demo, proposal: Proposal
+) -> None:
+    left = not_picked(demo.picked, proposal)
+    assert len(left.targets) < len(proposal.targets)
+    project, given = with_accepted(demo.picked, left, {target.name for target in left.targets})
+    names = [target.name for target in project.targets]
+    assert len(set(names)) == len(names) == len(demo.picked.targets) + len(given)
+    for target in demo.picked.targets:
+        assert project.target(target.name) is target
+
+
+def test_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
+    dialog = ProposalDialog(proposal)
+    qtbot.addWidget(dialog)
+    for row in range(dialog.table.rowCount()):
+        dialog.table.item(row, 0).setCheckState(Qt.CheckState.Unchecked)
+    assert dialog.ticked == ()
+    assert not dialog.accept_button.isEnabled()
+
+
+def again(driver: Driver, threshold_mm: float, radius: float) -> Project:
+    """Find the selected target again by the menu."""
+
+    def answer(dialog: QDialog) -> None:
+        dialog.findChild(QDoubleSpinBox, "again_threshold").setValue(threshold_mm)
+        dialog.findChild(QDoubleSpinBox, "again_radius").setValue(radius)
+        press(driver, dialog, "again_find")
+
+    answered(driver, answer)
+    driver.window.actions_["find_again"].trigger()
+    driver.rest()
+    return driver.project
+
+
+def test_found_again_with_other_settings(picked: Driver) -> None:
+    open_step(picked, TARGETS)
+    picked.window.targets.table.clearSelection()
+    assert not picked.window.actions_["find_again"].isEnabled()
+    line = picked.project.target("T1").sightings[0].line
+    picked.window.controller.use_sighting("T1", line, False)
+    picked.rest()
+    picked.window.targets.select("T1")
+    picked.bot.waitUntil(picked.window.actions_["find_again"].isEnabled)
+    before = picked.project
+    assert again(picked, 15, 1.5) is before  # offered, not taken
+    candidate = picked.window.controller.candidate
+    assert (candidate.threshold, candidate.radius) == (0.015, 1.5)
+    click(picked, picked.window.targets.candidate.accept)
+    target = picked.project.target("T1")
+    assert (target.threshold, target.radius) == (0.015, 1.5)
+    assert not target.sighting(line).used
+    assert picked.window.document.undo_stack.undoText() == "pick of T1"
