@@ -22,6 +22,7 @@ from lispac.survey.source import USUAL
 from lispac.survey.source import LineSource as LineSource
 from lispac.survey.source import Reading as Reading
 from lispac.survey.trajectory import LONGEST_GAP
+from lispac.targets.expected import ExpectedTarget
 from lispac.validation.comparison import PlaneComparison
 
 Role = Literal["target", "validation"]
@@ -203,6 +204,7 @@ class Target:
     sphere_radius : metres, or None where it is unknown
     seed : metres, local frame, where the user clicked
     missing : for each line without it, the reason in words
+    expected : what is known of a plane's size and inclination beforehand
     """
 
     name: str
@@ -215,6 +217,7 @@ class Target:
     used: bool = True
     shape: Shape = "plane"
     sphere_radius: float | None = None
+    expected: ExpectedTarget | None = None
 
     def sighting(self, line: str) -> PickedSighting | None:
         """The sighting on ``line``, if there is one."""

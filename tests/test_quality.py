@@ -134,8 +134,9 @@ def test_the_expected_target_is_compared_in_words():
     cloud = seen.clouds()["L1"]
     patch = patch_of(cloud, np.flatnonzero(seen.on("L1", "T1")), np.array([0.0, 1.0, 0.0]))
     upright = np.pi / 2
-    assert deviations(ExpectedTarget(1.23, 1.22, upright), patch) == ()
-    said = deviations(ExpectedTarget(2.0, 1.22, np.radians(45)), patch)
+    assert deviations(ExpectedTarget(1.23, 1.22, upright), patch.extent, patch.plane.normal) == ()
+    expected = ExpectedTarget(2.0, 1.22, np.radians(45))
+    said = deviations(expected, patch.extent, patch.plane.normal)
     assert len(said) == 2
     assert "m wide, 0.7" in said[0]
     assert "less than the 2.00 m expected" in said[0]

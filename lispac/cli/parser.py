@@ -150,6 +150,11 @@ def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
         "at least 0.03, or 0.3 of a known radius where that is smaller)",
     )
     pick.add_argument("--radius", type=positive, metavar="METRES", help="search radius")
+    triple(
+        pick, "--expected", ("WIDTH", "HEIGHT", "TILT"),
+        "size of the plane (m) and its angle from level (deg) to compare with; "
+        "1.23 1.22 90 is the usual board",
+    )  # fmt: skip
     json_option(pick)
 
 

@@ -2,11 +2,13 @@
 
 import sys
 from argparse import Namespace
+from math import radians
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.qualities import as_values
 from lispac.project import Target
+from lispac.targets.expected import ExpectedTarget
 from lispac.targets.quality import SightingQuality
 from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow import picking, projects
@@ -19,6 +21,12 @@ def pick(arguments: Namespace) -> None:
     """Find a plane or a sphere in every line and save it."""
     if arguments.sphere_radius is not None and arguments.shape != "sphere":
         raise UsageError("--sphere-radius is for spheres; add --shape sphere or leave it out")
+    if arguments.expected is not None and arguments.shape != "plane":
+        raise UsageError("--expected is for planes; leave it out")
+    expected = None
+    if arguments.expected is not None:
+        width, height, tilt_deg = arguments.expected
+        expected = ExpectedTarget(width, height, radians(tilt_deg))
     project = projects.open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
@@ -34,6 +42,7 @@ def pick(arguments: Namespace) -> None:
             line=arguments.line,
             threshold=arguments.threshold,
             radius=arguments.radius,
+            expected=expected,
             progress=progress,
         )
     projects.save_project(project)

@@ -15,6 +15,7 @@ from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Role, Settings, Shape, Target
+from lispac.targets.expected import ExpectedTarget
 from lispac.workflow.intake import ImportRequest
 from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import Survey, load_survey
@@ -209,6 +210,7 @@ class Controller(QObject):
         radius: float | None,
         shape: Shape = "plane",
         sphere_radius: float | None = None,
+        expected: ExpectedTarget | None = None,
     ) -> None:
         """Find the target under a click and offer it.
 
@@ -235,7 +237,7 @@ class Controller(QObject):
             return picking.find(
                 project, survey, position, name=name, role=role, shape=shape,
                 sphere_radius=sphere_radius, line=line, first_line=point.line,
-                threshold=threshold, radius=radius, progress=progress,
+                threshold=threshold, radius=radius, expected=expected, progress=progress,
             )  # fmt: skip
 
         task = self._runner.run(f"Seeking {name} on {line or 'every line'}", work, self.offer)

@@ -371,7 +371,7 @@ class MainWindow(QMainWindow):
         self.controller.seed(
             point, role=targets.role, line=targets.line, selected=targets.current,
             threshold=targets.threshold, radius=targets.radius, shape=targets.shape,
-            sphere_radius=targets.sphere_radius,
+            sphere_radius=targets.sphere_radius, expected=targets.expected,
         )  # fmt: skip
 
     def _select(self, name: str, line: str) -> None:

@@ -70,7 +70,7 @@ class TargetWork(QObject):
             found = picking.find(
                 project, survey, target.seed, name=target.name, role=target.role,
                 shape=target.shape, sphere_radius=target.sphere_radius, threshold=threshold,
-                radius=radius, progress=progress,
+                radius=radius, expected=target.expected, progress=progress,
             )  # fmt: skip
             return _used_as_before(found, target)
 

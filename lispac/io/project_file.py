@@ -38,6 +38,7 @@ from lispac.project import (
     Triple,
     require_target,
 )
+from lispac.targets.expected import ExpectedTarget
 from lispac.validation.comparison import PlaneComparison
 
 FILE_NAME = "project.json"
@@ -140,6 +141,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
                 "missing": dict(target.missing),
                 "shape": target.shape,
                 "sphere_radius": target.sphere_radius,
+                "expected": encoded(target.expected),
                 "indices": index_files[target.name],
                 "sightings": [
                     {
@@ -226,6 +228,7 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
         content["used"],
         content["shape"],
         content["sphere_radius"],
+        decoded(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
     )
 
 

@@ -4,9 +4,11 @@ from dataclasses import dataclass
 from math import degrees, radians
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.targets.finder import PlanePatch
+
+Array = NDArray[np.float64]
 
 # The outline is true to about one spacing of the points on each side.
 TOLERANCE, SHARE = 0.10, 0.08
@@ -37,16 +39,22 @@ class ExpectedTarget:
             raise InputError("The expected inclination must be from 0 to 90 deg.")
 
 
-def inclination(patch: PlanePatch) -> float:
-    """Angle of a patch from level, radians in [0, pi/2]."""
-    across = float(np.hypot(*patch.plane.normal[:2]))
-    return float(np.arctan2(across, abs(float(patch.plane.normal[2]))))
+def inclination(normal: Array) -> float:
+    """Angle of a plane from level by its normal, shape (3,), radians in [0, pi/2]."""
+    return float(np.arctan2(np.hypot(normal[0], normal[1]), abs(normal[2])))
 
 
-def deviations(expected: ExpectedTarget, patch: PlanePatch) -> tuple[str, ...]:
-    """How a patch differs from what is expected, in words; empty where it agrees."""
+def deviations(expected: ExpectedTarget, extent: Array, normal: Array) -> tuple[str, ...]:
+    """How a plane differs from what is expected, in words; empty where it agrees.
+
+    Parameters
+    ----------
+    extent : ndarray of shape (2,), metres
+        Width (level) and height (up the slope).
+    normal : ndarray of shape (3,), local frame
+    """
     said = []
-    sides = (("wide", expected.width, patch.extent[0]), ("high", expected.height, patch.extent[1]))
+    sides = (("wide", expected.width, extent[0]), ("high", expected.height, extent[1]))
     for word, should, is_ in sides:
         if abs(is_ - should) > max(TOLERANCE, SHARE * should):
             said.append(
@@ -54,10 +62,11 @@ def deviations(expected: ExpectedTarget, patch: PlanePatch) -> tuple[str, ...]:
                 f"{'more' if is_ > should else 'less'} than the {should:.2f} m expected."
             )
     if expected.inclination is not None:
-        off = inclination(patch) - expected.inclination
+        tilt = inclination(normal)
+        off = tilt - expected.inclination
         if abs(off) > TILT:
             said.append(
-                f"It is inclined by {degrees(inclination(patch)):.1f} deg, "
+                f"It is inclined by {degrees(tilt):.1f} deg, "
                 f"{abs(degrees(off)):.1f} deg {'more' if off > 0 else 'less'} than the "
                 f"{degrees(expected.inclination):.1f} deg expected."
             )

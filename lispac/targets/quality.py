@@ -1,6 +1,6 @@
 """How good one sighting is, with a traffic light and its reason in words."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -85,6 +85,14 @@ class SightingQuality:
     def words(self) -> str:
         """The light and its reasons as sentences."""
         return " ".join([f"{self.light.capitalize()}.", *self.reasons])
+
+
+def with_remarks(quality: SightingQuality, remarks: tuple[str, ...]) -> SightingQuality:
+    """The quality with more to doubt; it is doubtful at least where there is any."""
+    if not remarks:
+        return quality
+    light: Light = "doubtful" if quality.light == "good" else quality.light
+    return replace(quality, light=light, reasons=(*quality.reasons, *remarks))
 
 
 def undetermined(points: int, rms: float, reason: str) -> SightingQuality:

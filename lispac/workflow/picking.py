@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import ProjectError, TargetNotFound
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Shape, Target, Triple, require_target
+from lispac.targets.expected import ExpectedTarget
 from lispac.targets.finder import FinderSettings
 from lispac.targets.sphere_finder import RadiusSought, SpherePatch, patch_on_sphere
 from lispac.workflow.seeking import DEFAULT_RADII as DEFAULT_RADII
@@ -30,6 +31,7 @@ def find(
     first_line: str | None = None,
     threshold: float | None = None,
     radius: float | None = None,
+    expected: ExpectedTarget | None = None,
     progress: Progress = no_progress,
 ) -> Target:
     """Find the target at a seed: what `pick` would add.
@@ -47,6 +49,8 @@ def find(
         RANSAC distance threshold; that of the project, or more for spheres, where not given.
     radius : float, metres, optional
         Search radius about the seed; `DEFAULT_RADII` where not given.
+    expected : ExpectedTarget, optional
+        What is known of a plane's size and inclination; the planes found are compared with it.
 
     Raises
     ------
@@ -63,8 +67,9 @@ def find(
     centre = np.asarray(seed, dtype=float)
     place: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
     target = Target(
-        name, role, place, threshold, radii[0], (), shape=shape, sphere_radius=sphere_radius
-    )
+        name, role, place, threshold, radii[0], (), shape=shape, sphere_radius=sphere_radius,
+        expected=expected if shape == "plane" else None,
+    )  # fmt: skip
     require_target(target)
     if line is not None:
         if line not in survey.clouds:
@@ -75,6 +80,8 @@ def find(
         if known is not None:
             _require_same(project, known, target)
         patch = sought.at(survey.clouds[line], centre, settings)
+        if known is not None and expected is not None:
+            known = replace(known, expected=target.expected)
         return _with_sighting(project, known or target, _sighting(survey, line, patch))
     found, missing, radius = _in_lines(
         survey, sought, centre, settings, radii, first_line, progress
@@ -95,6 +102,7 @@ def pick(
     line: str | None = None,
     threshold: float | None = None,
     radius: float | None = None,
+    expected: ExpectedTarget | None = None,
     progress: Progress = no_progress,
 ) -> Project:
     """Find the target at a seed in every line (or one) and add it to the project.
@@ -108,7 +116,7 @@ def pick(
     target = find(
         project, survey, seed, name=name, role=role, shape=shape,
         sphere_radius=sphere_radius, line=line, threshold=threshold, radius=radius,
-        progress=progress,
+        expected=expected, progress=progress,
     )  # fmt: skip
     return project.with_target(target)
 

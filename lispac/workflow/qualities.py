@@ -7,12 +7,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import LispacError
-from lispac.geometry.planes import fit_plane
+from lispac.geometry.planes import extent_in_plane, fit_plane
 from lispac.geometry.spheres import fit_sphere
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Settings, Target
 from lispac.survey.georeferencing import Georeferencer, Mounting
-from lispac.targets.quality import SightingQuality, plane_quality, sphere_quality, undetermined
+from lispac.targets.expected import deviations
+from lispac.targets.quality import (
+    SightingQuality,
+    plane_quality,
+    sphere_quality,
+    undetermined,
+    with_remarks,
+)
 from lispac.workflow.reselection import selected_again
 from lispac.workflow.survey import Survey
 
@@ -139,10 +146,26 @@ def _quality(
     if placing.turned:
         turned = [each(points_lidar, time) for each in placing.turned]
         turns = np.stack([(points - points_local) / STEP for points in turned])
-    return plane_quality(
+    quality = plane_quality(
         points_lidar, points_local, every, plane, noise,
         scanner_local=placing.scanner(np.zeros_like(points_lidar), time), turns_local=turns,
     )  # fmt: skip
+    if target.expected is None or quality.extent is None:
+        return quality
+    return with_remarks(quality, deviations(target.expected, quality.extent, plane.normal))
+
+
+def unexpected(target: Target, survey: Survey) -> dict[str, tuple[str, ...]]:
+    """How each sighting of a target differs from what is expected of it, in words, by line."""
+    said: dict[str, tuple[str, ...]] = {}
+    for sighting in target.sightings if target.expected is not None else ():
+        assert target.expected is not None
+        points = survey.clouds[sighting.line][sighting.indices]
+        plane = fit_plane(points)
+        found = deviations(target.expected, extent_in_plane(plane, points), plane.normal)
+        if found:
+            said[sighting.line] = found
+    return said
 
 
 def lidar_noise(settings: Settings) -> float:
@@ -159,6 +182,6 @@ def _rests_on(project: Project, target: Target) -> tuple[object, ...]:
     estimated = project.result is not None
     mounting = project.mounting("estimated" if estimated else "prior")
     return (
-        target.shape, target.sphere_radius, lidar_noise(project.settings), estimated,
-        *mounting.values.tolist(),
+        target.shape, target.sphere_radius, target.expected, lidar_noise(project.settings),
+        estimated, *mounting.values.tolist(),
     )  # fmt: skip

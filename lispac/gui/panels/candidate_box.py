@@ -44,9 +44,25 @@ class CandidateBox(QFrame):
         )
         if candidate.shape == "sphere" and survey is not None:
             text += f" {_of_spheres(candidate, survey)}"
+        if survey is not None:
+            text += _unexpected(candidate, survey)
         if candidate.missing:
             text += f" Not found on {', '.join(candidate.missing)}."
         self.detail.setText(text)
+
+
+def _unexpected(target: Target, survey: Survey) -> str:
+    """What differs from what is expected, on the first line where something does."""
+    from lispac.workflow.qualities import unexpected
+
+    if target.expected is None:
+        return ""
+    said = unexpected(target, survey)
+    if not said:
+        return " Size and inclination are as expected."
+    line, words = next(iter(said.items()))
+    others = f" ({len(said) - 1} more lines differ too)" if len(said) > 1 else ""
+    return f" Not as expected on {line}: {' '.join(words)}{others}"
 
 
 def _of_spheres(target: Target, survey: Survey) -> str:

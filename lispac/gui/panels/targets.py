@@ -17,7 +17,9 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.panels.candidate_box import CandidateBox
+from lispac.gui.panels.expected_fields import ExpectedFields
 from lispac.project import Project, Role, Shape, Target
+from lispac.targets.expected import ExpectedTarget
 from lispac.workflow.survey import Survey
 
 ALL_LINES = "All lines"
@@ -90,6 +92,11 @@ class TargetsPanel(QWidget):
     def threshold(self) -> float | None:
         """RANSAC threshold in metres, None for the project's own."""
         return self._threshold.value() / 1000 or None
+
+    @property
+    def expected(self) -> ExpectedTarget | None:
+        """What is known of the next plane beforehand, None where nothing is."""
+        return self._expected.value if self.shape == "plane" else None
 
     @property
     def current(self) -> str | None:
@@ -183,6 +190,7 @@ class TargetsPanel(QWidget):
         """Only a target can be a sphere, and only a sphere has a radius."""
         self.shape_choice.setEnabled(self.role == "target")
         self._sphere_radius.setEnabled(self.shape == "sphere")
+        self._expected.setEnabled(self.shape == "plane")
         self._show_default_threshold()
         self._explain()
 
@@ -258,6 +266,7 @@ class TargetsPanel(QWidget):
             "0.3 of its radius)",
         )  # fmt: skip
         self._threshold.setSpecialValueText("default")
+        self._expected = ExpectedFields()
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
@@ -267,6 +276,7 @@ class TargetsPanel(QWidget):
         form.addRow("Seek on", self.line_choice)
         form.addRow("Search radius", self._radius)
         form.addRow("Threshold", self._threshold)
+        form.addRow("Expected", self._expected)
         return form
 
     def _buttons(self) -> QHBoxLayout:

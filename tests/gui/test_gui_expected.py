@@ -1,0 +1,27 @@
+"""What is known of a target beforehand, typed in step 2."""
+
+from PySide6.QtWidgets import QDoubleSpinBox
+
+from tests.gui.support import Driver, click, open_step, seed, type_into
+
+
+def typed(driver: Driver, name: str, text: str) -> None:
+    type_into(driver, driver.window.targets.findChild(QDoubleSpinBox, name), text)
+
+
+def test_the_candidate_is_compared_with_what_is_expected(opened: Driver) -> None:
+    open_step(opened, 1)
+    assert opened.window.targets.expected is None
+    typed(opened, "expected_width", "1.23")
+    typed(opened, "expected_height", "1.22")
+    seed(opened, "T1")
+    detail = opened.window.targets.candidate.detail
+    assert "Size and inclination are as expected." in detail.text()
+    click(opened, opened.window.targets.candidate.reject)
+    typed(opened, "expected_tilt", "45")
+    seed(opened, "T1")
+    assert "more than the 45.0 deg expected" in detail.text()
+    click(opened, opened.window.targets.candidate.accept)
+    assert opened.project.target("T1").expected.width == 1.23
+    opened.window.targets.shape_choice.setCurrentIndex(1)
+    assert opened.window.targets.expected is None

@@ -1,0 +1,66 @@
+"""A target's expected size and inclination: stored with it, and compared with what is found."""
+
+import json
+from math import pi, radians
+
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import ProjectError
+from lispac.io.project_file import read_project, write_project
+from lispac.project import Project
+from lispac.targets.expected import ExpectedTarget
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.picking import find
+from lispac.workflow.qualities import judge_target, unexpected
+from lispac.workflow.survey import Survey
+
+BOARD = ExpectedTarget(1.23, 1.22, pi / 2)
+
+
+def test_a_usual_board_is_as_expected_and_a_larger_one_is_told(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    _, seed = demo_seeds()["T1"]
+    found = find(project, survey, seed, name="T9", expected=BOARD)
+    assert found.expected == BOARD
+    assert unexpected(found, survey) == {}
+    other = ExpectedTarget(2.0, 1.22, radians(45))
+    wrong = find(project, survey, seed, name="T9", expected=other)
+    assert set(unexpected(wrong, survey)) == {sighting.line for sighting in wrong.sightings}
+    for quality in judge_target(project, survey, wrong).values():
+        assert quality.light != "good"
+        assert "less than the 2.00 m expected" in quality.words
+        assert "more than the 45.0 deg expected" in quality.words
+
+
+def test_the_terminal_compares_and_keeps_it(
+    copy: Project, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _, seed = demo_seeds()["T1"]
+    place = ["pick", str(copy.folder), "--seed", *map(str, seed), "--name", "T1"]
+    assert main([*place, "--expected", "1.23", "1.22", "45", "--json"]) == 0
+    lines = json.loads(capsys.readouterr().out)["lines"]
+    for values in lines.values():
+        assert "more than the 45.0 deg expected" in " ".join(values["quality"]["reasons"])
+    expected = read_project(copy.folder).target("T1").expected
+    assert expected == ExpectedTarget(1.23, 1.22, radians(45))
+    assert main([*place, "--expected", "0", "1.22", "45"]) == 1
+    assert "lengths above zero" in capsys.readouterr().err
+    assert main([*place, "--shape", "sphere", "--expected", "1", "1", "45"]) != 0
+    assert "--expected is for planes" in capsys.readouterr().err
+
+
+def test_a_project_file_without_it_reads_and_a_wrong_one_is_refused(copy: Project) -> None:
+    path = copy.folder / "project.json"
+    write_project(copy)
+    content = json.loads(path.read_text())
+    for target in content["targets"]:
+        assert target.pop("expected") is None
+    path.write_text(json.dumps(content))
+    assert read_project(copy.folder).targets[0].expected is None
+    content["targets"][0]["expected"] = {"width": -1.0, "height": 1.0, "inclination": None}
+    path.write_text(json.dumps(content))
+    with pytest.raises(ProjectError):
+        read_project(copy.folder)
