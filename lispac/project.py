@@ -10,26 +10,27 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lispac.adjustment.parameters import SWITCHED, Parameter
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.robust import LOSSES, LossName
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import InputError, ProjectError
+from lispac.picks import ROLES as ROLES
+from lispac.picks import SHAPES as SHAPES
+from lispac.picks import PickedSighting as PickedSighting
+from lispac.picks import Role as Role
+from lispac.picks import Shape as Shape
+from lispac.picks import Target as Target
+from lispac.picks import Triple as Triple
+from lispac.picks import require_name as require_name
+from lispac.picks import require_target as require_target
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.source import USUAL
 from lispac.survey.source import LineSource as LineSource
 from lispac.survey.source import Reading as Reading
 from lispac.survey.trajectory import LONGEST_GAP
-from lispac.targets.expected import ExpectedTarget
 from lispac.validation.comparison import PlaneComparison
-
-Role = Literal["target", "validation"]
-ROLES: tuple[Role, ...] = ("target", "validation")
-Shape = Literal["plane", "sphere"]
-SHAPES: tuple[Shape, ...] = ("plane", "sphere")
-Triple = tuple[float, float, float]
 
 DEFAULT_THRESHOLD = 0.01
 """RANSAC distance threshold in metres (thesis 4.5.3)."""
@@ -163,108 +164,6 @@ class Settings:
             raise InputError(
                 "The origin's latitude is beyond 90 deg; give LAT LON HEIGHT in degrees."
             )
-
-
-@dataclass(frozen=True, eq=False)
-class PickedSighting:
-    """The points of one target on one line.
-
-    Attributes
-    ----------
-    indices : ndarray of shape (n,), int64
-        Into the line's points: those of its file that lie within the trajectory.
-    fingerprint : str
-        `Scan.fingerprint` of these points; a line read otherwise later is refused.
-    rms : float, metres
-        Of the points about their own plane.
-    used : bool
-        Whether the sighting takes part.
-    one_in : int
-        Of how many points about the seed one was looked at: 1 where all were.
-    by_hand : bool
-        Whether points were added or taken away by hand; they are then not selected again.
-    """
-
-    line: str
-    indices: NDArray[np.int64]
-    rms: float
-    used: bool = True
-    fingerprint: str = ""
-    one_in: int = 1
-    by_hand: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Target:
-    """A picked plane or sphere.
-
-    Attributes
-    ----------
-    shape : {"plane", "sphere"}
-    sphere_radius : metres, or None where it is unknown
-    seed : metres, local frame, where the user clicked
-    missing : for each line without it, the reason in words
-    expected : what is known of a plane's size and inclination beforehand
-    """
-
-    name: str
-    role: Role
-    seed: Triple
-    threshold: float
-    radius: float
-    sightings: tuple[PickedSighting, ...]
-    missing: Mapping[str, str] = field(default_factory=dict)
-    used: bool = True
-    shape: Shape = "plane"
-    sphere_radius: float | None = None
-    expected: ExpectedTarget | None = None
-
-    def sighting(self, line: str) -> PickedSighting | None:
-        """The sighting on ``line``, if there is one."""
-        return next((s for s in self.sightings if s.line == line), None)
-
-    @property
-    def used_sightings(self) -> tuple[PickedSighting, ...]:
-        """Sightings that take part."""
-        return tuple(s for s in self.sightings if s.used) if self.used else ()
-
-
-LONGEST_NAME = 40
-
-
-def require_name(name: str) -> None:
-    """Refuse a name of a target that cannot stand in a table or a file name.
-
-    Raises
-    ------
-    ProjectError
-    """
-    if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
-        raise ProjectError(
-            f"A target's name needs 1 to {LONGEST_NAME} printable characters; "
-            f"{name[:LONGEST_NAME]!r} does not do."
-        )
-    if any(character in name for character in "/\\:"):
-        raise ProjectError(f"{name}: a target's name cannot hold a slash or a colon.")
-
-
-def require_target(target: Target) -> None:
-    """Refuse a target whose name or shape cannot be worked with.
-
-    Raises
-    ------
-    ProjectError
-    """
-    require_name(target.name)
-    radius = target.sphere_radius
-    if radius is not None and target.shape != "sphere":
-        raise ProjectError(f"{target.name}: only a sphere has a radius; leave it out for a plane.")
-    if radius is not None and not 0 < radius < np.inf:
-        raise ProjectError(f"{target.name}: a sphere needs a radius above 0 m, or none if unknown.")
-    if target.shape == "sphere" and target.role == "validation":
-        raise ProjectError(
-            f"{target.name}: lines are compared on planes only; use the sphere as a target."
-        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,119 @@
+"""What was picked: targets and validation planes, with their points on every line."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError
+from lispac.targets.expected import ExpectedTarget
+
+Role = Literal["target", "validation"]
+ROLES: tuple[Role, ...] = ("target", "validation")
+Shape = Literal["plane", "sphere"]
+SHAPES: tuple[Shape, ...] = ("plane", "sphere")
+Triple = tuple[float, float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class PickedSighting:
+    """The points of one target on one line.
+
+    Attributes
+    ----------
+    indices : ndarray of shape (n,), int64
+        Into the line's points: those of its file that lie within the trajectory.
+    fingerprint : str
+        `Scan.fingerprint` of these points; a line read otherwise later is refused.
+    rms : float, metres
+        Of the points about their own plane.
+    used : bool
+        Whether the sighting takes part.
+    one_in : int
+        Of how many points about the seed one was looked at: 1 where all were.
+    by_hand : bool
+        Whether points were added or taken away by hand; they are then not selected again.
+    """
+
+    line: str
+    indices: NDArray[np.int64]
+    rms: float
+    used: bool = True
+    fingerprint: str = ""
+    one_in: int = 1
+    by_hand: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Target:
+    """A picked plane or sphere.
+
+    Attributes
+    ----------
+    shape : {"plane", "sphere"}
+    sphere_radius : metres, or None where it is unknown
+    seed : metres, local frame, where the user clicked
+    missing : for each line without it, the reason in words
+    expected : what is known of a plane's size and inclination beforehand
+    """
+
+    name: str
+    role: Role
+    seed: Triple
+    threshold: float
+    radius: float
+    sightings: tuple[PickedSighting, ...]
+    missing: Mapping[str, str] = field(default_factory=dict)
+    used: bool = True
+    shape: Shape = "plane"
+    sphere_radius: float | None = None
+    expected: ExpectedTarget | None = None
+
+    def sighting(self, line: str) -> PickedSighting | None:
+        """The sighting on ``line``, if there is one."""
+        return next((s for s in self.sightings if s.line == line), None)
+
+    @property
+    def used_sightings(self) -> tuple[PickedSighting, ...]:
+        """Sightings that take part."""
+        return tuple(s for s in self.sightings if s.used) if self.used else ()
+
+
+LONGEST_NAME = 40
+
+
+def require_name(name: str) -> None:
+    """Refuse a name of a target that cannot stand in a table or a file name.
+
+    Raises
+    ------
+    ProjectError
+    """
+    if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
+        raise ProjectError(
+            f"A target's name needs 1 to {LONGEST_NAME} printable characters; "
+            f"{name[:LONGEST_NAME]!r} does not do."
+        )
+    if any(character in name for character in "/\\:"):
+        raise ProjectError(f"{name}: a target's name cannot hold a slash or a colon.")
+
+
+def require_target(target: Target) -> None:
+    """Refuse a target whose name or shape cannot be worked with.
+
+    Raises
+    ------
+    ProjectError
+    """
+    require_name(target.name)
+    radius = target.sphere_radius
+    if radius is not None and target.shape != "sphere":
+        raise ProjectError(f"{target.name}: only a sphere has a radius; leave it out for a plane.")
+    if radius is not None and not 0 < radius < np.inf:
+        raise ProjectError(f"{target.name}: a sphere needs a radius above 0 m, or none if unknown.")
+    if target.shape == "sphere" and target.role == "validation":
+        raise ProjectError(
+            f"{target.name}: lines are compared on planes only; use the sphere as a target."
+        )
