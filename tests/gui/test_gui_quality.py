@@ -31,7 +31,7 @@ def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
     assert "before the calibration" in shown(picked, "T1", line, Role.ToolTipRole)
     assert shown(picked, "T1", line).endswith("mm")
     steep = picked.project.target("T2").sightings[-1].line
-    assert shown(picked, "T2", steep).endswith("doubtful")
+    assert "Quality: doubtful" in shown(picked, "T2", steep, Role.ToolTipRole)
     assert "from its normal." in shown(picked, "T2", steep, Role.ToolTipRole)
 
 

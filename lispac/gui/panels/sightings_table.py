@@ -177,7 +177,7 @@ class SightingsModel(QAbstractTableModel):
         used = target.used and sighting.used
         quality = self._qualities.get((target.name, sighting.line))
         if role == Role.DisplayRole:
-            light = "" if quality is None or quality.light == "good" else f"   {quality.light}"
+            light = "   poor" if quality is not None and quality.light == "poor" else ""
             return f"{len(sighting.indices):,}   {sighting.rms * 1000:.1f} mm{light}"
         if role == Role.DecorationRole and quality is not None:
             return theme.light(quality.light)

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
     QFormLayout,
+    QGridLayout,
     QHBoxLayout,
     QHeaderView,
     QTableWidget,
@@ -279,7 +280,7 @@ class TargetsPanel(QWidget):
         form.addRow("Expected", self._expected)
         return form
 
-    def _buttons(self) -> QHBoxLayout:
+    def _buttons(self) -> QGridLayout:
         self.rename = widgets.button("Rename", "rename_target", icon="pencil-outline", tip="F2")
         self.remove = widgets.button("Remove", "remove_target", icon="trash-can-outline", tip="Del")
         self.rename.clicked.connect(self._rename)
@@ -291,12 +292,11 @@ class TargetsPanel(QWidget):
             tip="Find flat surfaces on all lines and propose targets and validation planes",
         )  # fmt: skip
         self.propose.clicked.connect(self.propose_asked)
-        row = QHBoxLayout()
-        row.addWidget(self.propose)
-        row.addStretch(1)
-        row.addWidget(self.rename)
-        row.addWidget(self.remove)
-        return row
+        rows = QGridLayout()
+        rows.addWidget(self.propose, 0, 0, 1, 2)
+        rows.addWidget(self.rename, 1, 0)
+        rows.addWidget(self.remove, 1, 1)
+        return rows
 
     def _rename(self) -> None:
         if self.current is not None:
