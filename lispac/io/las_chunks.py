@@ -133,7 +133,7 @@ def look(path: Path, choice: Choice) -> Finding:
         (
             *stated.doubts,
             *seen.doubts,
-            *base_doubts(time, base),
+            *(() if choice.get("time_base") else base_doubts(time, base)),
             *_header_doubts(header, stated.text, xyz),
         ),
         _assumptions(header),

@@ -12,10 +12,11 @@ from lispac.io.trajectory_checks import require_attitude, require_base, require_
 from lispac.survey.time_base import base_of, unrolled
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
+SHARED_BASE = "SBET times and point times share one time base"
 ASSUMPTIONS = (
     "SBET after Applanix: North-East-Down, roll positive starboard down, pitch positive bow up "
     "(its sign is turned here), true heading = platform heading - wander angle",
-    "SBET times and point times share one time base",
+    SHARED_BASE,
 )
 
 

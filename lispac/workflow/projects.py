@@ -14,6 +14,7 @@ from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
 from lispac.workflow.importing import LINES, line_folder
 from lispac.workflow.reading import usual_or_settled
+from lispac.workflow.stated_times import lines_in_trajectory_time, states_time
 from lispac.workflow.survey import Survey, load_survey
 
 
@@ -100,11 +101,17 @@ def new_project(
     settings.require_sound()
     draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
     _require_new(draft)
+    track_stated = bool(dict(trajectory_reading.options).get("time"))
     trajectory_reading, notes = usual_or_settled(trajectory, "trajectory", trajectory_reading)
     if accuracy is not None:
         accuracy_reading, more = usual_or_settled(accuracy, "accuracy", accuracy_reading)
         notes += more
     known, more = _settled_lines(lines)
+    notes += more
+    known, more = lines_in_trajectory_time(
+        known, [line.reading for line in lines], trajectory, trajectory_reading,
+        trajectory_stated=track_stated,
+    )  # fmt: skip
     notes += more
     draft = replace(
         draft, lines=known, trajectory_reading=trajectory_reading,
@@ -137,6 +144,11 @@ def with_lines_added(
             if known.path == Path(line.path).absolute():
                 raise ProjectError(f"{line.path}: this is the line {known.name} already.")
     added, notes = _settled_lines(lines)
+    added, more = lines_in_trajectory_time(
+        added, [line.reading for line in lines], project.trajectory, project.trajectory_reading,
+        trajectory_stated=states_time(project.trajectory, project.trajectory_reading),
+    )  # fmt: skip
+    notes += more
     edited = replace(
         project,
         lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),

@@ -148,7 +148,8 @@ USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points
 """Formats that the program reads in a way of its own where nothing else is settled."""
 
 BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
-"""Options that tell what to check, or nothing of points in the LiDAR frame."""
+"""Options that change nothing of how points in the LiDAR frame, or poses, are read: what follows
+from time bases is a shift of the line's times (`stated_times`)."""
 
 
 def _agrees(reading: Reading, key: str) -> bool:
@@ -252,7 +253,7 @@ def line_stream(
         Here where the options are not the format's own; the stream raises it where the file is
         missing or damaged.
     """
-    format, choice, assumptions = _format_of_line(line)
+    format, choice, assumptions = format_of_line(line)
     settled = format.settled(choice)
     if format.read_from is not None:
         chunks, start = format.read_from(line.path, choice, first), first
@@ -272,8 +273,8 @@ def _points_of(format: Format, path: Path, choice: Choice) -> Iterator[PointChun
     return chunks
 
 
-def _format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
-    """How a line is read in chunks, and what that takes for granted."""
+def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
+    """How a line is read in chunks, with what options, and what that takes for granted."""
     if line.reading.format:
         format = format_of(line.reading.format)
         choice: Choice = format.settled(dict(line.reading.options))

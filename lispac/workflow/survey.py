@@ -9,6 +9,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.las_chunks import point_count
+from lispac.io.sbet import SHARED_BASE
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
@@ -94,6 +95,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     """
     progress(0.0, f"Reading {project.trajectory.name}")
     trajectory, notes = local_trajectory(project)
+    notes = _with_shifts(project, notes)
     accuracy, said = _accuracy(project, trajectory)
     notes += said
     scans: dict[str, Line] = {}
@@ -110,6 +112,20 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         _require_picked_on(project, line, scan)
     progress(1.0, "Survey loaded")
     return Survey(trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)))
+
+
+def _with_shifts(project: Project, notes: tuple[str, ...]) -> tuple[str, ...]:
+    """What is taken for granted of times, where some lines' are shifted."""
+    shifted = [line for line in project.lines if line.reading.time_shift]
+    if not shifted:
+        return notes
+    kept = tuple(
+        f"{note} once the shifts are added" if note == SHARED_BASE else note for note in notes
+    )
+    return kept + tuple(
+        f"{line.path.name}: times are shifted by {line.reading.time_shift:+,.3f} s"
+        for line in shifted
+    )
 
 
 def _accuracy(

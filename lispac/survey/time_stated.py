@@ -1,0 +1,127 @@
+"""What follows for a line's times from the time bases that are stated."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.time_base import (
+    LEAP_SECONDS_NOW,
+    Match,
+    TimeBase,
+    matches,
+    plausible,
+    rival_matches,
+)
+
+Array = NDArray[np.float64]
+
+CLEARLY_MORE = 0.05
+"""Part of a line's points that a shift has to bring inside besides those that are, before it is
+offered."""
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is known of the time base of a file.
+
+    Attributes
+    ----------
+    base : TimeBase or None
+    stated : bool
+        Whether the user states it; otherwise it is what the file says or its format takes.
+    """
+
+    base: TimeBase | None = None
+    stated: bool = False
+
+    def fits(self, times: Array) -> bool:
+        """Whether there is a base that ``times`` can be in by their values."""
+        return self.base is not None and self.base in plausible(times)
+
+    @property
+    def words(self) -> str:
+        """Its name, and where it is from."""
+        if self.base is None:
+            return "not known"
+        return f"{self.base.name} ({'stated' if self.stated else 'as read from the file'})"
+
+
+def contradiction(times: Array, own: Known) -> str:
+    """Why ``times`` cannot be in the base stated for them, without the file; empty where they can.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds
+        Of a line, as its file has them.
+    """
+    if not own.stated or own.base is None or own.fits(times):
+        return ""
+    fitting = plausible(times)
+    hint = (
+        f"by their values they are {' or '.join(base.name for base in fitting)}: state "
+        f"{' or '.join(base.key for base in fitting)}, or take the statement back"
+        if fitting
+        else "they fit no known time base; check which column or record is the time"
+    )
+    return (
+        f"its times from {times.min():,.3f} to {times.max():,.3f} s cannot be {own.base.name}, as "
+        f"stated; {hint}."
+    )
+
+
+def following(times: Array, track: Array, own: Known, other: Known) -> tuple[Match, ...] | None:
+    """Ways from the line's base to the trajectory's, best first, where something is stated.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds
+        Of a line, as its file has them.
+    track : ndarray of shape (m,), seconds, increasing
+        Of the trajectory.
+    own, other : Known
+        Of the line and of the trajectory.
+
+    Returns
+    -------
+    tuple of Match or None
+        None where nothing is stated, or one of the two is not known; empty where what is stated
+        brings no point inside.
+    """
+    if own.base is None or other.base is None or not (own.stated or other.stated):
+        return None
+    for known, values in ((own, times), (other, track)):
+        if not known.stated and not known.fits(values):
+            return None  # what a header says and its times deny is not known
+    found = matches(times, track, point_bases=(own.base,), trajectory_bases=(other.base,))
+    # A header that brings nothing inside is no reason to refuse.
+    return found if found or own.stated else None
+
+
+def following_words(found: tuple[Match, ...], own: Known, other: Known) -> str:
+    """What the first way does, in a sentence without the file and without its end."""
+    best = found[0]
+    told = (
+        f"{best.shift:+,.3f} s are added to its times, from {own.words} to the trajectory's "
+        f"{other.words}"
+    )
+    if best.leap_assumed:
+        told += f", with the leap seconds of today, {LEAP_SECONDS_NOW} s, as neither tells the date"
+    if rivals := rival_matches(found):
+        others = " or ".join(f"{match.shift:+,.3f} s" for match in rivals)
+        told += f"; {others} would fit as well: make sure of the day"
+    return told
+
+
+def nowhere(own: Known, other: Known) -> str:
+    """That what is stated brings no point onto the trajectory, without the file."""
+    return (
+        f"in {own.words} none of its points lies within the trajectory, whose times are "
+        f"{other.words}; state the time base that the times are in, or give the trajectory of the "
+        "same survey."
+    )
+
+
+def bringing_more(found: tuple[Match, ...], share: float) -> Match | None:
+    """The best of ``found`` where it brings clearly more inside than the part ``share``."""
+    return found[0] if found and found[0].share >= share + CLEARLY_MORE else None

@@ -1,0 +1,142 @@
+"""Lines brought into the trajectory's time base, as the stated time bases ask."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.io.formats import format_of
+from lispac.io.line_times import line_times
+from lispac.io.registry import Choice, Format
+from lispac.project import LineSource, Reading
+from lispac.survey.time_base import base_of
+from lispac.survey.time_stated import (
+    Known,
+    contradiction,
+    following,
+    following_words,
+    nowhere,
+)
+from lispac.workflow.reading import USUAL, format_of_line, read_trajectory
+
+SAME = 1e-3
+"""Seconds that a typed shift may differ from the one that follows, to be the same."""
+
+
+def known_base(format: Format, path: Path, choice: Choice, option: str, *, stated: bool) -> Known:
+    """The time base of a file.
+
+    Parameters
+    ----------
+    option : str
+        Its name among the options of the format.
+    stated : bool
+        Whether ``choice`` names it because the user does.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be looked into.
+    """
+    given = str(choice.get(option, ""))
+    if given:
+        return Known(base_of(given), stated)
+    found = format.settled({**format.look(path, choice).choice, **choice})
+    given = str(found.get(option, ""))
+    return Known(base_of(given) if given else None)
+
+
+def states_time(trajectory: Path, reading: Reading) -> bool:
+    """Whether a project's reading of its trajectory states a time base that is not found in it.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be looked into.
+    """
+    kept = dict(reading.options)
+    stated = kept.pop("time", "")
+    if not stated:
+        return False
+    format = format_of(reading.format or USUAL["trajectory"])
+    found = format.settled({**format.look(trajectory, kept).choice, **kept})
+    return stated != str(found.get("time", ""))
+
+
+def lines_in_trajectory_time(
+    lines: Sequence[LineSource],
+    stated: Sequence[Reading],
+    trajectory: Path,
+    trajectory_reading: Reading,
+    *,
+    trajectory_stated: bool,
+) -> tuple[tuple[LineSource, ...], tuple[str, ...]]:
+    """Give lines the time shift that follows from what is stated of the time bases.
+
+    Parameters
+    ----------
+    lines : sequence of LineSource
+        As they are settled to be read.
+    stated : sequence of Reading
+        What the user says of each.
+    trajectory_reading : Reading
+        As it is settled.
+    trajectory_stated : bool
+        Whether the user states the trajectory's base.
+
+    Returns
+    -------
+    lines : tuple of LineSource
+        Those that nothing follows for as they came.
+    notes : tuple of str
+
+    Raises
+    ------
+    InputError
+        Where the times cannot be what is stated, or a shift is given besides that differs from
+        the one that follows.
+    """
+    says = [dict(reading.options).get("time_base", "") for reading in stated]
+    if not any(says) and not trajectory_stated:
+        return tuple(lines), ()
+    track = read_trajectory(trajectory, trajectory_reading).time
+    other = known_base(
+        format_of(trajectory_reading.format or USUAL["trajectory"]), trajectory,
+        dict(trajectory_reading.options), "time", stated=trajectory_stated,
+    )  # fmt: skip
+    moved: list[LineSource] = []
+    notes: list[str] = []
+    for line, said in zip(lines, says, strict=True):
+        moved.append(line)
+        if not said and not trajectory_stated:
+            continue
+        format, choice, _ = format_of_line(line)
+        own = known_base(format, line.path, choice, "time_base", stated=bool(said))
+        times = line_times(line.path, format, choice).sample
+        if wrong := contradiction(times, own):
+            raise InputError(f"{line.path}: {wrong}")
+        found = following(times, track, own, other)
+        typed = line.reading.time_shift
+        if found is None:
+            if own.base is None and not typed:
+                notes.append(
+                    f"{line.path.name}: the file does not say what its times count; they are taken "
+                    f"to be the trajectory's {other.words}"
+                )
+            continue
+        if not found:
+            if not typed:
+                raise InputError(f"{line.path}: {nowhere(own, other)}")
+            continue
+        shift = found[0].shift
+        if typed:
+            if all(abs(typed - match.shift) > SAME for match in found):
+                raise InputError(
+                    f"{line.path}: a shift of {typed:+,.3f} s is given, but {shift:+,.3f} s bring "
+                    f"its times from {own.words} to the trajectory's {other.words}; give either "
+                    "the shift or the time base."
+                )
+        elif shift:
+            moved[-1] = replace(line, reading=replace(line.reading, time_shift=shift))
+            notes.append(f"{line.path.name}: {following_words(found, own, other)}")
+    return tuple(moved), tuple(notes)

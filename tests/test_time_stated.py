@@ -1,0 +1,137 @@
+"""Stated time bases are applied: times that they say differ are brought together."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import InputError
+from lispac.project import LineSource, Reading, Settings
+from lispac.survey.time_base import WEEK
+from lispac.workflow.projects import new_project, open_project, with_lines_added
+from lispac.workflow.survey import load_survey
+from tests.intake_files import LEVER, START, write_line
+from tests.trajectory_files import vessel, write_records
+
+UTC_WEEK = (("time_base", "utc-week"),)
+
+
+@pytest.fixture
+def track(tmp_path: Path) -> Path:
+    """100 s from ``START`` on, GPS seconds of the week."""
+    return write_track(tmp_path / "pos.sbet", 0.0)
+
+
+def write_track(path: Path, added: float) -> Path:
+    records = vessel(5000)
+    records[:, 0] += added
+    write_records(path, records)
+    return path
+
+
+def write_points(path: Path, added: float, first: float = 30.0, last: float = 60.0) -> Path:
+    write_line(path, START + np.linspace(first, last, 3000) + added)
+    return path
+
+
+def made(folder: Path, track: Path, line: Path, reading=Reading(), track_reading=Reading()):  # noqa: B008
+    return new_project(
+        folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
+        settings=Settings(lever_arm=LEVER), trajectory_reading=track_reading,
+    )  # fmt: skip
+
+
+def test_a_line_stated_in_utc_comes_into_gps_time_though_it_lies_inside(track, tmp_path) -> None:
+    line = write_points(tmp_path / "utc.las", -18)
+    project, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
+    assert survey.scans["L"].time.min() == pytest.approx(START + 30)
+    assert project.lines[0].reading.time_shift == pytest.approx(18)
+    notes = " ".join(survey.notes)
+    assert "utc.las: +18.000 s are added to its times" in notes
+    assert "UTC seconds of the week (stated)" in notes
+    assert "leap seconds of today, 18 s" in notes
+    assert not any(note.endswith("share one time base") for note in survey.notes)
+    assert "utc.las: times are shifted by +18.000 s" in notes
+    again = load_survey(open_project(project.folder))
+    assert again.scans["L"].time.min() == pytest.approx(START + 30)
+    later = write_points(tmp_path / "later.las", -18, 65, 75)
+    _, both = with_lines_added(project, [LineSource("M", later, reading=Reading("", UTC_WEEK))])
+    assert both.scans["M"].time.min() == pytest.approx(START + 65)
+    assert "later.las: +18.000 s" in " ".join(both.notes)
+
+
+def test_a_trajectory_stated_in_utc_takes_the_lines_along(tmp_path) -> None:
+    track = write_track(tmp_path / "utc.sbet", -18)
+    line = write_points(tmp_path / "gps.las", 0)  # its header says seconds of the GPS week
+    stated = Reading("", (("time", "utc-week"),))
+    project, survey = made(tmp_path / "p", track, line, Reading(), stated)
+    assert survey.scans["L"].time.min() == pytest.approx(START + 12)
+    assert "gps.las: -18.000 s are added to its times" in " ".join(survey.notes)
+    later = write_points(tmp_path / "later.las", 0, 65, 75)
+    _, both = with_lines_added(project, [LineSource("M", later)])
+    assert both.scans["M"].time.min() == pytest.approx(START + 47)
+
+
+@pytest.mark.parametrize(
+    ("base", "added"),
+    [
+        ("utc-day", -18 - 5 * 86_400.0),
+        ("gps-day", -5 * 86_400.0),
+        ("gps-adjusted", 2268 * WEEK - 1e9),
+        ("gps-full", 2268 * WEEK),
+        ("unix", 2268 * WEEK + 315_964_800 - 18),
+    ],
+)
+def test_every_base_comes_to_the_week(base: str, added: float, track, tmp_path) -> None:
+    line = write_points(tmp_path / "L.las", added)
+    _, survey = made(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
+    assert survey.scans["L"].time.min() == pytest.approx(START + 30)
+
+
+def test_equal_bases_need_no_shift(track, tmp_path) -> None:
+    line = write_points(tmp_path / "L.las", 0)
+    project, survey = made(tmp_path / "p", track, line, Reading("", (("time_base", "gps-week"),)))
+    assert project.lines[0].reading.time_shift == 0
+    assert "are added" not in " ".join(survey.notes)
+
+
+@pytest.mark.parametrize("base", ["utc-day", "gps-adjusted"])
+def test_what_the_times_cannot_be_is_refused(base: str, track, tmp_path) -> None:
+    line = write_points(tmp_path / "L.las", 0)
+    with pytest.raises(InputError) as caught:
+        made(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
+    told = str(caught.value)
+    assert told.startswith(f"{line}: its times from 486,030.000 to 486,060.000 s cannot be ")
+    assert "state gps-week or utc-week" in told
+    assert not (tmp_path / "p").exists()
+
+
+def test_a_typed_shift_is_not_doubled_and_must_agree(track, tmp_path, capsys) -> None:
+    line = write_points(tmp_path / "L.las", -18)
+    _, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK, 18.0))
+    assert survey.scans["L"].time.min() == pytest.approx(START + 30)
+    command = ["new", str(tmp_path / "q"), str(line), "--trajectory", str(track)]
+    command += ["--lever-arm", "0", "0", "1", "--line-option", "time_base=utc-week"]
+    assert main([*command, "--time-shift", "5"]) == 1
+    told = capsys.readouterr().err
+    assert "a shift of +5.000 s is given, but +18.000 s bring" in told
+    assert "give either the shift or the time base" in told
+    assert not (tmp_path / "q").exists()
+    assert main(command) == 0
+    assert "+18.000 s are added" in capsys.readouterr().err
+
+
+def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
+    line = write_points(tmp_path / "L.las", 50_000)
+    with pytest.raises(InputError, match="none of its points lies within the trajectory"):
+        made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
+
+
+def test_a_base_that_the_file_does_not_tell_is_said(tmp_path) -> None:
+    track = write_track(tmp_path / "utc.sbet", -18)
+    rows = np.column_stack([START + np.linspace(30, 60, 500), np.ones((500, 3)) * 5])
+    path = tmp_path / "L.txt"
+    np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
+    _, survey = made(tmp_path / "p", track, path, Reading(), Reading("", (("time", "utc-week"),)))
+    assert "L.txt: the file does not say what its times count" in " ".join(survey.notes)
