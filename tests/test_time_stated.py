@@ -9,9 +9,11 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import WEEK
+from lispac.workflow.importing import import_lines
+from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project, with_lines_added
 from lispac.workflow.survey import load_survey
-from tests.intake_files import LEVER, START, write_line
+from tests.intake_files import LEVER, START, named, said, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
 UTC_WEEK = (("time_base", "utc-week"),)
@@ -135,3 +137,74 @@ def test_a_base_that_the_file_does_not_tell_is_said(tmp_path) -> None:
     np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
     _, survey = made(tmp_path / "p", track, path, Reading(), Reading("", (("time", "utc-week"),)))
     assert "L.txt: the file does not say what its times count" in " ".join(survey.notes)
+
+
+def test_a_shift_that_brings_in_clearly_more_is_offered(track, tmp_path) -> None:
+    line = write_points(tmp_path / "early.las", -18, 0, 34.7)  # 51.9 % before the trajectory
+    project, survey = made(tmp_path / "p", track, line)
+    told = " ".join(survey.notes)
+    assert "with +18.000 s added, 100.0 % of its points lie inside" in told
+    assert "--time-shift 18" in told
+    stored = import_lines(project)[0].stored
+    assert "--time-shift 18" in " ".join(stored.assumptions)
+    end = write_points(tmp_path / "end.las", 0, 70, 101)  # little more to be had
+    _, survey = made(tmp_path / "q", track, end)
+    assert "are left out" in " ".join(survey.notes)
+    assert "--time-shift" not in " ".join(survey.notes)
+
+
+# -- in the import dialogue ----------------------------------------------------------------------
+
+
+def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_path) -> None:
+    line = write_points(tmp_path / "utc.las", -18)
+    before = taken_in(Intake(), track, line)
+    assert named(before, "utc.las").shift == 0
+    intake = taken_in(before.with_option(line, "time_base", "utc-week"))
+    assert named(intake, "utc.las").shift == pytest.approx(18)
+    assert "+18.000 s are added to its times, from UTC" in said(intake, "utc.las")
+    assert intake.state(named(intake, "utc.las")) == "fine"
+    request = intake.request(tmp_path / "p", Settings(lever_arm=LEVER))
+    _, survey = new_project(
+        request.folder, trajectory=request.trajectory, lines=request.lines,
+        settings=request.settings, trajectory_reading=request.trajectory_reading,
+    )  # fmt: skip
+    assert survey.scans["utc"].time.min() == pytest.approx(START + 30)
+    note = next(r for r in intake.remarks(named(intake, "utc.las")) if r.remedies)
+    back = taken_in(intake.with_remedy(line, note.remedies[0]))
+    assert named(back, "utc.las").shift == 0
+
+
+def test_the_dialogue_applies_a_trajectorys_statement(tmp_path) -> None:
+    track = write_track(tmp_path / "utc.sbet", -18)
+    line = write_points(tmp_path / "gps.las", 0)
+    intake = taken_in(taken_in(Intake(), track, line).with_option(track, "time", "utc-week"))
+    assert named(intake, "gps.las").shift == pytest.approx(-18)
+    assert intake.files_problem() == ""
+    again = taken_in(intake.with_option(track, "time", "gps-week"))
+    assert named(again, "gps.las").shift == 0
+
+
+@pytest.mark.parametrize("base", ["utc-day", "gps-adjusted"])
+def test_the_dialogue_refuses_what_the_times_cannot_be(base: str, track, tmp_path) -> None:
+    line = write_points(tmp_path / "L.las", 0)
+    intake = taken_in(taken_in(Intake(), track, line).with_option(line, "time_base", base))
+    assert "cannot be" in intake.files_problem()
+    error = intake.remarks(named(intake, "L.las"))[0]
+    assert error.level == "error"
+    assert taken_in(intake.with_remedy(line, error.remedies[0])).files_problem() == ""
+
+
+def test_the_dialogue_offers_the_shift_that_brings_in_more(track, tmp_path) -> None:
+    line = write_points(tmp_path / "early.las", -18, 0, 34.7)
+    intake = taken_in(Intake(), track, line)
+    remark = intake.time_remarks(named(intake, "early.las"))[0]
+    assert remark.level == "doubt"
+    assert "With +18.000 s added, 100.0 % lie inside" in remark.text
+    assert remark.remedies[0].shift == pytest.approx(18)
+    assert [shift for _, shift in intake.shifts_offered] == [pytest.approx(18)]
+    mended = intake.with_shift_for_all()
+    assert mended.shifts_offered == ()
+    covered = mended.coverage(named(mended, "early.las"))
+    assert covered is not None
+    assert covered.outside == 0

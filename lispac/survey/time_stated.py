@@ -125,3 +125,15 @@ def nowhere(own: Known, other: Known) -> str:
 def bringing_more(found: tuple[Match, ...], share: float) -> Match | None:
     """The best of ``found`` where it brings clearly more inside than the part ``share``."""
     return found[0] if found and found[0].share >= share + CLEARLY_MORE else None
+
+
+def offer(found: tuple[Match, ...], share: float) -> str:
+    """A clause on the shift that brings in clearly more than ``share``; empty without one."""
+    best = bringing_more(found, share)
+    if best is None:
+        return ""
+    return (
+        f"; with {best.shift:+,.3f} s added, {100 * best.share:.1f} % of its points lie inside: "
+        f"where the scanner wrote {best.points.name} and the trajectory is in "
+        f"{best.trajectory.name}, import it again with --time-shift {best.shift:.10g}"
+    )

@@ -27,6 +27,7 @@ from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, tidy, write_store
 from lispac.survey.time_base import matches, sentence
+from lispac.survey.time_stated import offer
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.reading import LAS_ENDINGS, line_stream, local_trajectory
 
@@ -266,6 +267,7 @@ class _Source:
     ) -> None:
         self._line, self._trajectory, self._mounting = line, trajectory, mounting
         self._original = original
+        self._looked: list[Array] = []
 
     def assumptions(self, left_out: int) -> tuple[str, ...]:
         """What was taken for granted and what is left out, in words."""
@@ -273,7 +275,8 @@ class _Source:
         if left_out:
             words += (
                 f"{self._line.path.name}: {left_out:,} points outside the trajectory's time, or in "
-                f"a gap of it longer than {self._trajectory.longest_gap:g} s, are left out",
+                f"a gap of it longer than {self._trajectory.longest_gap:g} s, are left out"
+                f"{self._offer()}",
             )
         return words
 
@@ -288,7 +291,7 @@ class _Source:
         line, trajectory = self._line, self._trajectory
         stream = line_stream(line, trajectory, self._mounting, first)
         latency, kept = self._mounting.latency, first
-        looked: list[Array] = []
+        looked = self._looked = []
         for chunk, read in _from(stream.chunks, stream.first, first):
             # Copied: a view would keep the whole chunk.
             looked.append(chunk.time[:: max(1, len(chunk.time) // LOOKED_AT)].copy())
@@ -304,6 +307,14 @@ class _Source:
         self._require_unchanged()
         if not kept:
             raise self._outside(np.concatenate(looked) if looked else np.zeros(0))
+
+    def _offer(self) -> str:
+        """The shift that would bring in more; of an import taken up again, by the rest."""
+        if self._line.reading.time_shift or not self._looked:
+            return ""
+        times, known = np.concatenate(self._looked), self._trajectory.time
+        inside = (times >= known[0]) & (times <= known[-1])
+        return offer(matches(times, known), float(inside.mean()))
 
     def _require_unchanged(self) -> None:
         path, then = self._line.path, self._original

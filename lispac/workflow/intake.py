@@ -11,13 +11,13 @@ from functools import cached_property
 from pathlib import Path
 from typing import Literal
 
-from lispac.io.line_times import LineTimes
 from lispac.io.project_file import FILE_NAME
 from lispac.io.registry import POSSIBLE, Kind
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.source import USUAL, Reading
 from lispac.survey.time_base import TimeBase, plausible
 from lispac.survey.time_quality import Coverage
+from lispac.survey.time_stated import Known
 from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake_columns import with_meaning
 from lispac.workflow.intake_entry import Entry
@@ -25,12 +25,15 @@ from lispac.workflow.intake_remarks import (
     Remark,
     Remedy,
     already_there,
-    best_shift,
-    line_coverage,
     remarks_of,
     time_remarks,
-    trajectory_base,
     without_changes,
+)
+from lispac.workflow.intake_times import (
+    line_coverage,
+    offered_shift,
+    trajectory_base,
+    with_stated_shifts,
 )
 
 State = Literal["pending", "fine", "doubt", "error", "out"]
@@ -115,7 +118,7 @@ class Intake:
     def with_entry(self, entry: Entry) -> "Intake":
         """Put an entry in the place of the one of the same file."""
         entries = tuple(entry if e.path == entry.path else e for e in self.entries)
-        return replace(self, entries=entries)
+        return replace(self, entries=with_stated_shifts(entries))
 
     def with_role(self, path: Path, role: Kind | None) -> "Intake":
         """Give a file another role, in the surest format of it; it has to be looked into again."""
@@ -223,14 +226,14 @@ class Intake:
         return content if isinstance(content, TrajectoryAccuracy) else None
 
     @property
-    def _base(self) -> TimeBase | None:
+    def _base(self) -> Known:
         return trajectory_base(self.trajectory)
 
     @property
     def time_base(self) -> TimeBase | None:
         """The trajectory's, as stated or taken; None where its options do not say."""
-        if self._base is not None:
-            return self._base
+        if self._base.base is not None:
+            return self._base.base
         return next(iter(plausible(self.track.time)), None) if self.track is not None else None
 
     @cached_property
@@ -291,17 +294,14 @@ class Intake:
 
     @cached_property
     def shifts_offered(self) -> tuple[tuple[Entry, float], ...]:
-        """Lines outside the trajectory, each with the time shift that brings it in."""
+        """Lines outside the trajectory, wholly or in good part, each with the shift for it."""
         track = self.track
         if track is None:
             return ()
         found = []
         for entry in self.lines:
-            covered = self.coverage(entry)
-            if covered is None or covered.usable or not isinstance(entry.content, LineTimes):
-                continue
-            best = best_shift(entry, track, self._base)
-            if best is not None and best.shift != entry.shift:
+            best = offered_shift(entry, track, self.longest_gap, self._base.base)
+            if best is not None:
                 found.append((entry, best.shift))
         return tuple(found)
 

@@ -71,6 +71,8 @@ class Entry:
         Why the file cannot be used, in a sentence.
     shift : float, seconds
         Added to the times of a line.
+    follows : bool
+        Whether the shift is the one that follows from stated time bases.
     place : Place or None
         Of a georeferenced line.
     remembered : bool
@@ -88,6 +90,7 @@ class Entry:
     content: Content | None = None
     error: str = ""
     shift: float = 0.0
+    follows: bool = False
     place: Place | None = None
     pending: bool = True
     remembered: bool = False

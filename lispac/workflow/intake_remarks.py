@@ -11,17 +11,24 @@ from lispac.geometry.frames import geodetic_to_ecef
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
 from lispac.io.trajectory_facts import UNUSABLE, gap_doubts
-from lispac.survey.time_base import Match, TimeBase, base_of, matches, rival_matches, sentence
-from lispac.survey.time_quality import Coverage, coverage
+from lispac.survey.time_base import Match, TimeBase, rival_matches, sentence
+from lispac.survey.time_quality import Coverage
+from lispac.survey.time_stated import Known, contradiction, following, following_words
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake_entry import Entry
+from lispac.workflow.intake_times import (
+    SHARE_NEEDED,
+    fitting,
+    line_base,
+    line_coverage,
+    offered_shift,
+    trajectory_base,
+)
 
 Level = Literal["error", "doubt", "note"]
 
 FARTHEST = 20_000.0
 """Metres between a line's points and the trajectory; no scanner sees farther."""
-SHARE_NEEDED = 0.5
-"""Part of a line's points that a shift has to bring inside before it is offered."""
 
 
 @dataclass(frozen=True)
@@ -238,51 +245,19 @@ def _accuracy_in_time(entry: Entry, trajectory: Entry | None) -> list[Remark]:
     return []
 
 
-def line_coverage(entry: Entry, trajectory: Trajectory, longest_gap: float) -> Coverage | None:
-    """How the trajectory covers what was looked at of a line, its shift applied."""
-    if not isinstance(entry.content, LineTimes):
-        return None
-    return coverage(entry.content.sample + entry.shift, trajectory.time, longest_gap)
-
-
-def best_shift(entry: Entry, trajectory: Trajectory, base: TimeBase | None) -> Match | None:
-    """The time shift that brings most of a line's points onto the trajectory.
-
-    Parameters
-    ----------
-    base : TimeBase or None
-        The trajectory's, as its options say.
-    """
-    if not isinstance(entry.content, LineTimes):
-        return None
-    found = _fitting(entry.content, trajectory, base)
-    return found[0] if found and found[0].share >= SHARE_NEEDED else None
-
-
-def _fitting(times: LineTimes, track: Trajectory, base: TimeBase | None) -> tuple[Match, ...]:
-    """Ways to bring a line onto the trajectory: in its own base, else in any."""
-    some = times.sample[:: max(1, len(times.sample) // 1000)]
-    if base is not None:
-        found = matches(some, track.time, trajectory_bases=(base,))
-        if found and found[0].share >= SHARE_NEEDED:
-            return found
-    return matches(some, track.time)
-
-
-def trajectory_base(trajectory: Entry | None) -> TimeBase | None:
-    """What a trajectory's times count, as its options say."""
-    key = "" if trajectory is None else trajectory.options.get("time", "")
-    return base_of(key) if key else None
-
-
-def time_remarks(
-    entry: Entry, track: Trajectory, longest_gap: float, base: TimeBase | None
-) -> list[Remark]:
-    """How the trajectory covers a line, where there is something to say."""
+def time_remarks(entry: Entry, track: Trajectory, longest_gap: float, known: Known) -> list[Remark]:
+    """How the trajectory covers a line, where there is something to say; ``known`` is its base."""
     times, covered = entry.content, line_coverage(entry, track, longest_gap)
     if covered is None or not isinstance(times, LineTimes):
         return []
-    told = _shift_remarks(entry, times, track, base)
+    own, base = line_base(entry), known.base
+    if wrong := contradiction(times.sample, own):
+        back = Remedy("Take it back", option=("time_base", ""))
+        return [Remark("error", f"{wrong[:1].upper()}{wrong[1:]}", (back, LEAVE_OUT))]
+    if entry.follows:
+        told = _stated_remarks(entry, times, track, own, known)
+    else:
+        told = _shift_remarks(entry, times, track, base)
     if covered.usable == covered.count:
         return told
     if covered.usable == 0 and covered.outside:
@@ -293,10 +268,27 @@ def time_remarks(
         if widest <= 10 * longest_gap:
             bridged = float(np.ceil(widest * 10) / 10)
             remedies.append(Remedy(f"Bridge up to {bridged:g} s", longest_gap=bridged))
-    told.append(
-        Remark("doubt", _not_usable(covered, len(times.sample) == times.count), (*remedies,))
-    )
+    words = _not_usable(covered, len(times.sample) == times.count)
+    if more := offered_shift(entry, track, longest_gap, base):
+        remedies.insert(0, _adding(more))
+        words += (
+            f" With {more.shift:+,.3f} s added, {100 * more.share:.1f} % lie inside: make sure "
+            f"whether the scanner wrote {more.points.name}."
+        )
+    told.append(Remark("doubt", words, (*remedies,)))
     return told
+
+
+def _stated_remarks(
+    entry: Entry, times: LineTimes, track: Trajectory, own: Known, other: Known
+) -> list[Remark]:
+    """What the stated time bases do to a line."""
+    found = following(times.sample, track.time, own, other)
+    if not found or not entry.shift:
+        return []
+    words = following_words(found, own, other)
+    back = (Remedy("Take it back", option=("time_base", "")),) if own.stated else ()
+    return [Remark("note", f"{words}.", back)]
 
 
 def _shift_remarks(
@@ -307,7 +299,7 @@ def _shift_remarks(
         return []
     told = f"{entry.shift:+,.3f} s are added to its times"
     undo = Remedy("Take it back", shift=0.0)
-    found = _fitting(times, track, base)
+    found = fitting(times, track, base)
     rivals = [] if not found else [
         match for match in (found[0], *rival_matches(found)[:2])
         if abs(match.shift - entry.shift) > 1e-6
@@ -356,7 +348,7 @@ def _outside(entry: Entry, times: LineTimes, track: Trajectory, base: TimeBase |
     start, end = times.start + entry.shift, times.end + entry.shift
     span = f"{start:,.1f} to {end:,.1f} s"
     reach = f"{track.time[0]:,.1f} to {track.time[-1]:,.1f} s"
-    found = _fitting(times, track, base)
+    found = fitting(times, track, base)
     if found and found[0].share >= SHARE_NEEDED and abs(found[0].shift - entry.shift) > 1e-9:
         offered = (found[0], *rival_matches(found)[:2])
         return Remark(

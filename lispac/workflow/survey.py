@@ -18,6 +18,7 @@ from lispac.survey.scan import Scan
 from lispac.survey.store.layout import is_import
 from lispac.survey.time_base import matches, sentence
 from lispac.survey.time_quality import coverage
+from lispac.survey.time_stated import offer
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.workflow.importing import import_line, line_folder
 from lispac.workflow.reading import LAS_ENDINGS, local_trajectory, read_accuracy, read_line
@@ -160,7 +161,7 @@ def _opened(
             )
         return stored, cloud, said
     progress(0.0, f"Reading {line.path.name}")
-    scan, said = _inside(read_line(line, trajectory, mounting), trajectory, line.path)
+    scan, said = _inside(read_line(line, trajectory, mounting), trajectory, line)
     progress(0.7, f"Georeferencing {line.name}")
     placed = CloudInMemory.of(scan, trajectory, mounting)
     return scan, placed, (*scan.assumptions, *said)
@@ -201,7 +202,10 @@ def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, 
         )
 
 
-def _inside(scan: Scan, trajectory: LocalTrajectory, path: Path) -> tuple[Scan, tuple[str, ...]]:
+def _inside(
+    scan: Scan, trajectory: LocalTrajectory, line: LineSource
+) -> tuple[Scan, tuple[str, ...]]:
+    path = line.path
     inside = trajectory.covers(scan.time)
     if inside.all() and not trajectory.has_gaps:
         return scan, ()
@@ -232,7 +236,11 @@ def _inside(scan: Scan, trajectory: LocalTrajectory, path: Path) -> tuple[Scan, 
         )
     if steep := lost - covered.outside - covered.in_gaps:
         parts.append(f"{steep:,} points where the trajectory's pitch is beyond 80 deg")
-    return kept, (f"{path.name}: {' and '.join(parts)}, of {len(scan):,}, are left out",)
+    told = f"{path.name}: {' and '.join(parts)}, of {len(scan):,}, are left out"
+    if covered.outside and not line.reading.time_shift:
+        some = scan.time[:: max(1, len(scan) // 1000)]
+        told += offer(matches(some, trajectory.time), 1 - covered.share_outside)
+    return kept, (told,)
 
 
 def _median_heading(trajectory: LocalTrajectory, scan: Line) -> float:
