@@ -326,3 +326,21 @@ def _(scene: Scene) -> Words:
     records[:, 0] += 2200 * 604_800 - 1e9
     write_records(scene / "pos.sbet", records)
     return scene.new()
+
+
+@refused("Stated time base that the times cannot be in")
+def _(scene: Scene) -> Words:
+    return scene.new("L1.las", "--line-option", "time_base=utc-day")
+
+
+@refused("Stated time base and another time shift")
+def _(scene: Scene) -> Words:
+    return scene.new("L1.las", "--line-option", "time_base=utc-week", "--time-shift", "5")
+
+
+@refused("Accuracies of another byte order")
+def _(scene: Scene) -> Words:
+    rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
+    rows[:, 0] = 486_000 + np.arange(41)
+    (scene / "smrmsg.out").write_bytes(rows.astype(">f8").tobytes())
+    return scene.new("L1.las", "--trajectory-accuracy", str(scene / "smrmsg.out"))

@@ -192,6 +192,7 @@ def test_the_dialogue_refuses_what_the_times_cannot_be(base: str, track, tmp_pat
     assert "cannot be" in intake.files_problem()
     error = intake.remarks(named(intake, "L.las"))[0]
     assert error.level == "error"
+    assert named(intake, "L.las").shift == 0
     assert taken_in(intake.with_remedy(line, error.remedies[0])).files_problem() == ""
 
 

@@ -7,11 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.files import read_records, require_increasing, written_whole
+from lispac.io.files import read_records, require_file, require_increasing, written_whole
 from lispac.io.trajectory_checks import require_attitude, require_base, require_heights
-from lispac.survey.time_base import base_of, unrolled
+from lispac.survey.time_base import base_of, plausible, unrolled
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
+SMRMSG_RECORD = 80
+"""Bytes."""
 SHARED_BASE = "SBET times and point times share one time base"
 ASSUMPTIONS = (
     "SBET after Applanix: North-East-Down, roll positive starboard down, pitch positive bow up "
@@ -173,6 +175,14 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
         Where the file is missing, cut short, holds NaN, negative sigmas or disordered times.
     """
     path = Path(path)
+    require_file(path, "smrmsg")
+    size = path.stat().st_size // SMRMSG_RECORD
+    head = np.fromfile(path, "<f8", count=10 * min(size, 1000)).reshape(-1, 10)
+    if not sound_smrmsg(head) and sound_smrmsg(head.byteswap()):
+        raise InputError(
+            f"{path}: its numbers are big-endian, which smrmsg is not; export it again with "
+            "little-endian numbers."
+        )
     records = read_records(path, 10, "smrmsg")
     # Where the trajectory counts on through midnight or the end of the week, so does this.
     time, _ = unrolled(records[:, 0])
@@ -183,6 +193,14 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
             f"{path}: an accuracy is negative; this is not an smrmsg file: choose another."
         )
     return TrajectoryAccuracy(time, position, attitude)
+
+
+def sound_smrmsg(head: NDArray[np.float64]) -> bool:
+    """Whether records of shape (n, 10) can be times and accuracies."""
+    if not len(head) or not np.isfinite(head).all() or not plausible(head[:, 0]):
+        return False
+    sound = (head[:, 1:] >= 0).all() and head[:, 1:].max() < 1e4 and head[:, 1:].max() > 1e-9
+    return bool(sound and (np.diff(head[:, 0]) > 0).all())
 
 
 def write_smrmsg(path: Path, accuracy: TrajectoryAccuracy) -> None:

@@ -35,14 +35,13 @@ from lispac.io.pospac_text import (
     sniff_pospac_accuracy,
 )
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Choice, Finding, Format, Kind, Option
-from lispac.io.sbet import AXES, SbetOptions, read_sbet, read_smrmsg
+from lispac.io.sbet import AXES, SMRMSG_RECORD, SbetOptions, read_sbet, read_smrmsg, sound_smrmsg
 from lispac.io.sbet_detection import RECORD, byte_order_of, detect_sbet, end_fits
 from lispac.io.text_table import SEPARATORS
 from lispac.io.trajectory_preview import accuracy_facts
-from lispac.survey.time_base import KEYS, plausible
+from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
-SMRMSG_RECORD = 10 * 8
 SBET_COLUMNS = (
     "time", "latitude", "longitude", "height", "velocity x", "velocity y", "velocity z", "roll",
     "pitch", "heading", "wander", "acceleration x", "acceleration y", "acceleration z", "rate x",
@@ -105,11 +104,9 @@ def _smrmsg_head(path: Path) -> NDArray[np.float64]:
 
 def _sniff_smrmsg(path: Path) -> float:
     head = _smrmsg_head(path)
-    if not len(head) or not np.isfinite(head).all() or not plausible(head[:, 0]):
-        return NOT
-    sound = (head[:, 1:] >= 0).all() and head[:, 1:].max() < 1e4 and head[:, 1:].max() > 1e-9
-    if not sound or (np.diff(head[:, 0]) <= 0).any():
-        return NOT
+    if not sound_smrmsg(head):
+        # In the other byte order it is one still, and its reader says what is wrong.
+        return LIKELY if sound_smrmsg(head.byteswap()) else NOT
     return SURE if Path(path).stat().st_size % SMRMSG_RECORD == 0 else LIKELY
 
 

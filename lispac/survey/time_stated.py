@@ -60,7 +60,7 @@ def contradiction(times: Array, own: Known) -> str:
     fitting = plausible(times)
     hint = (
         f"by their values they are {' or '.join(base.name for base in fitting)}: state "
-        f"{' or '.join(base.key for base in fitting)}, or take the statement back"
+        f"{' or '.join(base.key for base in fitting)}, or leave it unstated"
         if fitting
         else "they fit no known time base; check which column or record is the time"
     )
@@ -85,14 +85,13 @@ def following(times: Array, track: Array, own: Known, other: Known) -> tuple[Mat
     Returns
     -------
     tuple of Match or None
-        None where nothing is stated, or one of the two is not known; empty where what is stated
-        brings no point inside.
+        None where nothing is stated, or one of the two is not known or denied by the times; empty
+        where what is stated brings no point inside.
     """
     if own.base is None or other.base is None or not (own.stated or other.stated):
         return None
-    for known, values in ((own, times), (other, track)):
-        if not known.stated and not known.fits(values):
-            return None  # what a header says and its times deny is not known
+    if not own.fits(times) or not other.fits(track):
+        return None  # what the times deny is not known
     found = matches(times, track, point_bases=(own.base,), trajectory_bases=(other.base,))
     # A header that brings nothing inside is no reason to refuse.
     return found if found or own.stated else None
@@ -128,12 +127,12 @@ def bringing_more(found: tuple[Match, ...], share: float) -> Match | None:
 
 
 def offer(found: tuple[Match, ...], share: float) -> str:
-    """A clause on the shift that brings in clearly more than ``share``; empty without one."""
+    """A note on the shift that brings in clearly more than ``share``; empty without one."""
     best = bringing_more(found, share)
     if best is None:
         return ""
     return (
-        f"; with {best.shift:+,.3f} s added, {100 * best.share:.1f} % of its points lie inside: "
+        f"with {best.shift:+,.3f} s added, {100 * best.share:.1f} % of its points lie inside: "
         f"where the scanner wrote {best.points.name} and the trajectory is in "
         f"{best.trajectory.name}, import it again with --time-shift {best.shift:.10g}"
     )

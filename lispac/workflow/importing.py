@@ -275,9 +275,10 @@ class _Source:
         if left_out:
             words += (
                 f"{self._line.path.name}: {left_out:,} points outside the trajectory's time, or in "
-                f"a gap of it longer than {self._trajectory.longest_gap:g} s, are left out"
-                f"{self._offer()}",
+                f"a gap of it longer than {self._trajectory.longest_gap:g} s, are left out",
             )
+            if more := self._offer():
+                words += (f"{self._line.path.name}: {more}",)
         return words
 
     def pieces(self, first: int) -> Iterator[Piece]:

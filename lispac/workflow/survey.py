@@ -239,7 +239,8 @@ def _inside(
     told = f"{path.name}: {' and '.join(parts)}, of {len(scan):,}, are left out"
     if covered.outside and not line.reading.time_shift:
         some = scan.time[:: max(1, len(scan) // 1000)]
-        told += offer(matches(some, trajectory.time), 1 - covered.share_outside)
+        if more := offer(matches(some, trajectory.time), 1 - covered.share_outside):
+            return kept, (told, f"{path.name}: {more}")
     return kept, (told,)
 
 
