@@ -19,8 +19,9 @@ from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow import calibration, export, picking
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.georeferencing import LOCAL, georeference_project
+from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.target_systems import LOCAL
 from lispac.workflow.validation import validate
 
 

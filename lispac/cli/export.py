@@ -5,15 +5,16 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.workflow.export_request import system_of
 from lispac.workflow.exporting import (
     export_planes,
     export_targets,
     export_trajectory,
     trajectory_datum_words,
 )
-from lispac.workflow.georeferencing import LOCAL, chosen_system
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
+from lispac.workflow.target_systems import LOCAL
 
 FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "planes": ("text",)}
 """For each thing to export, the usual format first."""
@@ -25,7 +26,8 @@ def export(arguments: Namespace) -> None:
     form: Any = arguments.format or FORMATS[what][0]
     if form not in FORMATS[what]:
         raise UsageError(f"export {what}: --format is one of {', '.join(FORMATS[what])}")
-    if what != "targets" and (arguments.crs or arguments.height or arguments.trajectory_datum):
+    on_map = (arguments.crs, arguments.height, arguments.trajectory_datum, arguments.epoch)
+    if what != "targets" and any(given not in ("", None) for given in on_map):
         raise UsageError(
             f"export {what}: there is no coordinate system to choose; "
             + ("its angles refer to the local frame" if what == "planes" else
@@ -50,8 +52,8 @@ def export(arguments: Namespace) -> None:
                     progress=progress,
                 )  # fmt: skip
             else:
-                system = chosen_system(
-                    arguments.crs or LOCAL, survey.trajectory, arguments.height,
+                system = system_of(
+                    project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
                     arguments.trajectory_datum, arguments.epoch,
                 )  # fmt: skip
                 paths = export_targets(

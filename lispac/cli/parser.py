@@ -198,11 +198,15 @@ def _system(parser: argparse.ArgumentParser, default: str) -> None:
         "a geoid grid (default: as --crs says, else the ellipsoid)",
     )  # fmt: skip
     parser.add_argument(
-        "--trajectory-datum", default="", metavar="CODE",
-        help="geographic system of the trajectory where it is not that of --crs, e.g. EPSG:7912",
+        "--trajectory-datum", metavar="CODE",
+        help="geographic system of the trajectory where it is not that of --crs, e.g. EPSG:7912 "
+        "(default: as the lines are read; an empty one shifts nothing)",
     )  # fmt: skip
     parser.add_argument(
-        "--epoch", type=finite, metavar="YEAR", help="date of the survey where datums drift apart"
+        "--epoch",
+        type=finite,
+        metavar="YEAR",
+        help="date of the survey where datums drift apart (default: as the lines are read)",
     )
 
 

@@ -32,6 +32,7 @@ from lispac.geometry.frames import (
     geodetic_to_ecef,
 )
 from lispac.survey.blocks import in_blocks
+from lispac.survey.geoid import geoid_grid
 
 Array = NDArray[np.float64]
 Geodetic = tuple[Array, Array, Array]
@@ -39,6 +40,8 @@ Geodetic = tuple[Array, Array, Array]
 UNITS = {"metre": 1.0, "foot": 0.3048, "us-survey-foot": 1200 / 3937}
 """Metres in each unit a length may be given in."""
 ELLIPSOID = "ellipsoid"
+CHANGING = ("t_epoch=", "defmodel")
+"""Steps of PROJ whose outcome depends on the date."""
 GRID_ENDINGS = (".gtx", ".tif", ".tiff")
 
 
@@ -80,6 +83,14 @@ class CoordinateSystem:
         """Name and, where there is one, EPSG code."""
         code = self.crs.to_epsg()
         return f"{self.crs.name} (EPSG:{code})" if code else str(self.crs.name)
+
+    @property
+    def pipeline(self) -> tuple[str, ...]:
+        """What PROJ does with coordinates: the same of two systems that give the same numbers."""
+        steps = (self._to_geographic, self._to_ellipsoid)
+        said = tuple(str(step.definition) for step in steps if step is not None)
+        dated = any(word in step for step in said for word in CHANGING)
+        return (*said, repr(self._height_factor), repr(self._epoch) if dated else "")
 
     @property
     def is_geographic(self) -> bool:
@@ -259,7 +270,7 @@ def _settled(
         written=crs if not height else horizontal if vertical is None else source,
         _height_factor=factor,
         _to_geographic=to_geographic,
-        _to_ellipsoid=None if grid is None else _geoid(grid),
+        _to_ellipsoid=None if grid is None else geoid_grid(grid),
         _epoch=epoch,
     )
 
@@ -380,19 +391,3 @@ def _best(source: CRS, target: CRS, epoch: float | None) -> Transformer:
             "state the date of the survey as a decimal year."
         )
     return transformer
-
-
-def _geoid(grid: Path) -> Transformer:
-    if not grid.is_file():
-        raise InputError(f"{grid}: there is no such geoid grid; check the path.")
-    if "," in str(grid) or '"' in str(grid):
-        raise InputError(f"{grid}: PROJ takes no commas or quotes in a path; rename the grid.")
-    degrees = "+step +proj=unitconvert +xy_in=deg +xy_out=rad"
-    shift = f'+step +proj=vgridshift +grids="{grid.resolve()}" +multiplier=1'
-    radians = "+step +proj=unitconvert +xy_in=rad +xy_out=deg"
-    try:
-        return Transformer.from_pipeline(f"+proj=pipeline {degrees} {shift} {radians}")
-    except ProjError as error:
-        raise InputError(
-            f"{grid}: cannot be read as a geoid grid; give a .gtx or GeoTIFF grid of PROJ."
-        ) from error

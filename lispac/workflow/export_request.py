@@ -14,14 +14,10 @@ from lispac.workflow.exporting import (
     export_trajectory,
     trajectory_datum_words,
 )
-from lispac.workflow.georeferencing import (
-    LOCAL,
-    Which,
-    chosen_system,
-    common_system,
-    georeference_project,
-)
+from lispac.workflow.georeferencing import Which, georeference_project
+from lispac.workflow.line_chunks import Chunks
 from lispac.workflow.survey import Survey
+from lispac.workflow.target_systems import LOCAL, target_system
 
 What = Literal["lines", "targets", "planes", "trajectory"]
 ENDINGS: dict[What, tuple[str, ...]] = {
@@ -46,7 +42,7 @@ class ExportRequest:
         Boresight.
     form : str
         One of `ENDINGS`.
-    system, height : str
+    system, height, trajectory_datum, epoch
         Of lines and targets, as `lispac.workflow.georeferencing.georeference_project`.
     """
 
@@ -56,20 +52,17 @@ class ExportRequest:
     form: str = "laz"
     system: str = LOCAL
     height: str = ""
+    trajectory_datum: str | None = None
+    epoch: float | None = None
 
 
 def system_of(
-    project: Project, trajectory: LocalTrajectory, system: str, height: str = ""
-) -> CoordinateSystem | None:
-    """The coordinate system asked for: empty for that of the lines, None for the local frame.
-
-    Raises
-    ------
-    InputError
-        Where it is not known.
-    """
-    own = None if system or height else common_system(project)
-    return chosen_system(system, trajectory, height) if own is None else own
+    project: Project, trajectory: LocalTrajectory, system: str, height: str = "",
+    trajectory_datum: str | None = None, epoch: float | None = None,
+) -> CoordinateSystem | None:  # fmt: skip
+    """As `lispac.workflow.target_systems.target_system`, for all lines of a project."""
+    chosen = [] if system == LOCAL else [Chunks.of(line) for line in project.lines]
+    return target_system(chosen, trajectory, system, height, trajectory_datum, epoch)
 
 
 def export(
@@ -92,12 +85,16 @@ def export(
     if request.what == "lines":
         written = georeference_project(
             project, request.output, request.which, system=request.system, height=request.height,
-            ending=form, progress=progress,
+            trajectory_datum=request.trajectory_datum, epoch=request.epoch, ending=form,
+            progress=progress,
         )  # fmt: skip
         notes = [note for done in written for note in (done.sentence, *done.notes) if note]
         return [done.path for done in written], tuple(dict.fromkeys(notes))
     if request.what == "targets":
-        system = system_of(project, survey.trajectory, request.system, request.height)
+        system = system_of(
+            project, survey.trajectory, request.system, request.height,
+            request.trajectory_datum, request.epoch,
+        )  # fmt: skip
         paths = export_targets(
             project, survey, request.output, request.which, system=system, ending=form,
             progress=progress,

@@ -1,9 +1,8 @@
 """All lines of a project on the map, one LAS or LAZ file each."""
 
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
@@ -11,72 +10,23 @@ import numpy as np
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import require_file, written_whole
-from lispac.io.formats import format_of
-from lispac.io.las_export import Pattern, pattern_of_columns, pattern_of_las
-from lispac.io.points import CHUNK, system_of
-from lispac.io.registry import Choice, Format, PointChunk
+from lispac.io.las_export import Pattern, pattern_of_las
+from lispac.io.points import CHUNK
+from lispac.io.registry import PointChunk
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
-from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.crs import CoordinateSystem
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
 from lispac.survey.store.reading import StoredLine
-from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.clouds import Written, write_cloud
 from lispac.workflow.importing import kept_header, line_folder, stored_line
-from lispac.workflow.reading import LAS_ENDINGS, local_trajectory
+from lispac.workflow.line_chunks import Chunks
+from lispac.workflow.reading import local_trajectory
+from lispac.workflow.target_systems import target_system
 
 Which = Literal["prior", "estimated"]
 Ending = Literal["laz", "las"]
-DOUBT = "Mistyped?"
-"""Begins what is said of a coordinate system that is not meant for the place."""
-LOCAL = "local"
-"""Asks for the local frame instead of a coordinate system."""
-
-
-@dataclass(frozen=True, eq=False)
-class Chunks:
-    """A line as it comes in, chunk by chunk, from its file.
-
-    Attributes
-    ----------
-    line : LineSource
-    format : Format
-    choice : mapping
-        How the file is read, settled.
-    system : CoordinateSystem or None
-        Of a cloud that is georeferenced already; None for points in the LiDAR frame.
-    """
-
-    line: LineSource
-    format: Format
-    choice: Choice
-    system: CoordinateSystem | None
-
-    @classmethod
-    def of(cls, line: LineSource) -> "Chunks":
-        """How a line of a project is read."""
-        given = dict(line.reading.options)
-        if line.reading.format:
-            format = format_of(line.reading.format)
-        elif line.path.suffix.lower() in LAS_ENDINGS:
-            format = format_of("las")
-        else:
-            format = format_of("text")
-            given = {"columns": " ".join(name.strip().lower() for name in line.columns)}
-        choice = format.settled(given)
-        return cls(line, format, choice, system_of(choice, line.path))
-
-    def __iter__(self) -> Iterator[PointChunk]:
-        chunks = self.format.read(self.line.path, self.choice)
-        assert isinstance(chunks, Iterable)
-        yield from chunks
-
-    def pattern(self, first: PointChunk) -> Pattern:
-        """What the records of its cloud look like."""
-        if self.format.key == "las" and self.line.path.exists():
-            return pattern_of_las(self.line.path)
-        return pattern_of_columns(first, standard_time=self.choice["time_base"] == "gps-adjusted")
 
 
 def georeference_project(
@@ -86,7 +36,7 @@ def georeference_project(
     *,
     system: str = "",
     height: str = "",
-    trajectory_datum: str = "",
+    trajectory_datum: str | None = None,
     epoch: float | None = None,
     lines: Sequence[str] = (),
     ending: Ending = "laz",
@@ -105,7 +55,8 @@ def georeference_project(
         As `lispac.survey.crs.coordinate_system` takes it, or ``local``; empty for that of the
         lines where they are georeferenced.
     height, trajectory_datum, epoch
-        As `lispac.survey.crs.coordinate_system`.
+        As `lispac.survey.crs.coordinate_system`; a datum or an epoch that is not given is that of
+        the lines' own reading.
     lines : sequence of str
         Names; all where not given.
     sources : mapping of str to iterable of PointChunk, optional
@@ -123,7 +74,7 @@ def georeference_project(
     mounting = project.mounting(which)
     chosen = [Chunks.of(line) for line in _lines(project, lines)]
     trajectory, _ = local_trajectory(project)
-    target = _target(chosen, trajectory, system, height, trajectory_datum, epoch)
+    target = target_system(chosen, trajectory, system, height, trajectory_datum, epoch)
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
     require_other_files(project, paths)
     way = PointMapper(target, trajectory, mounting)
@@ -197,95 +148,6 @@ def _said_of_gone(name: str, kept: Pattern | None) -> str:
         "of the file's header, and the scaling and descriptions of its extra attributes, are not "
         "kept"
     )
-
-
-def utm_zone(trajectory: LocalTrajectory) -> str:
-    """EPSG code of the UTM zone (WGS 84) of a trajectory's origin."""
-    longitude = (math.degrees(trajectory.frame.longitude) + 180) % 360
-    zone = min(int(longitude // 6) + 1, 60)
-    return f"EPSG:{32600 + zone if trajectory.frame.latitude >= 0 else 32700 + zone}"
-
-
-def chosen_system(
-    text: str, trajectory: LocalTrajectory, height: str = "", trajectory_datum: str = "",
-    epoch: float | None = None,
-) -> CoordinateSystem | None:  # fmt: skip
-    """The coordinate system asked for; None for the local frame.
-
-    Raises
-    ------
-    InputError
-        Where there is none, or it is not known.
-    """
-    if text == LOCAL:
-        if height or trajectory_datum:
-            raise InputError(
-                "The local frame has heights and a datum of its own; give a coordinate system, "
-                "or neither heights nor a datum."
-            )
-        return None
-    if not text:
-        raise InputError(
-            "No coordinate system is given and the lines name none; give its EPSG code "
-            f"({utm_zone(trajectory)} is the UTM zone of the trajectory), or {LOCAL} for the "
-            "local frame (North, West, Up)."
-        )
-    found = coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
-    return replace(found, assumptions=(*found.assumptions, *_far_away(found, trajectory)))
-
-
-BEYOND_AREA = 3.0
-"""Degrees beyond the area of a coordinate system that a survey may lie: half a UTM zone."""
-
-
-def _far_away(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[str, ...]:
-    """What is said where a coordinate system is meant for another part of the world."""
-    area = system.crs.area_of_use
-    if area is None:
-        return ()
-    latitude = math.degrees(trajectory.frame.latitude)
-    longitude = math.degrees(trajectory.frame.longitude)
-    width = (area.east - area.west) % 360 or 360.0
-    east = (longitude - area.west + BEYOND_AREA) % 360 <= width + 2 * BEYOND_AREA
-    if east and area.south - BEYOND_AREA <= latitude <= area.north + BEYOND_AREA:
-        return ()
-    return (
-        f"{DOUBT}: {system.name} is meant for {area.name.split('.')[0]}, and the trajectory is at "
-        f"latitude {latitude:.1f}, longitude {longitude:.1f} deg; {utm_zone(trajectory)} is the "
-        "UTM zone there",
-    )
-
-
-def _target(
-    chosen: Sequence[Chunks], trajectory: LocalTrajectory, system: str, height: str,
-    trajectory_datum: str, epoch: float | None,
-) -> CoordinateSystem | None:  # fmt: skip
-    if not system and not height and not trajectory_datum:
-        own = _common_system(chosen)
-        if own is not None:
-            return own
-    return chosen_system(system, trajectory, height, trajectory_datum, epoch)
-
-
-def common_system(project: Project) -> CoordinateSystem | None:
-    """The coordinate system of the lines' files; None where these are in the LiDAR frame.
-
-    Raises
-    ------
-    InputError
-        Where they are in different ones.
-    """
-    return _common_system([Chunks.of(line) for line in project.lines])
-
-
-def _common_system(chosen: Sequence[Chunks]) -> CoordinateSystem | None:
-    own = {c.system.written.to_wkt(): c.system for c in chosen if c.system is not None}
-    if len(own) > 1:
-        raise InputError(
-            "The lines are in different coordinate systems "
-            f"({', '.join(found.name for found in own.values())}); say which one to write."
-        )
-    return next(iter(own.values()), None)
 
 
 def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:

@@ -10,10 +10,12 @@ from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.export import REST_MS, THINGS, ExportDialog
-from lispac.project import Project
+from lispac.project import LineSource, Project, Settings
 from lispac.workflow.export_request import ENDINGS, ExportRequest
-from lispac.workflow.georeferencing import utm_zone
+from lispac.workflow.target_systems import utm_zone
+from tests.cloud_files import track
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
+from tests.test_target_systems import ITRF, NAD83, on_map
 
 Shift = Control.__class__.ShiftModifier
 
@@ -124,3 +126,64 @@ def test_what_is_asked_for_is_written(picked: Driver, tmp_path: Path) -> None:
     assert np.loadtxt(next((tmp_path / "planes").iterdir())).shape[1] == 25
     assert picked.dialogs.asked == ["lines", "targets", "targets", "trajectory"]
     assert not picked.dialogs.errors
+
+
+def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Path) -> None:
+    reading = on_map(trajectory_datum=ITRF, epoch="2023.5")
+    line = LineSource("one", tmp_path / "one.las", (), reading)
+    project = Project(tmp_path, tmp_path / "sbet.out", (line,), Settings((0.0, 0.0, 0.0)))
+    dialog = ExportDialog("targets", "prior", project, track())
+    qtbot.addWidget(dialog)
+    dialog.show()
+    asked = dialog.request()
+    assert (asked.system, asked.trajectory_datum, asked.epoch) == ("", None, None)
+    assert not dialog.datum.isEnabled()
+    own = dialog.said.text()
+    assert "Trajectory in ITRF2014" in own
+    dialog.system.lineEdit().setText(NAD83)
+    dialog._judge()
+    asked = dialog.request()
+    assert (asked.system, asked.trajectory_datum, asked.epoch) == (NAD83, ITRF, 2023.5)
+    assert dialog.said.text() == own
+    for field, text, words in (
+        (dialog.epoch, "soon", "decimal year"),
+        (dialog.epoch, "99999", "decimal year"),
+        (dialog.epoch, "", "changes with time"),
+        (dialog.datum, "EPSG:2", "EPSG:2"),
+    ):
+        good = field.text()
+        field.setText(text)
+        assert not ok(dialog).isEnabled()
+        dialog._judge()
+        assert words in dialog.said.text()
+        assert not ok(dialog).isEnabled()
+        field.setText(good)
+        dialog._judge()
+        assert ok(dialog).isEnabled()
+    dialog.datum.clear()
+    dialog._judge()
+    assert "changes nothing without the datum" in dialog.said.text()
+    dialog.epoch.clear()
+    dialog._judge()
+    assert dialog.request().trajectory_datum == ""
+    assert "not shifted" in dialog.said.text()
+
+
+def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path: Path) -> None:
+    lines = tuple(
+        LineSource(name, tmp_path / f"{name}.las", (), on_map(trajectory_datum=ITRF, epoch=epoch))
+        for name, epoch in (("one", "2023.5"), ("two", "2010.0"))
+    )
+    project = Project(tmp_path, tmp_path / "sbet.out", lines, Settings((0.0, 0.0, 0.0)))
+    dialog = ExportDialog("lines", "prior", project, track())
+    qtbot.addWidget(dialog)
+    assert dialog.system.itemData(0) == utm_zone(track())
+    dialog.system.lineEdit().setText(NAD83)
+    dialog._judge()
+    assert "different datums" in dialog.said.text()
+    assert not ok(dialog).isEnabled()
+    dialog.datum.setText(ITRF)
+    dialog.epoch.setText("2010")
+    dialog._judge()
+    assert ok(dialog).isEnabled()
+    assert dialog.request().epoch == 2010.0

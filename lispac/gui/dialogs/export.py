@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.errors import LispacError
+from lispac.errors import InputError, LispacError
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.project import Project
@@ -30,7 +30,8 @@ from lispac.workflow.export_request import (
     system_of,
 )
 from lispac.workflow.exporting import EPOCH_WORDS, trajectory_datum_words
-from lispac.workflow.georeferencing import DOUBT, LOCAL, Which, common_system, utm_zone
+from lispac.workflow.georeferencing import Which
+from lispac.workflow.target_systems import DOUBT, LOCAL, common_system, own_datum, utm_zone
 
 THINGS: dict[What, str] = {
     "lines": "Georeferenced lines, all attributes kept",
@@ -72,6 +73,14 @@ class ExportDialog(QDialog):
         self.height.setToolTip(
             "EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid"
         )
+        self.datum, self.epoch = QLineEdit(), QLineEdit()
+        self.datum.setObjectName("export_datum")
+        self.datum.setPlaceholderText("As the coordinate system, nothing is shifted")
+        self.datum.setToolTip("Geographic system of the trajectory: EPSG:7912 for ITRF2014, say")
+        self.epoch.setObjectName("export_epoch")
+        self.epoch.setPlaceholderText("Where datums drift apart: 2024.5, say")
+        self.epoch.setToolTip("Date of the survey as a decimal year (yr)")
+        self._preset_datum()
         self.said = widgets.label("", "muted", wrap=True, name="export_said")
         self.form = QComboBox()
         self.form.setObjectName("export_form")
@@ -91,6 +100,8 @@ class ExportDialog(QDialog):
         form.addRow("Boresight", self.boresight)
         form.addRow("Coordinates", self.system)
         form.addRow("Heights", self.height)
+        form.addRow("Trajectory datum", self.datum)
+        form.addRow("Epoch (yr)", self.epoch)
         form.addRow("", self.said)
         form.addRow("File format", self.form)
         form.addRow("Folder", place)
@@ -116,7 +127,8 @@ class ExportDialog(QDialog):
         self._settle.timeout.connect(self._judge)
         self.what.currentIndexChanged.connect(self._show_fields)
         self.system.editTextChanged.connect(self._typed)
-        self.height.textChanged.connect(self._typed)
+        for field in (self.height, self.datum, self.epoch):
+            field.textChanged.connect(self._typed)
         self.folder.textChanged.connect(self._judge)
         if project.result is None:
             self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
@@ -136,7 +148,36 @@ class ExportDialog(QDialog):
             ending = ".out" if form == "sbet" else ".txt"
             output = output / f"{self._project.trajectory.stem}_export{ending}"
         which = list(BORESIGHTS)[self.boresight.currentIndex()]
-        return ExportRequest(what, output, which, form, self._system_text, self._height)
+        try:
+            datum, epoch = self._shift()
+        except InputError:  # said in the dialogue, which does not go on with it
+            datum, epoch = None, None
+        return ExportRequest(
+            what, output, which, form, self._system_text, self._height, datum, epoch
+        )
+
+    def _preset_datum(self) -> None:
+        """Take over what the lines are read with; where they differ, it has to be said."""
+        self._differ = False
+        try:
+            datum, epoch = own_datum(self._project.lines)
+        except LispacError:
+            self._differ = True
+            return
+        self.datum.setText(datum)
+        self.epoch.setText("" if epoch is None else repr(epoch))
+
+    def _shift(self) -> tuple[str | None, float | None]:
+        """Datum and epoch of the trajectory as the fields say; None as the lines' files."""
+        if not self.datum.isEnabled():
+            return None, None
+        text = self.epoch.text().strip().replace(",", ".")
+        try:
+            epoch = float(text) if text else None
+        except ValueError:
+            raise InputError(f"{text}: not a date as a decimal year; 2024.5 for example.") from None
+        datum = self.datum.text().strip()
+        return (None if self._differ and not datum else datum), epoch
 
     @property
     def _height(self) -> str:
@@ -176,7 +217,7 @@ class ExportDialog(QDialog):
     def _show_fields(self) -> None:
         what = self._what
         on_map = what in ("lines", "targets")
-        for field in (self.system, self.height):
+        for field in (self.system, self.height, self.datum, self.epoch):
             self._rows.setRowVisible(field, on_map)
         self._rows.setRowVisible(self.boresight, what != "trajectory")
         self.form.clear()
@@ -197,6 +238,8 @@ class ExportDialog(QDialog):
         self._settle.stop()
         local = self._system_text == LOCAL
         self.height.setEnabled(not local)
+        for field in (self.datum, self.epoch):  # the lines' own system has them already
+            field.setEnabled(not local and bool(self._system_text))
         good = bool(self.folder.text().strip())
         try:
             text = self._meaning()
@@ -216,7 +259,9 @@ class ExportDialog(QDialog):
         if self._what == "planes":
             return local
         height = self._height
-        found = system_of(self._project, self._trajectory, self._system_text, height)
+        found = system_of(
+            self._project, self._trajectory, self._system_text, height, *self._shift()
+        )
         if found is None:
             return local
         return _sentences([*(found.assumptions or (found.name,)), EPOCH_WORDS])

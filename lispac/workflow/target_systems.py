@@ -1,0 +1,179 @@
+"""Which coordinate system a cloud is written in."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from lispac.errors import InputError
+from lispac.io.points import DATUM, EPOCH, system_of
+from lispac.project import LineSource, Project
+from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.line_chunks import Chunks
+
+DOUBT = "Mistyped?"
+"""Begins what is said of a coordinate system that is not meant for the place."""
+LOCAL = "local"
+"""Asks for the local frame instead of a coordinate system."""
+BEYOND_AREA = 3.0
+"""Degrees beyond the area of a coordinate system that a survey may lie: half a UTM zone."""
+FIRST_YEAR, LAST_YEAR = 1900.0, 2100.0
+"""An epoch outside is a slip of the pen."""
+
+
+def utm_zone(trajectory: LocalTrajectory) -> str:
+    """EPSG code of the UTM zone (WGS 84) of a trajectory's origin."""
+    longitude = (math.degrees(trajectory.frame.longitude) + 180) % 360
+    zone = min(int(longitude // 6) + 1, 60)
+    return f"EPSG:{32600 + zone if trajectory.frame.latitude >= 0 else 32700 + zone}"
+
+
+def target_system(
+    chosen: Sequence[Chunks], trajectory: LocalTrajectory, system: str, height: str = "",
+    trajectory_datum: str | None = None, epoch: float | None = None,
+) -> CoordinateSystem | None:  # fmt: skip
+    """The coordinate system asked for: empty for that of the lines, None for the local frame.
+
+    Parameters
+    ----------
+    trajectory_datum : str, optional
+        As `lispac.survey.crs.coordinate_system`; where not given, datum and epoch are those of the
+        lines' own reading.
+
+    Raises
+    ------
+    InputError
+        Where it is not known, the lines contradict each other, or an epoch changes nothing.
+    """
+    if epoch is not None and not FIRST_YEAR <= epoch <= LAST_YEAR:
+        raise InputError(f"{epoch:g}: not a date as a decimal year; 2024.5 for example.")
+    if not system and not height and not trajectory_datum:
+        own = _common_system(chosen)
+        if own is not None:
+            return own if epoch is None else _at(chosen, epoch)
+    if trajectory_datum is None and system != LOCAL:
+        trajectory_datum, own_epoch = _own_datum(chosen)
+        epoch = own_epoch if epoch is None else epoch
+    return chosen_system(system, trajectory, height, trajectory_datum or "", epoch)
+
+
+def _at(chosen: Sequence[Chunks], epoch: float) -> CoordinateSystem | None:
+    """The lines' own system, with their datum of the trajectory at another epoch."""
+    georeferenced = next(chunks for chunks in chosen if chunks.system is not None)
+    choice = georeferenced.choice
+    _require_datum(choice[DATUM.name], epoch)
+    return system_of({**choice, EPOCH.name: repr(epoch)}, georeferenced.line.path)
+
+
+def _require_datum(trajectory_datum: str, epoch: float | None) -> None:
+    if epoch is not None and not trajectory_datum:
+        raise InputError(
+            f"The epoch {epoch:g} changes nothing without the datum of the trajectory: give that "
+            "as well (EPSG:7912 for ITRF2014, say), or leave the epoch out."
+        )
+
+
+def own_datum(lines: Sequence[LineSource]) -> tuple[str, float | None]:
+    """Datum of the trajectory and epoch that lines on the map are read with; empty where none is.
+
+    Raises
+    ------
+    InputError
+        Where they are read with different ones.
+    """
+    return _own_datum([Chunks.of(line) for line in lines])
+
+
+def _own_datum(chosen: Sequence[Chunks]) -> tuple[str, float | None]:
+    found = {
+        (str(c.choice[DATUM.name]).strip(), str(c.choice[EPOCH.name]).strip())
+        for c in chosen if c.system is not None
+    }  # fmt: skip
+    if len(found) > 1:
+        words = sorted(f"{datum or 'none'}, epoch {year or 'none'}" for datum, year in found)
+        raise InputError(
+            f"The lines are read with different datums of the trajectory ({'; '.join(words)}); "
+            "say which datum and epoch to use."
+        )
+    datum, year = next(iter(found), ("", ""))
+    return datum, float(year) if year and datum else None
+
+
+def chosen_system(
+    text: str, trajectory: LocalTrajectory, height: str = "", trajectory_datum: str = "",
+    epoch: float | None = None,
+) -> CoordinateSystem | None:  # fmt: skip
+    """The coordinate system asked for; None for the local frame.
+
+    Raises
+    ------
+    InputError
+        Where there is none, or it is not known.
+    """
+    if text == LOCAL:
+        if height or trajectory_datum or epoch is not None:
+            raise InputError(
+                "The local frame has heights and a datum of its own; give a coordinate system, "
+                "or neither heights nor a datum nor an epoch."
+            )
+        return None
+    if not text:
+        raise InputError(
+            "No coordinate system is given and the lines name none; give its EPSG code "
+            f"({utm_zone(trajectory)} is the UTM zone of the trajectory), or {LOCAL} for the "
+            "local frame (North, West, Up)."
+        )
+    _require_datum(trajectory_datum, epoch)
+    found = coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
+    return replace(found, assumptions=(*found.assumptions, *_far_away(found, trajectory)))
+
+
+def _far_away(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[str, ...]:
+    """What is said where a coordinate system is meant for another part of the world."""
+    area = system.crs.area_of_use
+    if area is None:
+        return ()
+    latitude = math.degrees(trajectory.frame.latitude)
+    longitude = math.degrees(trajectory.frame.longitude)
+    width = (area.east - area.west) % 360 or 360.0
+    east = (longitude - area.west + BEYOND_AREA) % 360 <= width + 2 * BEYOND_AREA
+    if east and area.south - BEYOND_AREA <= latitude <= area.north + BEYOND_AREA:
+        return ()
+    return (
+        f"{DOUBT}: {system.name} is meant for {area.name.split('.')[0]}, and the trajectory is at "
+        f"latitude {latitude:.1f}, longitude {longitude:.1f} deg; {utm_zone(trajectory)} is the "
+        "UTM zone there",
+    )
+
+
+def common_system(project: Project) -> CoordinateSystem | None:
+    """The coordinate system of the lines' files; None where these are in the LiDAR frame.
+
+    Raises
+    ------
+    InputError
+        Where they are in different ones.
+    """
+    return _common_system([Chunks.of(line) for line in project.lines])
+
+
+def _common_system(chosen: Sequence[Chunks]) -> CoordinateSystem | None:
+    own = {
+        (c.system.written.to_wkt(), c.system.pipeline): c for c in chosen if c.system is not None
+    }
+    if len(own) > 1:
+        raise InputError(
+            "The lines are in different coordinate systems "
+            f"({'; '.join(_described(found) for found in own.values())}); say which one to write."
+        )
+    return next((c.system for c in own.values()), None)
+
+
+def _described(chunks: Chunks) -> str:
+    """A line's coordinate system with all that tells it from another one of the same name."""
+    assert chunks.system is not None
+    said = [chunks.system.name, f"heights: {chunks.system.height}"]
+    if datum := str(chunks.choice[DATUM.name]).strip():
+        epoch = str(chunks.choice[EPOCH.name]).strip()
+        said.append(f"trajectory in {datum}" + (f" at {epoch}" if epoch else ""))
+    return f"{chunks.line.name}: {', '.join(said)}"

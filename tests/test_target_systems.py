@@ -1,0 +1,191 @@
+"""The system a cloud is written in: what lines say of theirs is kept, or it is asked for."""
+
+import shutil
+import struct
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import InputError
+from lispac.io.project_file import write_project
+from lispac.io.sbet import write_sbet
+from lispac.project import LineSource, Project, Reading, Settings
+from lispac.survey.trajectory import Trajectory
+from lispac.workflow.export_request import ExportRequest, export, system_of
+from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.reading import local_trajectory
+from lispac.workflow.survey import load_survey
+from lispac.workflow.target_systems import own_datum
+from tests.cloud_files import MOUNTING, sweep, track, written_las
+
+NAD83, UTM, ITRF = "EPSG:6348", "EPSG:32619", "EPSG:7912"
+Made = Callable[..., Project]
+
+
+def flat_geoid(path: Path, height: float) -> Path:
+    """A grid about Quebec of one height, in NOAA's format."""
+    values = np.full(12, height, ">f4").tobytes()
+    path.write_bytes(struct.pack(">4d2i", 45.0, -73.0, 1.0, 1.0, 3, 4) + values)
+    return path
+
+
+def on_map(**given: str) -> Reading:
+    """How a cloud on the map is read."""
+    said = {
+        "frame": "georeferenced", "unit": "metre", "crs": NAD83, "height": "", "height_unit": "",
+        "trajectory_datum": "", "epoch": "", "time_base": "gps-week",
+    }  # fmt: skip
+    return Reading("las", tuple({**said, **given}.items()))
+
+
+@pytest.fixture
+def raw(tmp_path: Path) -> Project:
+    """A line in the scanner frame."""
+    local = track()
+    latitude, longitude, height = local.frame.to_geodetic(local.position)
+    write_sbet(
+        tmp_path / "sbet.out",
+        Trajectory(local.time, latitude, longitude, height, local.attitude),
+    )
+    points, time = sweep(local, 2000)
+    written_las(tmp_path / "raw.las", 6, points, time, extra=False)
+    settings = Settings(
+        tuple(MOUNTING.lever_arm), tuple(np.degrees(MOUNTING.boresight)), None,
+        range_offset=MOUNTING.range_offset,
+        scan_angle_offset_deg=float(np.degrees(MOUNTING.scan_angle_offset)),
+        latency=MOUNTING.latency,
+    )  # fmt: skip
+    line = LineSource("raw", tmp_path / "raw.las", (), Reading("las"))
+    return Project(tmp_path / "raw", tmp_path / "sbet.out", (line,), settings)
+
+
+@pytest.fixture
+def cloud(raw: Project, tmp_path: Path) -> Callable[..., LineSource]:
+    """Write the line to the map and have it read from there."""
+
+    def made(name: str, epoch: float | None = None, code: str = NAD83, **given: str) -> LineSource:
+        (done,) = georeference_project(
+            raw, tmp_path / "made", "prior", system=code, height=given.get("height", ""),
+            trajectory_datum="" if epoch is None else ITRF, epoch=epoch, ending="las",
+        )  # fmt: skip
+        path = tmp_path / f"{name}.las"
+        shutil.copy(done.path, path)
+        if epoch is not None:
+            given |= {"trajectory_datum": ITRF, "epoch": str(epoch)}
+        return LineSource(name, path, (), on_map(crs=code, **given))
+
+    return made
+
+
+@pytest.fixture
+def dated(raw: Project, cloud: Callable[..., LineSource], tmp_path: Path) -> Project:
+    """A line in NAD83(2011) with a trajectory in ITRF2014 at 2023.5."""
+    return replace(raw, folder=tmp_path / "dated", lines=(cloud("one", 2023.5),))
+
+
+def apart(one: Path, two: Path) -> float:
+    """Largest difference of two clouds, metres."""
+    return float(np.abs(laspy.read(one).xyz - laspy.read(two).xyz).max())
+
+
+@pytest.mark.parametrize("what", ["epoch", "datum", "geoid", "unit"])
+def test_lines_that_differ_in_more_than_the_code_are_not_written_alike(
+    raw: Project, cloud: Callable[..., LineSource], tmp_path: Path, what: str
+) -> None:
+    if what == "geoid":
+        grid = str(flat_geoid(tmp_path / "geoid.gtx", -32.0))
+        lines = (cloud("one", code=UTM, height=grid), cloud("two", code=UTM))
+    elif what == "unit":
+        lines = (cloud("one", code=UTM), cloud("two", code=UTM))
+        feet = laspy.read(lines[1].path)
+        feet.z = np.asarray(feet.z) / 0.3048
+        feet.write(lines[1].path)
+        lines = (lines[0], replace(lines[1], reading=on_map(crs=UTM, height_unit="foot")))
+    else:
+        lines = (cloud("one", 2023.5), cloud("two", 2010.0 if what == "epoch" else None))
+    project = replace(raw, folder=tmp_path / "two", lines=lines)
+    with pytest.raises(InputError, match=r"different coordinate systems.*one: .*two: "):
+        georeference_project(project, tmp_path / "out", "prior")
+    assert not (tmp_path / "out").exists()
+    for line in lines:  # each alone comes out as it is
+        (done,) = georeference_project(
+            project, tmp_path / "alone", "prior", lines=[line.name], ending="las"
+        )
+        assert apart(done.path, line.path) < 2e-4
+
+
+def test_an_epoch_that_changes_nothing_does_not_set_lines_apart(
+    raw: Project, cloud: Callable[..., LineSource], tmp_path: Path
+) -> None:
+    lines = (
+        cloud("one", code=UTM),
+        replace(cloud("two", code=UTM), reading=on_map(crs=UTM, epoch="2020.5")),
+    )
+    project = replace(raw, folder=tmp_path / "two", lines=lines)
+    assert len(georeference_project(project, tmp_path / "out", "prior")) == 2
+
+
+def test_a_code_is_written_with_the_datum_that_the_lines_name(
+    dated: Project, tmp_path: Path
+) -> None:
+    source = dated.lines[0].path
+    assert own_datum(dated.lines) == (ITRF, 2023.5)
+    dated.folder.mkdir()
+    survey = load_survey(dated)
+    for system in ("", NAD83):
+        request = ExportRequest("lines", tmp_path / f"out{system[-4:]}", "prior", "las", system)
+        (path,), notes = export(dated, survey, request)
+        assert apart(path, source) < 2e-4
+        assert any("trajectory in ITRF2014" in note for note in notes)
+    found = system_of(dated, survey.trajectory, NAD83)  # targets go the same way
+    assert found is not None
+    assert any("trajectory in ITRF2014" in words for words in found.assumptions)
+    request = ExportRequest("lines", tmp_path / "none", "prior", "las", NAD83, trajectory_datum="")
+    (path,), notes = export(dated, survey, request)  # said plainly: nothing is shifted
+    assert apart(path, source) > 1.0
+    assert any("not shifted" in note for note in notes)
+
+
+def test_lines_of_two_datums_ask_for_one(
+    raw: Project, cloud: Callable[..., LineSource], tmp_path: Path
+) -> None:
+    lines = (cloud("one", 2023.5), cloud("two", 2010.0))
+    project = replace(raw, folder=tmp_path / "two", lines=lines)
+    with pytest.raises(InputError, match="which datum and epoch"):
+        georeference_project(project, tmp_path / "out", "prior", system=NAD83)
+    done = georeference_project(
+        project, tmp_path / "out", "prior", system=NAD83, trajectory_datum=ITRF, epoch=2023.5,
+        ending="las",
+    )  # fmt: skip
+    assert apart(done[0].path, lines[0].path) < 2e-4
+
+
+def test_an_epoch_is_used_or_refused(
+    raw: Project, dated: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (moved,) = georeference_project(dated, tmp_path / "o", "prior", epoch=2010.0, ending="las")
+    (other,) = georeference_project(
+        dated, tmp_path / "p", "prior", system=NAD83, trajectory_datum=ITRF, epoch=2010.0,
+        ending="las",
+    )  # fmt: skip
+    assert apart(moved.path, other.path) == 0
+    assert 0.1 < apart(moved.path, dated.lines[0].path) < 0.5
+    trajectory, _ = local_trajectory(raw)
+    for system, epoch, words in (
+        (UTM, 2020.5, "changes nothing without the datum"),
+        ("local", 2020.5, "nor an epoch"),
+        (UTM, 99999.0, "not a date"),
+        (UTM, -5.0, "not a date"),
+    ):
+        with pytest.raises(InputError, match=words):
+            system_of(raw, trajectory, system, epoch=epoch)
+    raw.folder.mkdir()
+    write_project(raw)
+    given = [str(raw.folder), "--output", str(tmp_path / "q"), "--boresight", "prior"]
+    assert main(["georeference", *given, "--crs", UTM, "--epoch", "2020.5"]) == 1
+    assert "changes nothing without the datum" in capsys.readouterr().err
