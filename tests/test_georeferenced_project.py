@@ -109,12 +109,8 @@ def test_a_line_whose_file_is_gone_comes_from_its_store(project: Project, tmp_pa
     expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)[own]
     np.testing.assert_allclose(written.xyz[order], expected, rtol=0, atol=1e-4)
     for name in raw.point_format.dimension_names:
-        if name not in ("X", "Y", "Z", "gps_time", "normal"):
+        if name not in ("X", "Y", "Z", "gps_time"):
             np.testing.assert_array_equal(np.array(written[name])[order], np.array(raw[name])[own])
-    for k in range(3):  # without the file's header a column of three is three columns
-        np.testing.assert_array_equal(
-            np.array(written[f"normal_{k + 1}"])[order], np.array(raw["normal"])[own, k]
-        )
     (tmp_path / "other.ply").unlink()
     with pytest.raises(InputError, match="no such line file"):
         georeference_project(project, tmp_path / "new", "prior", system=UTM)

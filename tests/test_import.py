@@ -13,6 +13,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import Cancelled, InputError, ProjectError
 from lispac.io.las import write_points
+from lispac.io.project_file import write_project
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Georeferencer, Mounting, georeference
@@ -172,6 +173,25 @@ def test_interrupted_command_says_how_to_go_on(project: Project, monkeypatch, ca
     }  # fmt: skip
 
 
+def test_a_store_is_checked_when_its_file_is_gone(project: Project, survey: Survey, capsys) -> None:
+    own = write_line(project.folder / "own.laz", survey.scans["L1_000"])
+    other = write_line(project.folder / "other.laz", survey.scans["L2_180"])
+    write_project(replace(project, lines=(own, other)))
+    assert main(["import", str(project.folder), "--lines", "own"]) == 0
+    own.path.unlink()
+    assert main(["import", str(project.folder), "--check", "--lines", "own"]) == 0
+    assert "imported already" in capsys.readouterr().out
+    (column,) = line_folder(project, own).glob("columns-*/time.npy")
+    content = bytearray(column.read_bytes())
+    content[-3] ^= 4
+    column.write_bytes(content)
+    assert main(["import", str(project.folder), "--check", "--lines", "own"]) == 1
+    assert "bring it back" in capsys.readouterr().err
+    other.path.unlink()  # not imported: said before anything is read
+    assert main(["import", str(project.folder)]) == 1
+    assert "other.laz: there is no such line file" in capsys.readouterr().err
+
+
 def test_command_prints_points_and_size(project: Project, capsys) -> None:
     assert main(["import", str(project.folder), "--lines", "L1_000"]) == 0
     out = capsys.readouterr().out
@@ -224,8 +244,9 @@ def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, 
     assert len(import_line(project, own, trajectory).stored) == len(survey.scans["L2_180"])
     own.path.unlink()
     stored_line(project, own, trajectory)  # the store does without its file
+    assert import_lines(project)[0].seconds == 0.0
     with pytest.raises(InputError, match="no such line file"):
-        import_lines(project)
+        import_lines(project, again=True)
 
 
 def test_a_line_with_a_changed_column_is_imported_again_and_that_is_said(

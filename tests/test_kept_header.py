@@ -8,6 +8,7 @@ import laspy
 import numpy as np
 import pytest
 
+from lispac.cli.main import main
 from lispac.project import LineSource, Project
 from lispac.survey.store.reading import StoredLine
 from lispac.workflow.georeferencing import georeference_project
@@ -91,14 +92,21 @@ def test_a_cloud_has_the_same_records_without_the_file(project: Project, tmp_pat
     assert third.header.uuid == GUID
 
 
-def test_without_what_was_kept_the_loss_is_said(project: Project, tmp_path: Path) -> None:
+def test_without_what_was_kept_the_loss_is_said(
+    project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     project.lines[0].path.unlink()
     folder = line_folder(project, project.lines[0])
     (header,) = folder.glob(f"columns-*/{HEADER}")
-    header.write_bytes(header.read_bytes()[:100])
-    cloud, notes = written(project, tmp_path / "one")
-    assert len(cloud.points) == 5000
-    assert any("are not kept" in note for note in notes)
+    whole = header.read_bytes()
+    for n, damaged in enumerate((whole[:100], whole[:400] + bytes(len(whole) - 400), b"")):
+        header.write_bytes(damaged)
+        cloud, notes = written(project, tmp_path / f"one{n}")
+        assert len(cloud.points) == 5000
+        assert any("are not kept" in note for note in notes)
+        capsys.readouterr()
+        assert main(["import", str(project.folder), "--check"]) == 0
+        assert "header that were kept at the import have changed" in capsys.readouterr().err
     header.unlink()
     assert any("are not kept" in note for note in written(project, tmp_path / "two")[1])
 

@@ -7,7 +7,7 @@ from typing import Any
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.errors import Cancelled
 from lispac.progress import Progress
-from lispac.workflow.importing import Imported
+from lispac.workflow.importing import Imported, header_is_damaged
 from lispac.workflow.importing import import_lines as imported_lines
 from lispac.workflow.projects import open_project
 
@@ -43,6 +43,13 @@ def _check(found: list[Imported], progress: Progress) -> None:
     for item in found:
         words = f"Checking {item.stored.name}"
         item.stored.require_sound(lambda done, words=words: progress(done, words))  # type: ignore[misc]
+        if header_is_damaged(item.stored):
+            print(
+                f"note: {item.stored.name}: the points are whole, but the records of its file's "
+                "header that were kept at the import have changed since; import it again to have "
+                "them in clouds when the file is gone",
+                file=sys.stderr,
+            )
 
 
 def _print(item: Imported) -> None:

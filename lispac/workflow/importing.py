@@ -21,6 +21,7 @@ from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.recovery import recovered
+from lispac.survey.store.columns import checksum_of
 from lispac.survey.store.layout import MANIFEST, Original
 from lispac.survey.store.original import original_of
 from lispac.survey.store.pieces import Piece
@@ -37,6 +38,8 @@ LINES = "lines"
 """Folder of the stored lines, in that of the project."""
 HEADER = "header.las"
 """In the folder of a line's columns: the header of its file and the records that go with it."""
+HEADER_SUM = "header.sum"
+"""Beside it: its checksum."""
 INDEX = "\0index"
 """Goes with the points of a chunk through whatever leaves some of them out; no file has it."""
 LOOKED_AT = 100
@@ -91,10 +94,13 @@ def import_lines(
     lines = [known[name] for name in (names or known)]
     progress(0.0, f"Reading {project.trajectory.name}")
     trajectory, _ = local_trajectory(project)
-    total = sum(require_file(line.path, "line").stat().st_size for line in lines) or 1
+    for line in lines:  # before hours of reading others; what is imported needs its file no more
+        if again or not (line_folder(project, line) / MANIFEST).exists():
+            require_file(line.path, "line")
+    sizes = [line.path.stat().st_size if line.path.exists() else 0 for line in lines]
+    total = sum(sizes) or 1
     imported, done = [], 0
-    for line in lines:
-        size = line.path.stat().st_size
+    for line, size in zip(lines, sizes, strict=True):
         step = part(progress, done / total, (done + size) / total)
         imported.append(import_line(project, line, trajectory, again=again, progress=step))
         done += size
@@ -158,12 +164,27 @@ def _keep_header(line: LineSource, columns: Path) -> None:
     )
     if is_las:
         write_header_alone(line.path, columns / HEADER)
+        (columns / HEADER_SUM).write_text(f"{checksum_of(columns / HEADER):08x}\n", "ascii")
 
 
 def kept_header(stored: StoredLine) -> Path | None:
-    """The LAS file without points that holds the header of a stored line's file, if it had one."""
-    path = stored.folder / stored.manifest.folder / HEADER
-    return path if path.is_file() else None
+    """The LAS file without points that holds the header of a stored line's file.
+
+    None where it had none, or what was kept of it has changed since.
+    """
+    columns = stored.folder / stored.manifest.folder
+    try:
+        kept = int((columns / HEADER_SUM).read_text("ascii"), 16)
+        return columns / HEADER if checksum_of(columns / HEADER) == kept else None
+    except (OSError, ValueError):
+        return None
+
+
+def header_is_damaged(stored: StoredLine) -> bool:
+    """Whether the header of a stored line's file was kept, but cannot be used."""
+    columns = stored.folder / stored.manifest.folder
+    kept = (columns / HEADER).exists() or (columns / HEADER_SUM).exists()
+    return kept and kept_header(stored) is None
 
 
 def _without_remedy(error: ProjectError) -> str:
