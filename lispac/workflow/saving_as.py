@@ -1,21 +1,28 @@
 """Saving a project in another folder, with the lines that were imported into it."""
 
+import os
 import shutil
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
+from zlib import crc32
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.project_file import FILE_NAME, write_project
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud, CloudOnDisk, Line
-from lispac.survey.store.layout import MANIFEST
+from lispac.survey.store.layout import COLUMNS, MANIFEST, PART, write_manifest
+from lispac.survey.store.lock import LOCK, locked
 from lispac.survey.store.reading import StoredLine
-from lispac.workflow.importing import HEADER, kept_header, line_folder
+from lispac.workflow.importing import HEADER, HEADER_SUM, LINES, kept_header, line_folder
 from lispac.workflow.projects import taken_back
 from lispac.workflow.survey import Survey
 
 PIECE = 1 << 24  # bytes copied at once
+MARK = ".saving"
+"""In the folder of a line that is copied: it counts for nothing until the project is written."""
 
 
 def save_project_as(
@@ -36,7 +43,8 @@ def save_project_as(
     Raises
     ------
     ProjectError
-        Where the folder holds a project already.
+        Where the folder holds a project already, or a line is damaged or was imported again since
+        it was opened.
     InputError
         Where it cannot be written; nothing is left there then.
     """
@@ -46,17 +54,17 @@ def save_project_as(
     moved = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)
     on_disk = {name: scan for name, scan in scans.items() if isinstance(scan, StoredLine)}
+    places = {line.name: line_folder(moved, line) for line in moved.lines if line.name in on_disk}
     total, done = sum(scan.manifest.bytes for scan in on_disk.values()) or 1, 0
-    with taken_back(moved):
+    with taken_back(moved), ExitStack() as stack:
         try:
-            for line in moved.lines:
-                if line.name not in on_disk:
-                    continue
-                stored = on_disk[line.name]
-                there = line_folder(moved, line)
+            if places or (folder / LINES).is_dir():
+                stack.enter_context(_unfinished(folder))
+            for name, there in places.items():
+                stored = on_disk[name]
                 _copy(stored, there, done, total, progress)
                 done += stored.manifest.bytes
-                _point_to(scans, clouds, line.name, replace(stored, folder=there))
+                _point_to(scans, clouds, name, replace(stored, folder=there))
         except OSError as error:
             raise InputError(
                 f"{folder}: the project cannot be written here ({error.strerror or error}); "
@@ -64,6 +72,46 @@ def save_project_as(
             ) from error
         write_project(moved)
     return moved, replace(survey, scans=scans, clouds=clouds)
+
+
+@contextmanager
+def _unfinished(folder: Path) -> Iterator[None]:
+    """Have the lines that are copied into a folder known as unfinished until the project is there.
+
+    What a save that was ended by force has left so is removed first: the program's own files in
+    the folders it has marked, nothing else.
+    """
+    lines = folder / LINES
+    lines.mkdir(parents=True, exist_ok=True)
+    with ExitStack() as held:
+        try:
+            held.enter_context(locked(lines))
+        except ProjectError as error:
+            raise ProjectError(
+                f"{folder}: another window or command is saving a project here; wait for it or "
+                "choose another folder."
+            ) from error
+        _remove_unfinished(lines)
+        try:
+            yield
+        except BaseException:
+            _remove_unfinished(lines)
+            raise
+        for mark in lines.glob(f"*/{MARK}"):
+            mark.unlink(missing_ok=True)
+    with suppress(OSError):  # where the system lets no open file be removed, it is left behind
+        (lines / LOCK).unlink(missing_ok=True)
+
+
+def _remove_unfinished(lines: Path) -> None:
+    for mark in lines.glob(f"*/{MARK}"):
+        store = mark.parent
+        for columns in store.glob(f"{COLUMNS}*"):
+            shutil.rmtree(columns, ignore_errors=True)
+        for name in (MANIFEST, f"{MANIFEST}{PART}", MARK):
+            (store / name).unlink(missing_ok=True)
+        if not any(store.iterdir()):
+            store.rmdir()
 
 
 def _point_to(
@@ -76,16 +124,50 @@ def _point_to(
 
 
 def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Progress) -> None:
-    """Copy a stored line; what makes it count, the manifest, comes last."""
+    """Copy a stored line, and see that it is whole; what makes it count, the manifest, comes last.
+
+    Raises
+    ------
+    ProjectError
+        Where the line was imported again meanwhile, or is damaged.
+    """
     manifest = stored.manifest
-    (there / manifest.folder).mkdir(parents=True)
-    names = [f"{manifest.folder}/{column.file}" for column in manifest.files]
+    if there.is_dir() and any(there.iterdir()):
+        raise ProjectError(
+            f"{there}: there are files here already that no unfinished save has left; choose "
+            "another folder, or take them away."
+        )
+    there.mkdir(exist_ok=True)
+    (there / MARK).touch()
+    (there / manifest.folder).mkdir()
+    checksums: dict[str, int | None] = {column.file: column.checksum for column in manifest.files}
     if kept_header(stored) is not None:
-        names.append(f"{manifest.folder}/{HEADER}")
-    for name in [*names, MANIFEST]:
-        with (stored.folder / name).open("rb") as source, (there / name).open("wb") as copy:
+        checksums |= {HEADER: None, HEADER_SUM: None}
+    for name, checksum in checksums.items():
+        path, found = stored.folder / manifest.folder / name, 0
+        try:
+            source = path.open("rb")
+        except FileNotFoundError as error:
+            raise stored.gone_or(
+                ProjectError(
+                    f"{path}: this part of the imported line {stored.name} is missing; import the "
+                    "line again."
+                )
+            ) from error
+        place = there / manifest.folder / name
+        with source, place.open("wb") as copy:
+            then = os.fstat(source.fileno())  # its name may be gone at the end
             while piece := source.read(PIECE):
                 progress(min(done / total, 1.0), f"Copying {stored.name}")
                 copy.write(piece)
+                found = crc32(piece, found)
                 done += len(piece)
-        shutil.copystat(stored.folder / name, there / name)
+        if checksum is not None and found != checksum:
+            raise stored.gone_or(
+                ProjectError(
+                    f"{path}: this part of the imported line {stored.name} has changed since (its "
+                    "checksum does not hold); import the line again."
+                )
+            )
+        os.utime(place, ns=(then.st_atime_ns, then.st_mtime_ns))
+    write_manifest(there, manifest)

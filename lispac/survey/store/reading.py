@@ -262,7 +262,7 @@ class StoredLine:
             try:
                 _require_checksum(path, column.checksum)
             except ProjectError as error:
-                raise self._gone_or(error) from error
+                raise self.gone_or(error) from error
             done += column.size
             progress(done / self.manifest.bytes)
 
@@ -282,9 +282,9 @@ class StoredLine:
         try:
             return opened(self.folder / self.manifest.folder, column, count)
         except ProjectError as error:
-            raise self._gone_or(error) from error
+            raise self.gone_or(error) from error
 
-    def _gone_or(self, error: ProjectError) -> ProjectError:
+    def gone_or(self, error: ProjectError) -> ProjectError:
         """What there is to say instead where the line was imported again since it was opened."""
         if _is_current(self.folder, self.manifest):
             return error

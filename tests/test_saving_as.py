@@ -1,0 +1,145 @@
+"""Saving elsewhere: what is copied is whole, and what a killed save leaves is no obstacle."""
+
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import ProjectError
+from lispac.io.las import write_points
+from lispac.io.project_file import write_project
+from lispac.progress import Progress
+from lispac.project import LineSource, Project
+from lispac.survey.store.lock import locked
+from lispac.survey.store.reading import StoredLine
+from lispac.workflow.importing import LINES, import_lines, line_folder
+from lispac.workflow.projects import open_project
+from lispac.workflow.saving_as import MARK, save_project_as
+from lispac.workflow.survey import Survey, load_survey
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+from lispac.io.project_file import read_project
+from lispac.workflow import saving_as
+from lispac.workflow.survey import load_survey
+
+def die(*_):
+    os.kill(os.getpid(), signal.SIGKILL)
+
+def copying(fraction, words=""):
+    if words.startswith("Copying two"):
+        die()
+
+project = read_project(Path(sys.argv[1]))
+survey = load_survey(project)
+if sys.argv[3] == "copying":
+    saving_as.save_project_as(project, survey, Path(sys.argv[2]), progress=copying)
+else:
+    saving_as.write_project = die
+    saving_as.save_project_as(project, survey, Path(sys.argv[2]))
+"""
+
+
+@pytest.fixture
+def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
+    """Two imported lines."""
+    source, survey = calibrated
+    points, times = survey.scans[survey.lines[0]].take(np.arange(3000))
+    lines = []
+    for name in ("one", "two"):
+        path = tmp_path / f"{name}.laz"
+        write_points(path, points, times, np.arange(3000))
+        lines.append(LineSource(name, path))
+    made = replace(source, folder=tmp_path / "quay", lines=tuple(lines), targets=(), result=None)
+    made.folder.mkdir()
+    write_project(made)
+    import_lines(made)
+    return made
+
+
+def names(folder: Path) -> set[str]:
+    """Everything in a folder."""
+    return {str(path.relative_to(folder)) for path in folder.rglob("*")}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="ends itself by a signal")
+@pytest.mark.parametrize("when", ["copying", "writing"])
+def test_what_a_killed_save_leaves_is_replaced(project: Project, tmp_path: Path, when: str) -> None:
+    there = tmp_path / "office"
+    command = [sys.executable, "-c", KILLED, str(project.folder), str(there), when]
+    assert subprocess.run(command, check=False).returncode == -9
+    assert not (there / "project.json").exists()
+    assert (there / LINES / "one" / MARK).exists()
+    (there / "minutes.txt").write_text("not ours")
+    (there / LINES / "one" / "notes.txt").write_text("not ours either")
+    with pytest.raises(ProjectError, match="no unfinished save has left"):
+        save_project_as(project, load_survey(project), there)
+    assert (there / LINES / "one" / "notes.txt").read_text() == "not ours either"
+    (there / LINES / "one" / "notes.txt").unlink()
+    moved, _ = save_project_as(project, load_survey(project), there)
+    plain, _ = save_project_as(project, load_survey(project), tmp_path / "plain")
+    assert names(moved.folder) - names(plain.folder) == {"minutes.txt"}
+    assert names(plain.folder) <= names(moved.folder)
+    found = load_survey(open_project(there))
+    for scan in found.scans.values():
+        assert isinstance(scan, StoredLine)
+        scan.require_sound()
+
+
+def test_a_save_under_way_is_left_alone(project: Project, tmp_path: Path) -> None:
+    lines = tmp_path / "office" / LINES
+    lines.mkdir(parents=True)
+    with locked(lines), pytest.raises(ProjectError, match="is saving a project here"):
+        save_project_as(project, load_survey(project), tmp_path / "office")
+
+
+def test_stores_that_are_not_marked_stay(project: Project, tmp_path: Path) -> None:
+    there, survey = tmp_path / "office", load_survey(project)
+    save_project_as(project, survey, there)
+    (there / "project.json").unlink()
+    before = names(there)
+    with pytest.raises(ProjectError, match="one: there are files here already"):
+        save_project_as(project, survey, there)
+    assert names(there) == before
+
+
+def again(project: Project) -> Progress:
+    """Import a line again while it is copied, as another window would."""
+    done: list[str] = []
+
+    def told(_fraction: float, words: str = "") -> None:
+        if words.startswith("Copying one") and not done:
+            done.append(words)
+            import_lines(project, again=True)
+
+    return told
+
+
+@pytest.mark.parametrize("meanwhile", [False, True])
+def test_a_line_imported_again_meanwhile_is_said(
+    project: Project, tmp_path: Path, meanwhile: bool
+) -> None:
+    survey = load_survey(project)
+    if not meanwhile:
+        import_lines(project, again=True)
+    with pytest.raises(ProjectError, match=r"imported again since it was opened.*open the project"):
+        save_project_as(
+            project, survey, tmp_path / "office",
+            progress=again(project) if meanwhile else lambda fraction, words="": None,
+        )  # fmt: skip
+    assert not (tmp_path / "office").exists()
+
+
+def test_a_damaged_column_is_not_copied(project: Project, tmp_path: Path) -> None:
+    survey = load_survey(project)
+    (column,) = line_folder(project, project.lines[1]).glob("columns-*/xyz.npy")
+    content = bytearray(column.read_bytes())
+    content[1000] ^= 0x40
+    column.write_bytes(content)
+    with pytest.raises(ProjectError, match=r"xyz\.npy.*checksum does not hold.*import the line"):
+        save_project_as(project, survey, tmp_path / "office")
+    assert not (tmp_path / "office").exists()
