@@ -32,7 +32,9 @@ def test_every_sighting_of_the_demo_is_judged(calibrated: tuple[Project, Survey]
     before = qualities(replace(project, result=None), survey)
     keys = {(t.name, s.line) for t in project.targets for s in t.sightings}
     assert set(before) == set(after) == keys
-    assert all(quality.smear is None for quality in after.values())
+    targets = {target.name for target in project.of_role("target")}
+    # Nothing selects validation planes again: they are judged as picked, before and after.
+    assert all((after[key].smear is None) == (key[0] in targets) for key in keys)
     assert all(quality.smear < 0.004 for quality in before.values())
     # A board that faces up is seen from the side: the beams meet it steeply, and nothing is bent.
     for key in keys:
@@ -50,9 +52,10 @@ def test_what_still_holds_is_not_judged_again(calibrated: tuple[Project, Survey]
     assert {key[0] for key, each in again.items() if each is not known[key]} == {first.name}
     assert judge(replace(project, result=None), survey, known=known).keys() == known.keys()
     moved = replace(project, result=None)
-    assert all(
-        each is not known[key] for key, each in judge(moved, survey, known=known).items()
-    )  # another mounting, other points
+    targets = {target.name for target in project.of_role("target")}
+    for key, each in judge(moved, survey, known=known).items():
+        # Another mounting, other points; validation planes keep theirs.
+        assert (each is not known[key]) == (key[0] in targets)
 
 
 def test_points_on_a_row_are_poor_with_the_reason(calibrated: tuple[Project, Survey]) -> None:

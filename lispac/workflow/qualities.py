@@ -10,7 +10,7 @@ from lispac.errors import LispacError
 from lispac.geometry.planes import extent_in_plane, fit_plane
 from lispac.geometry.spheres import fit_sphere
 from lispac.progress import Progress, no_progress
-from lispac.project import PickedSighting, Project, Settings, Target
+from lispac.project import ROLES, PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.targets.expected import deviations
 from lispac.targets.quality import (
@@ -54,11 +54,15 @@ def judge(
 
     Before the calibration the points are those that were picked, and what an error of the prior
     boresight can explain in them does not count. After it they are selected once more in the lines
-    as they lie then, with the threshold of the pick: the adjustment too leaves the picked ones.
+    as they lie then, with the threshold of the pick: the adjustment too leaves the picked ones. Of
+    validation planes, which nothing selects again, the picked points are judged before and after.
     """
     known = known or {}
     judged: dict[Key, Judged] = {}
-    placing = _Placing.of(project, survey)
+    placings = {
+        role: _Placing.of(project, survey, estimated=_is_selected_again(project, role))
+        for role in ROLES
+    }
     placed = survey.placed(project, "estimated") if project.result is not None else None
     for k, target in enumerate(project.targets):
         progress(k / len(project.targets), f"Judging the sightings of {target.name}")
@@ -74,16 +78,20 @@ def judge(
             judged |= kept
             continue
         now = target
-        if placed is not None:
+        if placed is not None and _is_selected_again(project, target.role):
             sightings = tuple(replace(s, used=True) for s in target.sightings)
             every = replace(target, sightings=sightings, used=True)
             now = selected_again(every, survey.clouds, placed, narrowed=1.0)
         for picked, sighting in zip(target.sightings, now.sightings, strict=True):
-            quality = _quality(project, survey, placing, target, sighting)
+            quality = _quality(project, survey, placings[target.role], target, sighting)
             judged[target.name, picked.line] = Judged(
                 quality, picked.indices, _rests_on(project, target)
             )
     return judged
+
+
+def _is_selected_again(project: Project, role: Role) -> bool:
+    return project.result is not None and role == "target"
 
 
 def judge_target(project: Project, survey: Survey, target: Target) -> dict[str, SightingQuality]:
@@ -113,9 +121,9 @@ class _Placing:
     turned: tuple[Georeferencer, ...]
 
     @classmethod
-    def of(cls, project: Project, survey: Survey) -> "_Placing":
-        """As the project stands."""
-        mounting = project.mounting("prior" if project.result is None else "estimated")
+    def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_Placing":
+        """With the estimated mounting or the prior one."""
+        mounting = project.mounting("estimated" if estimated else "prior")
         # A range offset has nothing to say about where the scanner was.
         scanner = Mounting(mounting.lever_arm, mounting.boresight, latency=mounting.latency)
         turned = (mounting.with_boresight(mounting.boresight + step) for step in STEP * np.eye(3))
@@ -123,7 +131,7 @@ class _Placing:
             Georeferencer.of(survey.trajectory, mounting),
             Georeferencer.of(survey.trajectory, scanner),
             tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
-            if project.result is None
+            if not estimated
             else (),
         )
 
@@ -179,7 +187,7 @@ def lidar_noise(settings: Settings) -> float:
 
 def _rests_on(project: Project, target: Target) -> tuple[object, ...]:
     """Besides the points, what a quality depends on."""
-    estimated = project.result is not None
+    estimated = _is_selected_again(project, target.role)
     mounting = project.mounting("estimated" if estimated else "prior")
     return (
         target.shape, target.sphere_radius, target.expected, lidar_noise(project.settings),
