@@ -164,7 +164,7 @@ def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated:
 
 def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, estimated: Project):
     result, checks = estimated.result, estimated.cross_checks
-    bad = replace(result.reliability[1], released=True)
+    bad = replace(result.reliability[1], released=True, shift=0.05, w=9.0)
     doubtful = replace(result, reliability=(result.reliability[0], bad, *result.reliability[2:]))
     line = bad.sighting.line
     away = np.radians([0.1, 0.0, 0.0])
@@ -182,7 +182,7 @@ def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, 
     assert texts(table, "Reason")[1] == "T2 alone does not do."
     assert table.item(0, 0).background().color().name() == MARKED_BACKGROUND
     told = shown.window.results.warnings.text()
-    assert f"T1 on line {line}" in told
+    assert f"T1 on line {line} (off by " in told
     assert f"without line {line}" in told
 
 
