@@ -7,7 +7,8 @@ import hypothesis
 import pytest
 
 from lispac.project import Project
-from lispac.workflow.demo import run_demo
+from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.workflow.demo import calibrate_demo, make_demo
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey
 
@@ -30,9 +31,25 @@ def shared_data() -> Path:
 
 
 @pytest.fixture(scope="session")
-def calibrated(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, Survey]:
+def port() -> SimulatedSurvey:
+    """The built-in survey as it is simulated, every point with its label."""
+    return port_survey()
+
+
+@pytest.fixture(scope="session")
+def demo_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """The built-in survey with nothing picked; not to be changed on disk."""
+    return make_demo(tmp_path_factory.mktemp("made") / "demo")
+
+
+@pytest.fixture(scope="session")
+def calibrated(
+    demo_project: Project, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Project, Survey]:
     """The built-in survey, calibrated and validated; not to be changed on disk."""
-    return run_demo(tmp_path_factory.mktemp("survey") / "demo")
+    folder = tmp_path_factory.mktemp("survey") / "demo"
+    shutil.copytree(demo_project.folder, folder)
+    return calibrate_demo(open_project(folder))
 
 
 @pytest.fixture

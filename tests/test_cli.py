@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from lispac.cli.main import main
-from lispac.workflow.demo import make_demo
+from lispac.project import Project
 
 
 @pytest.fixture(scope="module")
-def raw(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def raw(demo_project: Project) -> Path:
     """Raw files of the built-in survey."""
-    return make_demo(tmp_path_factory.mktemp("cli") / "demo").folder / "raw"
+    return demo_project.folder / "raw"
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
@@ -109,12 +109,14 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
 
 
 def test_demo_prints_answer_truth_and_report(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
+    capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
 ) -> None:
-    folder = tmp_path / "demo"
-    for _ in range(2):  # a second run replaces the first
-        code, out, err = run(capsys, "demo", "--output", folder, "--no-window")
-        assert code == 0, err
+    folder = Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
+    left = folder / "raw" / "L1_000.laz"
+    left.write_bytes(b"left by an earlier run, which the next one replaces")
+    code, out, err = run(capsys, "demo", "--output", folder, "--no-window")
+    assert code == 0, err
+    assert laspy.read(left).header.point_count > 10_000
     for word in ("boresight", "sigma", "truth", "V5", str(folder / "report.pdf")):
         assert word in out
     assert (folder / "report.pdf").exists()

@@ -234,11 +234,8 @@ def test_wrong_usage(capsys, tmp_path: Path) -> None:
     assert "one of them" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
 
 
-def test_an_uncalibrated_project_is_refused(capsys, tmp_path: Path) -> None:
-    from lispac.workflow.demo import make_demo
-
-    project = make_demo(tmp_path / "demo")
-    assert "estimate first" in refused(capsys, project.folder, "--to", "applanix")
+def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> None:
+    assert "estimate first" in refused(capsys, demo_project.folder, "--to", "applanix")
 
 
 def given_matrix(capsys, angles, *words) -> list[float]:

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from lispac.project import Project
 from lispac.workflow import projects
-from lispac.workflow.demo import make_demo
 from tests.test_cli import answer, new_words, run
 
 SEEDS = {"T1": (1.15, -14.7, 8.1), "T2": (-1.1, -14.38, 7.7)}
@@ -16,8 +16,8 @@ ONLY_THESE = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
 
 
 @pytest.fixture(scope="module")
-def raw(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return make_demo(tmp_path_factory.mktemp("noise") / "demo").folder / "raw"
+def raw(demo_project: Project) -> Path:
+    return demo_project.folder / "raw"
 
 
 def picked(capsys: pytest.CaptureFixture[str], raw: Path, folder: Path, *words: object) -> Path:

@@ -13,7 +13,6 @@ import pytest
 
 from lispac.geometry.planes import fit_plane
 from lispac.simulation.scene import Cylinder, Surface, upright
-from lispac.simulation.survey import SimulatedSurvey, port_survey
 from lispac.targets.across_lines import find_in_lines
 from lispac.targets.finder import FinderSettings, PlanePatch
 from tests.finder_scenes import WALL, Site, precision_and_recall, rippled, site
@@ -91,11 +90,6 @@ def test_a_rippled_sheet_is_kept_apart_from_the_wall():
         assert precision > 0.99
         assert recall > 0.7
         assert patch.rms > 0.004
-
-
-@pytest.fixture(scope="module")
-def port() -> SimulatedSurvey:
-    return port_survey()
 
 
 @pytest.mark.parametrize("target", ["T1", "T2"])

@@ -15,9 +15,9 @@ from lispac.survey.trajectory import LocalTrajectory, Trajectory
 SPARSE = 20_000.0  # pulses per second where density does not matter
 
 
-@pytest.fixture(scope="module")
-def survey() -> SimulatedSurvey:
-    return port_survey()
+@pytest.fixture
+def survey(port: SimulatedSurvey) -> SimulatedSurvey:
+    return port
 
 
 def placed(survey: SimulatedSurvey, line: SimulatedLine, boresight=None) -> np.ndarray:

@@ -19,7 +19,7 @@ from lispac.errors import TargetNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
 from lispac.progress import Progress
 from lispac.targets.settings import FinderSettings
-from lispac.targets.shift import Shift, find_shifts
+from lispac.targets.shift import Shift, find_shifts, voxels
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -297,4 +297,4 @@ def _clicked_line(
 
 
 def _filled(points: Array) -> int:
-    return len(np.unique(np.floor(points / 0.1).astype(np.int64), axis=0))
+    return len(np.unique(voxels(points, 0.1)))

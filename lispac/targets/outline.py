@@ -4,6 +4,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from lispac.geometry.neighbours import bounds, cell_keys
+
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
@@ -29,8 +31,8 @@ def cell_size(placed: Array, votes: Array) -> float:
     float, metres
     """
     middle = np.average(placed, axis=0, weights=votes)
-    from_middle = np.sort(np.hypot(*(placed - middle).T))
     few = min(len(placed), max(30, len(placed) // 4)) - 1
+    from_middle = np.partition(np.hypot(*(placed - middle).T), few)
     area = np.pi * max(float(from_middle[few]), 1e-3) ** 2
     return float(np.clip(3.0 * np.sqrt(area / (few + 1)), 0.02, 0.5))
 
@@ -50,14 +52,11 @@ def connected(placed: Array, votes: Array, cell: float) -> Flags:
     -------
     ndarray of shape (n,), bool
     """
-    low = placed.min(axis=0)
-    cell = max(cell, float((placed.max(axis=0) - low).max()) / MOST_CELLS)
-    at = ((placed - low) / cell).astype(np.int64) + 1
-    shape = at.max(axis=0) + 2
-    flat = at[:, 0] * shape[1] + at[:, 1]
+    low, high = bounds(placed)
+    at, shape = cell_keys(placed, low, _coarse_enough(cell, low, high), 1)
     filled = np.zeros(int(shape[0] * shape[1]), dtype=np.bool_)
-    filled[flat] = True
-    label = _label(filled, int(shape[1]))[flat]
+    filled[at] = True
+    label = _label(filled, int(shape[1]))[at]
     winner = np.argmax(np.bincount(label, weights=votes))
     same: Flags = label == winner
     return same
@@ -72,11 +71,9 @@ def share_in_cell(placed: Array, chosen: Flags, cell: float) -> Array:
     chosen : ndarray of shape (n,), bool
     cell : float, metres
     """
-    low = placed.min(axis=0)
-    cell = max(cell, float((placed.max(axis=0) - low).max()) / MOST_CELLS)
-    at = ((placed - low) / cell).astype(np.int64)
-    flat = at[:, 0] * (int(at[:, 1].max()) + 1) + at[:, 1]
-    share: Array = (np.bincount(flat, weights=chosen) / np.maximum(np.bincount(flat), 1))[flat]
+    low, high = bounds(placed)
+    at, _ = cell_keys(placed, low, _coarse_enough(cell, low, high))
+    share: Array = (np.bincount(at, weights=chosen) / np.maximum(np.bincount(at), 1))[at]
     return share
 
 
@@ -88,24 +85,36 @@ def covered(placed: Array, other: Array, cell: float) -> Flags:
     placed, other : ndarrays of shape (n, 2) and (m, 2), metres in the same plane
     cell : float, metres
     """
-    low = np.minimum(placed.min(axis=0), other.min(axis=0))
-    high = np.maximum(placed.max(axis=0), other.max(axis=0))
-    cell = max(cell, float((high - low).max()) / MOST_CELLS)
-    shape = ((high - low) / cell).astype(np.int64) + 3
-    filled = np.zeros((int(shape[0]), int(shape[1])), dtype=np.bool_)
-    at = ((other - low) / cell).astype(np.int64) + 1
-    for i in (-1, 0, 1):
-        for j in (-1, 0, 1):
-            filled[at[:, 0] + i, at[:, 1] + j] = True
-    mine = ((placed - low) / cell).astype(np.int64) + 1
-    found: Flags = filled[mine[:, 0], mine[:, 1]]
-    return found
+    (low, high), (other_low, other_high) = bounds(placed), bounds(other)
+    low, high = np.minimum(low, other_low), np.maximum(high, other_high)
+    return _beside(placed, other, low, high, _coarse_enough(cell, low, high))
 
 
 def area(placed: Array, cell: float) -> float:
     """Area of the raster cells that points (n, 2) fill, square metres."""
-    at = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
-    return len(np.unique(at[:, 0] * (int(at[:, 1].max()) + 1) + at[:, 1])) * cell * cell
+    at, _ = cell_keys(placed, bounds(placed)[0], cell)
+    return len(np.unique(at)) * cell * cell
+
+
+def _coarse_enough(cell: float, low: Array, high: Array) -> float:
+    return max(cell, float((high - low).max()) / MOST_CELLS)
+
+
+@njit(nogil=True, cache=True)
+def _beside(
+    placed: Array, other: Array, low: Array, high: Array, cell: float
+) -> Flags:  # pragma: no cover - compiled
+    filled = np.zeros(
+        (int((high[0] - low[0]) / cell) + 3, int((high[1] - low[1]) / cell) + 3), np.bool_
+    )
+    for n in range(other.shape[0]):
+        x, y = int((other[n, 0] - low[0]) / cell), int((other[n, 1] - low[1]) / cell)
+        filled[x : x + 3, y : y + 3] = True
+    found = np.empty(placed.shape[0], np.bool_)
+    for n in range(placed.shape[0]):
+        x, y = int((placed[n, 0] - low[0]) / cell), int((placed[n, 1] - low[1]) / cell)
+        found[n] = filled[x + 1, y + 1]
+    return found
 
 
 @njit(nogil=True, cache=True)

@@ -14,6 +14,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.geometry.knn import build_tree, local_planes
+from lispac.geometry.neighbours import bounds, cell_keys
 from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, in_plane_axes
 from lispac.targets import outline
 
@@ -125,9 +126,7 @@ def _thinned(points: Array, voxel: float) -> Array:
     finite = points[np.isfinite(points).all(axis=1)]
     if len(finite) == 0:
         return finite
-    cell = np.floor((finite - finite.min(axis=0)) / voxel).astype(np.int64)
-    across = cell.max(axis=0) + 1
-    key = (cell[:, 0] * across[1] + cell[:, 1]) * across[2] + cell[:, 2]
+    key, _ = cell_keys(finite, bounds(finite)[0], voxel)
     _, first = np.unique(key, return_index=True)
     return np.ascontiguousarray(finite[first])
 

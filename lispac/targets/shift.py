@@ -10,6 +10,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from lispac.geometry.neighbours import bounds, cell_keys
+
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
@@ -104,15 +106,18 @@ def _scores(first: Array, weights: Array, second: Array, tried: Array, voxel: fl
     high = np.maximum(first.max(axis=0) + tried.max(axis=0), second.max(axis=0)) + 3.0 * voxel
     shape = np.ceil((high - low) / voxel).astype(np.int64) + 1
     field = _splat(second, low, voxel, shape)
-    heap, mass = _voxels(first, weights, voxel)
-    return _lookup(field, heap - low, mass / mass.sum(), tried, voxel)
+    heap, mass = _means(first, weights, voxel)
+    return _lookup(field, (heap - low) / voxel, mass / mass.sum(), tried / voxel)
 
 
-def _voxels(points: Array, weights: Array, voxel: float) -> tuple[Array, Array]:
+def voxels(points: Array, voxel: float) -> Indices:
+    """The voxel of each point (n, 3) as one number; the raster stays where the points move."""
+    return cell_keys(points, voxel * np.floor(bounds(points)[0] / voxel), voxel)[0]
+
+
+def _means(points: Array, weights: Array, voxel: float) -> tuple[Array, Array]:
     """One mean point per voxel, with its largest weight: dense parts do not outvote sparse ones."""
-    cells = np.floor(points / voxel).astype(np.int64)
-    _, group, count = np.unique(cells, axis=0, return_inverse=True, return_counts=True)
-    group = group.reshape(-1)
+    _, group, count = np.unique(voxels(points, voxel), return_inverse=True, return_counts=True)
     mean = np.stack([np.bincount(group, points[:, k]) / count for k in range(3)], axis=1)
     mass = np.bincount(group, weights) / count
     return mean, mass
@@ -159,15 +164,31 @@ def _splat(
 
 @njit(nogil=True, cache=True)
 def _lookup(
-    field: NDArray[np.float32], points: Array, mass: Array, tried: Array, voxel: float
+    field: NDArray[np.float32], places: Array, mass: Array, steps: Array
 ) -> Array:  # pragma: no cover - compiled
-    scores = np.zeros(tried.shape[0])
-    for t in range(tried.shape[0]):
+    """Mass-weighted closeness at the places moved by each of the steps, both in voxels.
+
+    Most steps are whole: then where the places lie is worked out once, and moving them is an
+    addition of whole numbers, which takes a third of the time.
+    """
+    flat = field.reshape(-1)
+    scores = np.zeros(steps.shape[0])
+    at = np.empty(places.shape[0], np.int64)
+    rest, last = np.empty(3), np.full(3, -1.0)
+    for t in range(steps.shape[0]):
+        moved = 0
+        for k in range(3):
+            whole = np.floor(steps[t, k] + 1e-6)
+            rest[k] = steps[t, k] - whole
+            moved = moved * field.shape[k] + int(whole)
+        if np.abs(rest - last).max() > 1e-6:
+            last[:] = rest
+            for n in range(places.shape[0]):
+                at[n] = 0
+                for k in range(3):
+                    at[n] = at[n] * field.shape[k] + int(places[n, k] + rest[k])
         total = 0.0
-        for n in range(points.shape[0]):
-            x = int((points[n, 0] + tried[t, 0]) / voxel)
-            y = int((points[n, 1] + tried[t, 1]) / voxel)
-            z = int((points[n, 2] + tried[t, 2]) / voxel)
-            total += mass[n] * field[x, y, z]
+        for n in range(places.shape[0]):
+            total += mass[n] * flat[at[n] + moved]
         scores[t] = total
     return scores

@@ -94,14 +94,19 @@ def demo_seeds() -> dict[str, tuple[Role, Triple]]:
 def run_demo(folder: Path, *, progress: Progress = no_progress) -> tuple[Project, Survey]:
     """The whole way: simulate, load, pick, estimate, validate, save."""
     project = make_demo(folder, progress=part(progress, 0.0, 0.4))
-    survey = load_survey(project, progress=part(progress, 0.4, 0.6))
+    return calibrate_demo(project, progress=part(progress, 0.4, 1.0))
+
+
+def calibrate_demo(project: Project, *, progress: Progress = no_progress) -> tuple[Project, Survey]:
+    """The built-in survey as it was made, from loading to saving."""
+    survey = load_survey(project, progress=part(progress, 0.0, 0.35))
     seeds = demo_seeds()
     for k, (name, (role, seed)) in enumerate(seeds.items()):
-        step = part(progress, 0.6 + 0.2 * k / len(seeds), 0.6 + 0.2 * (k + 1) / len(seeds))
+        step = part(progress, 0.35 + 0.3 * k / len(seeds), 0.35 + 0.3 * (k + 1) / len(seeds))
         step(0.0, f"Finding {name} in every line")
         project = pick(project, survey, seed, name=name, role=role)
-    project = estimate(project, survey, progress=part(progress, 0.8, 0.85))
-    project = validate(project, survey, progress=part(progress, 0.85, 1.0))
+    project = estimate(project, survey, progress=part(progress, 0.65, 0.75))
+    project = validate(project, survey, progress=part(progress, 0.75, 1.0))
     save_project(project)
     progress(1.0, "Demo done")
     return project, survey

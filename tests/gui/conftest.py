@@ -16,7 +16,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.project import Project
 from lispac.workflow.calibration import estimate
-from lispac.workflow.demo import demo_seeds, make_demo
+from lispac.workflow.demo import demo_seeds
 from lispac.workflow.picking import pick
 from lispac.workflow.survey import load_survey
 from tests.gui.import_support import drop, raw, rest
@@ -26,15 +26,14 @@ PICKED = ("T1", "T2", "V1")
 
 
 @pytest.fixture(scope="session")
-def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
-    """The demo survey, made once."""
-    project = make_demo(tmp_path_factory.mktemp("survey") / "demo")
-    survey = load_survey(project)
-    picked = project
+def demo(demo_project: Project) -> Demo:
+    """The demo survey, loaded once and with some planes picked."""
+    survey = load_survey(demo_project)
+    picked = demo_project
     for name in PICKED:
         role, seed = demo_seeds()[name]
         picked = pick(picked, survey, seed, name=name, role=role)
-    return Demo(project, picked, survey)
+    return Demo(demo_project, picked, survey)
 
 
 @pytest.fixture(scope="session")
