@@ -74,6 +74,14 @@ def picked(driver: Driver, demo: Demo) -> Driver:
 
 
 @pytest.fixture
+def adjusted(driver: Driver, demo: Demo, estimated: Project) -> Driver:
+    """The demo survey with its boresight."""
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    return driver
+
+
+@pytest.fixture
 def dialog(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[ImportDialog]:
     """An empty import dialogue that leaves nothing behind."""
     theme.apply_theme(qapp)

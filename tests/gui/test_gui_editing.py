@@ -7,18 +7,9 @@ import pytest
 from PySide6.QtCore import Qt
 
 from lispac.gui.residuals import GREY, residuals
-from lispac.project import Project
-from tests.gui.support import Demo, Driver, Key, press, seed, settle
+from tests.gui.support import Driver, Key, press, seed, settle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-
-
-@pytest.fixture
-def adjusted(driver: Driver, demo: Demo, estimated: Project) -> Driver:
-    """The demo survey with its boresight."""
-    driver.window.document.open(estimated, demo.survey)
-    driver.rest()
-    return driver
 
 
 def undo_text(driver: Driver) -> str:

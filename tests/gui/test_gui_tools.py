@@ -11,18 +11,9 @@ from PySide6.QtWidgets import QApplication
 from lispac.gui.panels.section import EMPTY
 from lispac.gui.sections import frame_of
 from lispac.gui.viewport.base import PickedPoint
-from lispac.project import Project
-from tests.gui.support import Demo, Driver, Key, click, press, seed, settle, type_into
+from tests.gui.support import Driver, Key, click, press, seed, settle, type_into
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-
-
-@pytest.fixture
-def adjusted(driver: Driver, demo: Demo, estimated: Project) -> Driver:
-    """The demo survey with its boresight."""
-    driver.window.document.open(estimated, demo.survey)
-    driver.rest()
-    return driver
 
 
 def points(driver: Driver, *numbers: int) -> list[np.ndarray]:
