@@ -93,7 +93,7 @@ def killed(code: str, argument: Path, seconds: float | None) -> float:
         return time.monotonic() - start
 
 
-@pytest.mark.parametrize("times", [4, pytest.param(20, marks=pytest.mark.long)])
+@pytest.mark.parametrize("times", [2, pytest.param(20, marks=pytest.mark.long)])
 def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
     for module in (pieces, spool):
         monkeypatch.setattr(module, "BLOCK", BLOCK)
@@ -159,7 +159,7 @@ def project_in(folder: Path) -> Project:
     return project
 
 
-@pytest.mark.parametrize("times", [4, pytest.param(20, marks=pytest.mark.long)])
+@pytest.mark.parametrize("times", [2, pytest.param(20, marks=pytest.mark.long)])
 def test_kill_during_save(tmp_path: Path, times: int) -> None:
     shutil.copytree(project_in(tmp_path / "project").folder, tmp_path / "pristine")
     indices = project_in(tmp_path / "project").targets[0].sightings[0].indices

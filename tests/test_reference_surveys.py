@@ -21,9 +21,11 @@ from lispac.project import LineSource, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.picking import pick
 from lispac.workflow.projects import create_project, open_project
 from lispac.workflow.reading import settled
 from lispac.workflow.survey import load_survey
+from lispac.workflow.validation import validate
 from tests.test_cli import answer
 from tests.test_reading import write_cloud
 
@@ -51,8 +53,9 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     for name, target in site["targets_nwu"].items():
         picked = answer(capsys, "pick", project, "--seed", *target["centre"], "--name", name)
         assert len(picked["lines"]) == 6, (name, picked["missing"])
-    honest = answer(capsys, "estimate", project)
+    assert open_project(project).settings.pos_errors == "correlated"  # unless told otherwise
     thesis = answer(capsys, "estimate", project, "--pos-errors", "independent")
+    honest = answer(capsys, "estimate", project, "--pos-errors", "correlated")
     error = angles(honest, "boresight_deg") - truth
     said = (
         f"truth {truth}, thesis mode {angles(thesis, 'boresight_deg')}, "
@@ -62,18 +65,14 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     assert (np.abs(error) < 3 * angles(honest, "sigma_deg")).all(), said
     assert angles(honest, "sigma_deg")[1] <= 0.025, said
     assert np.abs(angles(thesis, "boresight_deg") - truth).max() < 0.25, said
-    answer(capsys, "estimate", project, "--pos-errors", "correlated")
-    compared = set()
+    opened = open_project(project)
+    survey = load_survey(opened)
     for name, plane in site["validation_nwu"].items():
-        answer(
-            capsys, "pick", project, "--seed", *plane["centre"], "--name", name,
-            "--role", "validation",
-        )  # fmt: skip
-        compared.add(name)
-    planes = answer(capsys, "validate", project)["planes"]
-    assert {plane["name"] for plane in planes} == compared
+        opened = pick(opened, survey, tuple(plane["centre"]), name=name, role="validation")
+    planes = validate(opened, survey).validation
+    assert {plane.name for plane in planes} == set(site["validation_nwu"])
     for plane in planes:
-        assert plane["after"]["rms"] < plane["before"]["rms"], (plane["name"], said)
+        assert plane.after.rms < plane.before.rms, (plane.name, said)
 
 
 @pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
