@@ -2,7 +2,7 @@
 
 import time as clock
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import laspy
@@ -14,6 +14,8 @@ from lispac.io.las_guard import require_sound_header
 from lispac.io.points import plainly
 from lispac.io.registry import Choice, Format, PointChunk
 from lispac.progress import Progress, no_progress
+from lispac.survey.source import RESTART
+from lispac.survey.time_restart import PERIODS, counted_on, restart_of
 
 Array = NDArray[np.float64]
 
@@ -33,6 +35,7 @@ class LineTimes:
     Attributes
     ----------
     sample : ndarray of shape (n,), seconds, in the file's time base, in the order of the file
+        Counted on where they start again.
     start, end : float, seconds
         Of the points looked at.
     count : int or None
@@ -43,6 +46,9 @@ class LineTimes:
         Whether the end of the file was looked at.
     place : ndarray of shape (3,)
         Coordinates of one point, as the file has them.
+    restart : str
+        Where the times start again, as stated or found (`lispac.survey.time_restart`); empty where
+        they do not.
     """
 
     sample: Array
@@ -52,6 +58,7 @@ class LineTimes:
     whole: bool
     reached_end: bool
     place: Array
+    restart: str = ""
 
 
 def line_times(
@@ -64,11 +71,25 @@ def line_times(
     InputError
         Where the file cannot be read with these options.
     """
+    stated = str(choice.get(RESTART, ""))
     if format.key == "las" and (count := _points_of(path)) > READ_WHOLE:
-        return _sampled(path, count, progress)
+        return _counted_on(_sampled(path, count, progress), stated)
     chunks = format.read(path, choice)
     assert isinstance(chunks, Iterator)
-    return _read(path, chunks, progress)
+    return _counted_on(_read(path, chunks, progress), stated)
+
+
+def _counted_on(found: LineTimes, stated: str) -> LineTimes:
+    restart = stated or restart_of(np.append(found.sample, [found.start, found.end]))
+    if restart not in PERIODS:
+        return found
+    # Earliest and latest lie on the two sides of the start, and the sample may have missed one.
+    ends = np.append(found.sample, [found.start, found.end])
+    counted = counted_on(ends, restart)
+    return replace(
+        found, sample=counted[:-2], start=float(counted.min()), end=float(counted.max()),
+        restart=restart,
+    )  # fmt: skip
 
 
 def _read(path: Path, chunks: Iterator[PointChunk], progress: Progress) -> LineTimes:

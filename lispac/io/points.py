@@ -14,7 +14,10 @@ from lispac.errors import Cancelled, InputError, LispacError
 from lispac.io.files import require_file, such
 from lispac.io.registry import NOT, Choice, Option
 from lispac.survey.crs import ELLIPSOID, UNITS, CoordinateSystem, coordinate_system
+from lispac.survey.source import RESTART
 from lispac.survey.time_base import KEYS, base_of, plausible
+from lispac.survey.time_restart import KEYS as KEYS_OF_RESTART
+from lispac.survey.time_restart import counted_on, restart_of
 
 Array = NDArray[np.float64]
 
@@ -45,7 +48,11 @@ DATUM = Option(
 )
 EPOCH = Option("epoch", "Date of the survey as a decimal year, where datums drift apart")
 TIME_BASE = Option("time_base", "What the times count; empty: as the file says", ("", *KEYS))
-PLACE = (FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE)
+TIMES_RESTART = Option(
+    RESTART, "Where times start again at zero within the line; empty: found by the times",
+    ("", *KEYS_OF_RESTART),
+)  # fmt: skip
+PLACE = (FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, TIMES_RESTART)
 """Options of every reader: where the points are, and when."""
 
 SECONDS = {"second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9}
@@ -338,7 +345,8 @@ def time_doubts(time: NDArray[Any], count: int) -> tuple[str, ...]:
         doubts.append("Times are whole numbers: check their unit.")
     elif count > 1 and (time == time[0]).all():
         doubts.append("All points looked at share one time: the file may hold no times.")
-    backward = int(np.count_nonzero(np.diff(time.astype(np.float64)) < 0))
+    whole = time.astype(np.float64)
+    backward = int(np.count_nonzero(np.diff(counted_on(whole, restart_of(whole))) < 0))
     if backward:
         doubts.append(
             f"Times run backward {backward:,} times in the first {count:,} points; "

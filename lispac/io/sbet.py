@@ -75,8 +75,8 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     Parameters
     ----------
     options : SbetOptions, optional
-        After Applanix where there are none. With options, times that start again at midnight or
-        at the end of the week are counted on, which the assumptions then say.
+        After Applanix where there are none. Times that start again at midnight or at the end of
+        the week are counted on, which the assumptions then say.
 
     Raises
     ------
@@ -93,10 +93,10 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
         )
     time, latitude, longitude, height = records[:, :4].T
     roll, pitch, heading, wander = records[:, 7:11].T
-    assumptions: tuple[str, ...] = ASSUMPTIONS
-    if options is not None:
-        time, starts = unrolled(time)
-        assumptions = options.words() + (_STARTED_AGAIN if starts else ())
+    time, starts = unrolled(time)
+    assumptions: tuple[str, ...] = ASSUMPTIONS if options is None else options.words()
+    if starts:
+        assumptions += _STARTED_AGAIN
     require_increasing(time, path, "SBET")
     if options is not None:
         require_base(path, time, base_of(options.time))

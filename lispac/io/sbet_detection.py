@@ -199,9 +199,9 @@ def _examined(
     if bases:
         options = replace(options, time=bases[0].key)
     table = np.vstack(blocks)
-    _, latitude, longitude, height = table[:, :4].T
+    latitude, longitude, height = table[:, 1:4].T
     speed = np.concatenate([own.speed for own, _ in motions])
-    facts.update(facts_of(time, latitude, longitude, height, speed))
+    facts.update(facts_of(unrolled(time)[0], latitude, longitude, height, speed))
     wander = np.degrees(table[:, 10])
     facts["Wander angle"] = f"{wander.min():.4f} to {wander.max():.4f} deg"
     doubts += time_doubts(unrolled(time)[0], options.time)

@@ -3,6 +3,14 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.time_restart import as_written, counted_on
+
+RESTART = "restart"
+"""Option of every format of points: where the times of a line start again."""
+
 
 @dataclass(frozen=True)
 class Reading:
@@ -22,6 +30,20 @@ class Reading:
     format: str = ""
     options: tuple[tuple[str, str], ...] = ()
     time_shift: float = 0.0
+
+    @property
+    def restart(self) -> str:
+        """Where a line's times start again; empty where they do not."""
+        return dict(self.options).get(RESTART, "")
+
+    def moved(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """A line's times, seconds as its file has them, in the trajectory's time base."""
+        counted = counted_on(times, self.restart)
+        return counted + self.time_shift if self.time_shift else counted
+
+    def moved_back(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The inverse of `moved`, to the last digit of a double."""
+        return as_written(times - self.time_shift if self.time_shift else times, self.restart)
 
 
 USUAL = Reading()

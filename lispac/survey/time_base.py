@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 DAY, WEEK = 86_400.0, 604_800.0
 GPS_EPOCH = datetime(1980, 1, 6, tzinfo=UTC).timestamp()
 """Unix time of the zero of GPS time, seconds."""
+NEAR_START = 60.0
+"""Seconds before and after a midnight or the end of a week in which times are seen to restart."""
 
 LEAP_DATES = (
     date(1981, 7, 1), date(1982, 7, 1), date(1983, 7, 1), date(1985, 7, 1), date(1988, 1, 1),
@@ -182,12 +184,27 @@ def unrolled(times: Array) -> tuple[Array, int]:
     """
     times = np.asarray(times, dtype=np.float64)
     added, count = np.zeros(len(times)), 0
-    for k in np.flatnonzero(np.diff(times) < -DAY + 60):
-        for period in (DAY, WEEK):
-            if period - 60 <= times[k] < period and 0 <= times[k + 1] < 60:
-                added[k + 1 :] += period
-                count += 1
+    for k in np.flatnonzero(np.diff(times) < -DAY + NEAR_START):
+        if period := period_between(float(times[k]), float(times[k + 1])):
+            added[k + 1 :] += period
+            count += 1
     return (times + added, count) if count else (times, 0)
+
+
+def period_between(before: float, after: float, leeway: float = NEAR_START) -> float:
+    """Seconds, a day or a week, that start again between two times; 0 where none does.
+
+    Parameters
+    ----------
+    before, after : float, seconds
+        The last time before and the first one after.
+    leeway : float, seconds
+        That each of the two may be from the start.
+    """
+    for period in (DAY, WEEK):
+        if period - leeway <= before < period and 0 <= after < leeway:
+            return period
+    return 0.0
 
 
 @dataclass(frozen=True)

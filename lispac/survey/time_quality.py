@@ -178,6 +178,26 @@ def coverage(line_times: Array, trajectory_times: Array, longest_gap: float) -> 
     return Coverage(start, end, len(times), int((~inside).sum()), in_gaps, gaps, longest_gap)
 
 
+SHORT = 2.0
+"""Seconds that accuracies may miss at the ends of the trajectory without a word."""
+
+
+def short_of_trajectory(own: Array, track: Array) -> str:
+    """That accuracies do not cover the whole trajectory, without the file and without its end.
+
+    Parameters
+    ----------
+    own, track : ndarray of shape (n,), seconds, increasing
+        Times of the accuracies and of the trajectory.
+    """
+    if max(own[0] - track[0], track[-1] - own[-1]) <= SHORT:
+        return ""
+    return (
+        f"it covers {own[0]:,.1f} to {own[-1]:,.1f} s, not the whole trajectory "
+        f"({track[0]:,.1f} to {track[-1]:,.1f} s); beyond, its first and last values are taken"
+    )
+
+
 def joined(parts: list[Coverage]) -> Coverage:
     """Coverage of a line read in parts."""
     parts = [part for part in parts if part.count] or parts[:1]

@@ -21,6 +21,7 @@ from lispac.io.registry import PointChunk
 from lispac.progress import Progress, no_progress
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery, require_within_reach
+from lispac.survey.source import USUAL, Reading
 from lispac.survey.store.pace import Pace
 
 Array = NDArray[np.float64]
@@ -82,7 +83,7 @@ def write_cloud(
     mapping: PointMapper,
     pattern: Callable[[PointChunk], Pattern],
     *,
-    time_shift: float = 0.0,
+    reading: Reading = USUAL,
     recovery: Recovery | None = None,
     compressed: bool = True,
     progress: Progress = no_progress,
@@ -99,8 +100,8 @@ def write_cloud(
         To the coordinate system wanted, with the mounting wanted.
     pattern : callable
         The first chunk to what the records look like.
-    time_shift : float, seconds
-        Added to the times to bring them into the trajectory's time base; written are those of the
+    reading : Reading
+        How the source's times come into the trajectory's time base; written are those of the
         source.
     recovery : Recovery, optional
         What made the chunks, where they are georeferenced already.
@@ -116,7 +117,7 @@ def write_cloud(
     if first is None:
         raise InputError(f"{path.stem}: this line holds no points; leave it out.")
     chosen = pattern(first)
-    place = _Placing(mapping, time_shift, recovery)
+    place = _Placing(mapping, reading, recovery)
     pace, total = Pace(f"Writing {path.name}", first.total), first.total
     outside = in_gaps = 0
     with cloud_file(
@@ -172,11 +173,11 @@ class _Placing:
     """What a worker does to a chunk."""
 
     mapping: PointMapper
-    time_shift: float
+    reading: Reading
     recovery: Recovery | None
 
     def __call__(self, cloud: Cloud, chunk: PointChunk) -> _Placed:
-        moved = chunk.time + self.time_shift if self.time_shift else chunk.time
+        moved = self.reading.moved(chunk.time)
         trajectory, latency = self.mapping.trajectory, self.mapping.mounting.latency
         usable = trajectory.covers(moved + latency)
         if self.recovery is not None:

@@ -14,10 +14,11 @@ from lispac.io.las_export import Pattern, pattern_of_las
 from lispac.io.points import CHUNK
 from lispac.io.registry import PointChunk
 from lispac.progress import Progress, no_progress, part
-from lispac.project import LineSource, Project
+from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
+from lispac.survey.source import USUAL
 from lispac.survey.store.reading import StoredLine
 from lispac.workflow.clouds import Written, write_cloud
 from lispac.workflow.importing import kept_header, line_folder, stored_line
@@ -83,7 +84,7 @@ def georeference_project(
     for chunks in chosen:
         if not chunks.line.path.exists() and chunks.line.name not in stores:
             stored = stored_line(project, chunks.line, trajectory)
-            stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading.time_shift)
+            stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading)
             gone[chunks.line.name] = _kept_pattern(stored, chunks.line.path)
     sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
     written: list[Written] = []
@@ -106,7 +107,7 @@ def georeference_project(
                     path,
                     way,
                     _pattern_of(chunks, gone.get(chunks.line.name)),
-                    time_shift=chunks.line.reading.time_shift,
+                    reading=chunks.line.reading,
                     recovery=recovery,
                     compressed=ending == "laz",
                     progress=step,
@@ -164,20 +165,20 @@ def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:
     return found
 
 
-def stored_chunks(stored: StoredLine, time_shift: float = 0.0) -> Iterator[PointChunk]:
+def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[PointChunk]:
     """An imported line chunk by chunk, in the order of space.
 
     Parameters
     ----------
-    time_shift : float, seconds
-        Taken off again, so that times are as in the file (to the last digit of a double).
+    reading : Reading
+        What it does to times is taken back, so that they are as in the file (to the last digit of
+        a double).
     """
     for start in range(0, len(stored), CHUNK):
         rows = slice(start, start + CHUNK)
-        time = np.array(stored.time[rows])
         yield PointChunk(
             np.asarray(stored.points_lidar[rows], dtype=np.float64),
-            time - time_shift if time_shift else time,
+            reading.moved_back(np.array(stored.time[rows])),
             {name: np.asarray(values[rows]) for name, values in stored.extra.items()},
             len(stored),
         )

@@ -28,8 +28,8 @@ from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, tidy, write_store
 from lispac.survey.time_base import matches, sentence
-from lispac.survey.time_stated import offer
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.offers import offered
 from lispac.workflow.reading import LAS_ENDINGS, line_stream, local_trajectory
 
 Array = NDArray[np.float64]
@@ -331,12 +331,9 @@ class _Source:
             raise self._outside(np.concatenate(looked) if looked else np.zeros(0))
 
     def _offer(self) -> str:
-        """The shift that would bring in more; of an import taken up again, by the rest."""
-        if self._line.reading.time_shift or not self._looked:
-            return ""
-        times, known = np.concatenate(self._looked), self._trajectory.time
-        inside = (times >= known[0]) & (times <= known[-1])
-        return offer(matches(times, known), float(inside.mean()))
+        """What would bring in more; of an import taken up again, by the rest."""
+        times = np.concatenate(self._looked) if self._looked else np.zeros(0)
+        return offered(self._line.reading, times, self._trajectory.time)
 
     def _require_unchanged(self) -> None:
         path, then = self._line.path, self._original

@@ -11,8 +11,10 @@ from lispac.geometry.frames import geodetic_to_ecef
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
 from lispac.io.trajectory_facts import UNUSABLE, gap_doubts
+from lispac.survey.source import RESTART
 from lispac.survey.time_base import Match, TimeBase, rival_matches, sentence
-from lispac.survey.time_quality import Coverage
+from lispac.survey.time_quality import Coverage, short_of_trajectory
+from lispac.survey.time_restart import NONE, restart_words
 from lispac.survey.time_stated import Known, contradiction, following, following_words
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake_entry import Entry
@@ -233,16 +235,8 @@ def _accuracy_in_time(entry: Entry, trajectory: Entry | None) -> list[Remark]:
                 (LEAVE_OUT,),
             )
         ]
-    before, after = own[0] - track[0], track[-1] - own[-1]
-    if max(before, after) > 2.0:
-        return [
-            Remark(
-                "doubt",
-                f"It covers {own[0]:,.1f} to {own[-1]:,.1f} s, not the whole trajectory; beyond, "
-                "its first and last values are taken.",
-            )
-        ]
-    return []
+    words = short_of_trajectory(own, track)
+    return [Remark("doubt", f"{words[:1].upper()}{words[1:]}.")] if words else []
 
 
 def time_remarks(entry: Entry, track: Trajectory, longest_gap: float, known: Known) -> list[Remark]:
@@ -258,6 +252,8 @@ def time_remarks(entry: Entry, track: Trajectory, longest_gap: float, known: Kno
         told = _stated_remarks(entry, times, track, own, known)
     else:
         told = _shift_remarks(entry, times, track, base)
+    if times.restart:
+        told.append(_restart_remark(times))
     if covered.usable == covered.count:
         return told
     if covered.usable == 0 and covered.outside:
@@ -277,6 +273,13 @@ def time_remarks(entry: Entry, track: Trajectory, longest_gap: float, known: Kno
         )
     told.append(Remark("doubt", words, (*remedies,)))
     return told
+
+
+def _restart_remark(times: LineTimes) -> Remark:
+    """That the line's own times start again, and what was made of it."""
+    words = restart_words(times.sample, times.restart)
+    back = Remedy("They do not restart", option=(RESTART, NONE))
+    return Remark("note", f"{words[:1].upper()}{words[1:]}.", (back,))
 
 
 def _stated_remarks(

@@ -14,6 +14,7 @@ from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
 from lispac.workflow.importing import LINES, line_folder
 from lispac.workflow.reading import usual_or_settled
+from lispac.workflow.restarts import lines_counted_on
 from lispac.workflow.stated_times import lines_in_trajectory_time, states_time
 from lispac.workflow.survey import Survey, load_survey
 
@@ -170,7 +171,8 @@ def _settled_lines(
         reading, more = usual_or_settled(line.path, "points", line.reading, columns=named)
         known.append(replace(line, reading=reading))
         notes += more
-    return tuple(known), notes
+    counted, more = lines_counted_on(known)
+    return counted, notes + more
 
 
 @contextmanager

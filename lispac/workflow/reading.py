@@ -259,7 +259,7 @@ def line_stream(
         chunks, start = format.read_from(line.path, choice, first), first
     else:
         chunks, start = _points_of(format, line.path, choice), 0
-    shifted = (replace(chunk, time=chunk.time + line.reading.time_shift) for chunk in chunks)
+    shifted = (replace(chunk, time=line.reading.moved(chunk.time)) for chunk in chunks)
     system = system_of(settled, line.path)
     if system is None:
         return LineStream(shifted, None, assumptions, start)
@@ -305,7 +305,7 @@ def read_line(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting)
             scan = read_scan(line.path)
         else:
             scan = read_text_scan(line.path, line.columns)
-        return replace(scan, time=scan.time + line.reading.time_shift)
+        return replace(scan, time=line.reading.moved(scan.time))
     stream = line_stream(line, trajectory, mounting)
     if stream.recovery is None:
         return _joined(list(stream.chunks), line.path, stream.assumptions)

@@ -9,7 +9,9 @@ from lispac.io.formats import format_of
 from lispac.io.line_times import line_times
 from lispac.io.registry import Choice, Format
 from lispac.project import LineSource, Reading
+from lispac.survey.source import RESTART
 from lispac.survey.time_base import base_of
+from lispac.survey.time_restart import NONE
 from lispac.survey.time_stated import (
     Known,
     contradiction,
@@ -112,6 +114,7 @@ def lines_in_trajectory_time(
             continue
         format, choice, _ = format_of_line(line)
         own = known_base(format, line.path, choice, "time_base", stated=bool(said))
+        choice = {**choice, RESTART: line.reading.restart or NONE}
         times = line_times(line.path, format, choice).sample
         if wrong := contradiction(times, own):
             raise InputError(f"{line.path}: {wrong}")

@@ -17,10 +17,10 @@ from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
 from lispac.survey.store.layout import is_import
 from lispac.survey.time_base import matches, sentence
-from lispac.survey.time_quality import coverage
-from lispac.survey.time_stated import offer
+from lispac.survey.time_quality import coverage, short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.workflow.importing import import_line, line_folder
+from lispac.workflow.offers import offered
 from lispac.workflow.reading import LAS_ENDINGS, local_trajectory, read_accuracy, read_line
 
 LARGE = 4_000_000
@@ -135,7 +135,8 @@ def _accuracy(
     if project.accuracy is not None:
         accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
         _require_overlap(accuracy, trajectory, project.accuracy)
-        return accuracy, ()
+        words = short_of_trajectory(accuracy.time, trajectory.time)
+        return accuracy, (f"{project.accuracy.name}: {words}",) if words else ()
     typed = TrajectoryAccuracy.constant(
         np.array(project.settings.position_sigma),
         np.radians(project.settings.attitude_sigma_deg),
@@ -237,9 +238,9 @@ def _inside(
     if steep := lost - covered.outside - covered.in_gaps:
         parts.append(f"{steep:,} points where the trajectory's pitch is beyond 80 deg")
     told = f"{path.name}: {' and '.join(parts)}, of {len(scan):,}, are left out"
-    if covered.outside and not line.reading.time_shift:
+    if covered.outside:
         some = scan.time[:: max(1, len(scan) // 1000)]
-        if more := offer(matches(some, trajectory.time), 1 - covered.share_outside):
+        if more := offered(line.reading, some, trajectory.time):
             return kept, (told, f"{path.name}: {more}")
     return kept, (told,)
 

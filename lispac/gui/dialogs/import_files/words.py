@@ -14,7 +14,8 @@ ROLES: dict[Kind | None, str] = {
     "trajectory": "Trajectory", "accuracy": "Accuracy", "points": "Line", None: "Leave out",
 }  # fmt: skip
 _COUNTS = ("points", "Points", "Records", "Rows")
-_OPTIONS = {"crs": "Coordinate system", "byte_order": "Order of bytes"}
+_OPTIONS = {"crs": "Coordinate system", "byte_order": "Order of bytes", "restart": "Times restart"}
+_RESTARTS = {"none": "nowhere", "midnight": "at midnight", "week-end": "at the end of the week"}
 _FRAMES = {"scanner": "Scanner", "georeferenced": "On the map"}
 
 
@@ -84,7 +85,9 @@ def option_name(name: str) -> str:
 def option_value(name: str, value: str) -> str:
     """A choice of an option as its list shows it."""
     if not value:
-        return "as the file says"
+        return "as found by the times" if name == "restart" else "as the file says"
+    if name == "restart":
+        return _RESTARTS[value]
     if value in KEYS:
         return base_of(value).name
     if name == "frame":

@@ -1,0 +1,84 @@
+"""Times of a line that start again at midnight or at the end of the week, in whatever order."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.time_base import DAY, NEAR_START, WEEK, period_between
+
+Array = NDArray[np.float64]
+
+NONE = "none"
+PERIODS: Mapping[str, float] = {"midnight": DAY, "week-end": WEEK}
+"""Seconds that times are counted on by, by what is said of them; nothing where it is not one."""
+KEYS = (NONE, *PERIODS)
+
+
+def restart_of(times: Array) -> str:
+    """Where the times of one line start again: a key of `PERIODS`, empty where they do not.
+
+    A line is shorter than half a day, and its points may be in any order: so its times start again
+    where they lie at both ends of a day or week with more than half of it empty between them, and
+    what is missing from the last one before to the first one after is short (`period_between`).
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds, in any order
+        Of all points, or a sample with the earliest and the latest among them.
+    """
+    times = np.asarray(times, dtype=np.float64)
+    if len(times) < 2 or not np.isfinite(times).all():
+        return ""
+    low, high = float(times.min()), float(times.max())
+    for key, period in PERIODS.items():
+        if not 0 <= low < period / 2 <= high < period:
+            continue
+        after = times < period / 2
+        last, first = float(times[after].max()), float(times[~after].min())
+        if first - last < period / 2:
+            continue
+        # A sample need not have the minute about midnight in it.
+        leeway = max(NEAR_START, (last + period - first) / 10)
+        if period_between(high, low, leeway) == period:
+            return key
+    return ""
+
+
+def counted_on(times: Array, restart: str) -> Array:
+    """Times of a line as they count on, in any part and order of it.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds, as the file has them
+    restart : str
+        As `restart_of` gives it. What lies in the first half of the day or week is after it.
+    """
+    period = PERIODS.get(restart)
+    if period is None:
+        return times
+    return np.where(times < period / 2, times + period, times)
+
+
+def as_written(times: Array, restart: str) -> Array:
+    """The inverse of `counted_on`, to the last digit of the times counted on."""
+    period = PERIODS.get(restart)
+    if period is None:
+        return times
+    return np.where(times >= period, times - period, times)
+
+
+def restart_words(times: Array, restart: str) -> str:
+    """What is done to the times of a line that start again, without the file and without its end.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds, as they count on
+    """
+    period = PERIODS[restart]
+    where = "midnight" if restart == "midnight" else "the end of the week"
+    before, after = times[times < period], times[times >= period]
+    if not len(before):
+        return f"times are those after {where}: counted on by {period:.0f} s"
+    reach = f" (after {before.max():,.3f} s)" if len(after) else ""
+    return f"times restart at {where}{reach}: counted on by {period:.0f} s"

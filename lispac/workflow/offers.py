@@ -1,0 +1,34 @@
+"""What is offered for a line of which points lie outside the trajectory."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.project import Reading
+from lispac.survey.source import RESTART
+from lispac.survey.time_base import matches
+from lispac.survey.time_restart import restart_of
+from lispac.survey.time_stated import offer
+
+Array = NDArray[np.float64]
+
+
+def offered(reading: Reading, times: Array, track: Array) -> str:
+    """What would bring in clearly more of a line's points, without the file; empty for nothing.
+
+    Parameters
+    ----------
+    reading : Reading
+        Of the line.
+    times : ndarray of shape (n,), seconds
+        Of the line, as it is read: all or a sample.
+    track : ndarray of shape (m,), seconds, increasing
+        Of the trajectory.
+    """
+    if not len(times):
+        return ""
+    if not reading.restart and (found := restart_of(reading.moved_back(times))):
+        return f"its times restart within it: import it again with --line-option {RESTART}={found}"
+    if reading.time_shift:
+        return ""
+    inside = (times >= track[0]) & (times <= track[-1])
+    return offer(matches(times, track), float(inside.mean()))

@@ -1,0 +1,66 @@
+"""Lines whose own times start again at midnight or at the end of the week."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from lispac.io.line_times import line_times
+from lispac.io.registry import Choice, Format, PointChunk
+from lispac.project import LineSource
+from lispac.survey.source import RESTART
+from lispac.survey.time_restart import NONE, PERIODS, restart_words
+from lispac.workflow.reading import format_of_line
+
+NEAR = 6 * 3600.0
+"""Seconds from a midnight or the end of a week that no line reaches which its first points are
+farther from."""
+
+
+def lines_counted_on(
+    lines: Sequence[LineSource],
+) -> tuple[tuple[LineSource, ...], tuple[str, ...]]:
+    """Settle for lines whether their times start again, by the times themselves.
+
+    Returns
+    -------
+    lines : tuple of LineSource
+        Those whose times start again with the option that says so.
+    notes : tuple of str
+
+    Raises
+    ------
+    InputError
+        Where a file cannot be read.
+    """
+    settled: list[LineSource] = []
+    notes: list[str] = []
+    for line in lines:
+        settled.append(line)
+        if line.reading.restart == NONE:
+            continue
+        format, choice, _ = format_of_line(line)
+        if not line.reading.restart and not _near(format, choice, line):
+            continue
+        choice = {**choice, RESTART: line.reading.restart}
+        times = line_times(line.path, format, choice)
+        if not times.restart:
+            continue
+        options = dict(line.reading.options) | {RESTART: times.restart}
+        settled[-1] = replace(line, reading=replace(line.reading, options=tuple(options.items())))
+        notes.append(f"{line.path.name}: {restart_words(times.sample, times.restart)}")
+    return tuple(settled), tuple(notes)
+
+
+def _near(format: Format, choice: Choice, line: LineSource) -> bool:
+    """Whether the first points are near enough to a start to be worth a look at the others."""
+    chunks = format.read(line.path, choice)
+    assert isinstance(chunks, Iterator)
+    first = next(chunks, None)
+    if not isinstance(first, PointChunk) or not len(first.time):
+        return False
+    time = first.time
+    return any(
+        bool(((time >= 0) & (time < period) & (np.minimum(time, period - time) < NEAR)).any())
+        for period in PERIODS.values()
+    )

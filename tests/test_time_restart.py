@@ -1,0 +1,152 @@
+"""Lines whose own times start again at midnight or at the end of the week keep all their points."""
+
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.io.formats import format_of
+from lispac.io.line_times import line_times
+from lispac.project import LineSource, Reading, Settings
+from lispac.survey.time_base import DAY, WEEK
+from lispac.survey.time_restart import as_written, counted_on, restart_of
+from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.importing import import_lines
+from lispac.workflow.intake import Intake
+from lispac.workflow.projects import new_project, open_project
+from lispac.workflow.survey import load_survey
+from tests.intake_files import LEVER, START, named, said, taken_in, write_line
+from tests.trajectory_files import vessel, write_records
+
+
+def survey_about(folder: Path, period: float, order: str = "sorted") -> tuple[Path, Path]:
+    """A trajectory of 40 s about the end of a period, and a line of 36 s in the same times."""
+    records = vessel(2000)
+    records[:, 0] = np.mod(records[:, 0] - START + period - 20, period)
+    write_records(folder / "pos.sbet", records)
+    times = np.mod(period - 20 + np.linspace(2, 38, 3000), period)
+    if order == "tiles":
+        times = times[np.random.default_rng(1).permutation(len(times))]
+    return folder / "pos.sbet", write_line(folder / "L.las", times)
+
+
+def made(folder: Path, track: Path, line: Path, reading=Reading()):  # noqa: B008
+    return new_project(
+        folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
+        settings=Settings(lever_arm=LEVER),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("order", ["sorted", "tiles"])
+@pytest.mark.parametrize("period", [DAY, WEEK])
+def test_no_point_is_lost_on_any_way(period: float, order: str, tmp_path: Path) -> None:
+    track, line = survey_about(tmp_path, period, order)
+    project, survey = made(tmp_path / "p", track, line)
+    held = np.sort(survey.scans["L"].time)
+    assert held == pytest.approx(period - 20 + np.linspace(2, 38, 3000))
+    assert f"counted on by {period:.0f} s" in " ".join(survey.notes)
+    assert "times restart at " in " ".join(survey.notes)
+    written = np.sort(laspy.read(line).gps_time)
+    again = open_project(project.folder)
+    assert len(load_survey(again).scans["L"]) == 3000
+    local = {"system": "local", "ending": "las"}
+    direct = georeference_project(again, tmp_path / "direct", "prior", **local)[0]
+    assert (direct.points, direct.outside) == (3000, 0)
+    assert (np.sort(laspy.read(direct.path).gps_time) == written).all()
+    stored = import_lines(again)[0].stored
+    assert np.sort(stored.time) == pytest.approx(held)
+    line.unlink()
+    kept = georeference_project(again, tmp_path / "kept", "prior", **local)[0]
+    assert np.sort(laspy.read(kept.path).gps_time) == pytest.approx(written, abs=1e-9)
+    places = [np.sort(laspy.read(one.path).x) for one in (direct, kept)]
+    assert places[0] == pytest.approx(places[1], abs=2e-4)
+
+
+def test_an_option_states_it_or_takes_it_back(tmp_path: Path, capsys) -> None:
+    track, line = survey_about(tmp_path, WEEK)
+    _, survey = made(tmp_path / "none", track, line, Reading("", (("restart", "none"),)))
+    assert survey.scans["L"].time.max() < WEEK
+    assert len(survey.scans["L"]) < 2000
+    later = write_line(tmp_path / "later.las", np.linspace(1, 15, 3000))
+    command = ["new", str(tmp_path / "p"), str(later), "--trajectory", str(track)]
+    command += ["--lever-arm", "0", "0", "0"]
+    assert main(command) != 0
+    assert main([*command, "--line-option", "restart=week-end"]) == 0
+    assert "counted on by 604800 s" in "".join(capsys.readouterr())
+    assert load_survey(open_project(tmp_path / "p")).scans["later"].time.min() == WEEK + 1
+
+
+def test_text_and_stated_time_bases_count_on_too(tmp_path: Path) -> None:
+    track, _ = survey_about(tmp_path, DAY)
+    utc = np.mod(DAY - 20 - 18 + np.linspace(20, 38, 500), DAY)
+    rows = "\n".join(f"{t:.6f} 0 10 {k % 7}" for k, t in enumerate(utc))
+    (tmp_path / "L.txt").write_text("time x y z\n" + rows)
+    in_utc = Reading("", (("time_base", "utc-day"),))
+    track_stated = Reading("sbet", (("time", "gps-day"),))
+    project, survey = new_project(
+        tmp_path / "p", trajectory=track, trajectory_reading=track_stated,
+        lines=[LineSource("L", tmp_path / "L.txt", reading=in_utc)],
+        settings=Settings(lever_arm=LEVER),
+    )  # fmt: skip
+    assert project.lines[0].reading.time_shift == 18
+    assert len(survey.scans["L"]) == 500
+    assert survey.scans["L"].time.max() == pytest.approx(DAY + 18)
+
+
+def test_the_dialogue_counts_on_and_says_so(tmp_path: Path) -> None:
+    track, line = survey_about(tmp_path, WEEK)
+    intake = taken_in(Intake(), track, line)
+    entry = named(intake, "L.las")
+    assert intake.state(entry) == "fine"
+    assert "Times restart at the end of the week (after 604,799.9" in said(intake, "L.las")
+    covered = intake.coverage(entry)
+    assert covered is not None
+    assert covered.outside == 0
+    assert entry.content.end == pytest.approx(WEEK + 18)
+    remedy = next(r for remark in intake.remarks(entry) for r in remark.remedies if r.option)
+    back = taken_in(intake.with_remedy(line, remedy))
+    assert "outside" in said(back, "L.las") or "before or after" in said(back, "L.las")
+
+
+def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr("lispac.io.line_times.READ_WHOLE", 10_000)
+    times = np.mod(DAY - 5000 + np.linspace(0, 5400, 60_000), DAY)
+    line = write_line(tmp_path / "long.las", times)
+    found = line_times(line, format_of("las"), {})
+    assert found.restart == "midnight"
+    assert found.end == pytest.approx(DAY + 400)
+
+
+@pytest.mark.parametrize(
+    "times",
+    [
+        np.linspace(40_000, 41_000, 500)[::-1],  # backward
+        np.r_[np.linspace(30_000, 30_100, 50), np.linspace(0, 100, 50)],  # another line behind
+        np.r_[np.linspace(DAY - 4000, DAY - 3900, 50), np.linspace(0, 10, 50)],  # an hour missing
+        np.linspace(DAY - 50, DAY + 50, 500),  # counted on already
+        np.linspace(0, DAY - 1, 5000),  # a day
+        np.linspace(5, 50, 100),
+        np.r_[-1.0, DAY - 1],
+        np.r_[np.nan, DAY - 1],
+    ],
+)  # fmt: skip
+def test_other_steps_are_left_alone(times: np.ndarray) -> None:
+    assert restart_of(times) == ""
+    assert counted_on(times, "") is times
+    assert as_written(times, "none") is times
+
+
+def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_path, capsys) -> None:
+    track, line = survey_about(tmp_path, WEEK)
+    main(["look", str(track)])
+    told = capsys.readouterr().out
+    assert "40.0 s" in told
+    assert "-6047" not in told
+    main(["look", str(line)])
+    assert "run backward" not in capsys.readouterr().out
+    command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
+    assert main([*command, "--lever-arm", "0", "0", "0"]) == 0
+    told = "".join(capsys.readouterr())
+    assert "times start again at midnight or at the end of the week" in told
