@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.las_guard import require_sound_header
-from lispac.io.points import plainly
+from lispac.io.points import FRAME, SCANNER, plainly, scale_of
 from lispac.io.registry import Choice, Format, PointChunk
 from lispac.progress import Progress, no_progress
+from lispac.survey.recovery import require_scanner_frame
 from lispac.survey.source import RESTART
 from lispac.survey.time_restart import PERIODS, counted_on, restart_of
 
@@ -69,14 +70,20 @@ def line_times(
     Raises
     ------
     InputError
-        Where the file cannot be read with these options.
+        Where the file cannot be read with these options, or holds no points in the scanner frame
+        that it is read in.
     """
     stated = str(choice.get(RESTART, ""))
+    settled = format.settled(choice)
+    scanner = settled[FRAME.name] == SCANNER
     if format.key == "las" and (count := _points_of(path)) > READ_WHOLE:
-        return _counted_on(_sampled(path, count, progress), stated)
+        found = _sampled(path, count, progress)
+        if scanner:
+            require_scanner_frame(found.place[None, :] * scale_of(settled), path)
+        return _counted_on(found, stated)
     chunks = format.read(path, choice)
     assert isinstance(chunks, Iterator)
-    return _counted_on(_read(path, chunks, progress), stated)
+    return _counted_on(_read(path, chunks, scanner, progress), stated)
 
 
 def _counted_on(found: LineTimes, stated: str) -> LineTimes:
@@ -92,13 +99,15 @@ def _counted_on(found: LineTimes, stated: str) -> LineTimes:
     )  # fmt: skip
 
 
-def _read(path: Path, chunks: Iterator[PointChunk], progress: Progress) -> LineTimes:
+def _read(path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Progress) -> LineTimes:
     started, done = clock.monotonic(), 0
     parts: list[Array] = []
     place = np.zeros(3)
     start, end, ended, total = np.inf, -np.inf, True, None
     for chunk in chunks:
         if not done:
+            if scanner:
+                require_scanner_frame(chunk.xyz, path)
             place = np.asarray(chunk.xyz[0], dtype=np.float64)
         done += len(chunk.time)
         start, end = min(start, float(chunk.time.min())), max(end, float(chunk.time.max()))

@@ -68,6 +68,7 @@ COARSEST_TIME = 1e-3
 """Seconds: at 10 deg/s, a brisk turn, a vessel turns by 0.01 deg in it."""
 LARGEST, LARGEST_TIME = 1e9, 1e11
 """No coordinate on earth in any unit, and no time in seconds, is larger."""
+NO_SYSTEM = "names no coordinate system"
 FAR = 1000.0
 """Metres beyond which a vessel's scanner hardly sees."""
 
@@ -296,7 +297,7 @@ def sight(
     if on_map and not crs:
         doubts.append(
             f"Coordinates up to {farthest:,.0f} are too large for the scanner frame and the file "
-            "names no coordinate system: give its EPSG code."
+            f"{NO_SYSTEM}: give its EPSG code."
         )
     elif crs and farthest < FAR and not _is_geographic(crs):
         doubts.append(

@@ -145,6 +145,34 @@ def require_within_reach(points_lidar: Array, recovery: Recovery) -> None:
         )
 
 
+LOOKED_AT = 10_000
+"""Points of a chunk that stand for it."""
+
+
+def require_scanner_frame(points_lidar: Array, path: Path) -> None:
+    """Refuse points, taken to be in the LiDAR frame, of which half are farther than a scanner sees.
+
+    Parameters
+    ----------
+    points_lidar : ndarray of shape (n, 3), metres
+    path : Path
+        Of the line, for what is said of it.
+
+    Raises
+    ------
+    InputError
+    """
+    some = points_lidar[:: max(1, len(points_lidar) // LOOKED_AT)]
+    near = np.einsum("ij,ij->i", some, some) <= FARTHEST**2
+    if 2 * np.count_nonzero(near) < len(near):
+        raise InputError(
+            f"{path}: half of the points lie farther than {FARTHEST / 1000:,.0f} km from the "
+            f"origin (up to {np.sqrt((some**2).sum(axis=1).max()):,.0f} m), so they are not in the "
+            "scanner frame: leave the frame unstated, or state frame=georeferenced and the "
+            "coordinate system; check the unit."
+        )
+
+
 def _rows(chunk: C, chosen: NDArray[np.bool_]) -> C:
     kept: Callable[[Any], Any] = lambda values: values[chosen]  # noqa: E731
     return replace(

@@ -25,7 +25,7 @@ from lispac.workflow.intake_columns import (
     missing_columns,
     names_its_columns,
 )
-from lispac.workflow.reading import USUAL, Look, looks
+from lispac.workflow.reading import USUAL, Look, looked_at, looks
 
 Content = Trajectory | TrajectoryAccuracy | LineTimes
 
@@ -232,7 +232,7 @@ def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
         error = _without_path(known.error, entry.path)
         return replace(entry, finding=known.finding, error=error)
     try:
-        return replace(entry, finding=entry.format.look(entry.path, stated))
+        return replace(entry, finding=looked_at(entry.path, entry.format, stated))
     except LispacError as error:
         kept = entry.finding or (None if known is None else known.finding)
         return replace(entry, finding=kept, error=_without_path(str(error), entry.path))

@@ -9,7 +9,7 @@ from lispac.io.points import system_of
 from lispac.io.registry import Choice, Format, PointChunk
 from lispac.project import LineSource
 from lispac.survey.crs import CoordinateSystem
-from lispac.workflow.reading import LAS_ENDINGS
+from lispac.workflow.reading import LAS_ENDINGS, in_scanner_frame
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +48,7 @@ class Chunks:
     def __iter__(self) -> Iterator[PointChunk]:
         chunks = self.format.read(self.line.path, self.choice)
         assert isinstance(chunks, Iterable)
-        yield from chunks
+        yield from chunks if self.system else in_scanner_frame(chunks, self.line.path)
 
     def pattern(self, first: PointChunk) -> Pattern:
         """What the records of its cloud look like."""

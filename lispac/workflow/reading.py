@@ -1,6 +1,6 @@
 """Reading the survey's files as their formats say, and looking into a file before it is used."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -12,14 +12,14 @@ from lispac.io.files import require_file
 from lispac.io.formats import format_of, recognised
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.las import read_scan
-from lispac.io.points import system_of
+from lispac.io.points import NO_SYSTEM, SCANNER, system_of
 from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind, PointChunk
 from lispac.io.sbet import read_sbet, read_smrmsg
 from lispac.io.text import ASSUMPTIONS as TEXT_ASSUMPTIONS
 from lispac.io.text import read_text_scan
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.recovery import Recovery, recovered
+from lispac.survey.recovery import Recovery, recovered, require_scanner_frame
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
@@ -77,6 +77,29 @@ def _look(path: Path, format: Format, sure: float) -> Look:
         return Look(format, sure, None, str(error))
 
 
+def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
+    """Look into a file with what is stated of it: a system that is stated is not asked for, and one
+    that is not used is doubted.
+
+    Raises
+    ------
+    InputError
+        As the format's own look.
+    """
+    finding = format.look(path, stated)
+    crs = str(stated.get("crs", ""))
+    if format.kind != "points" or not crs:
+        return finding
+    if {**finding.choice, **stated}.get("frame", SCANNER) != SCANNER:
+        told = tuple(doubt for doubt in finding.doubts if NO_SYSTEM not in doubt)
+        return replace(finding, doubts=told)
+    doubt = (
+        f"{crs} is stated for it, but its points are in the scanner frame, where no coordinate "
+        "system is used: leave it out, or check the frame (frame=georeferenced)."
+    )
+    return replace(finding, doubts=(*finding.doubts, doubt))
+
+
 def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[str, ...]]:
     """Settle how a file is read: what was given, the rest as found in it.
 
@@ -105,7 +128,7 @@ def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[str,
             )
         format = found[0][0]
     stated = dict(given.options)
-    finding = format.look(path, stated)
+    finding = looked_at(path, format, stated)
     choice = format.settled({**finding.choice, **stated})
     said = [f"{path.name}: {doubt}" for doubt in finding.doubts]
     detected = [f"{name} {value}" for name, value in choice.items() if value and name not in stated]
@@ -262,9 +285,22 @@ def line_stream(
     shifted = (replace(chunk, time=line.reading.moved(chunk.time)) for chunk in chunks)
     system = system_of(settled, line.path)
     if system is None:
-        return LineStream(shifted, None, assumptions, start)
+        return LineStream(in_scanner_frame(shifted, line.path), None, assumptions, start)
     recovery = Recovery(system, trajectory, mounting, line.path)
     return LineStream(shifted, recovery, (*assumptions, *recovery.assumptions), start)
+
+
+def in_scanner_frame(chunks: Iterable[PointChunk], path: Path) -> Iterator[PointChunk]:
+    """Chunks of a line in the LiDAR frame, passed on where they can be.
+
+    Raises
+    ------
+    InputError
+        As `lispac.survey.recovery.require_scanner_frame`.
+    """
+    for chunk in chunks:
+        require_scanner_frame(chunk.xyz, path)
+        yield chunk
 
 
 def _points_of(format: Format, path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -305,6 +341,7 @@ def read_line(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting)
             scan = read_scan(line.path)
         else:
             scan = read_text_scan(line.path, line.columns)
+        require_scanner_frame(scan.points_lidar, line.path)
         return replace(scan, time=line.reading.moved(scan.time))
     stream = line_stream(line, trajectory, mounting)
     if stream.recovery is None:

@@ -1,0 +1,107 @@
+"""What is stated of a line's frame and coordinate system, where its coordinates deny it."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import InputError
+from lispac.io.formats import format_of
+from lispac.io.line_times import line_times
+from lispac.project import LineSource, Project, Reading, Settings
+from lispac.survey.crs import coordinate_system
+from lispac.survey.recovery import FARTHEST
+from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.importing import import_lines
+from lispac.workflow.intake import Intake
+from lispac.workflow.projects import create_project, new_project
+from tests.intake_files import LEVER, START, fan, named, said, taken_in, write_line
+from tests.trajectory_files import vessel, write_records
+
+SYSTEM = "EPSG:32619"
+
+
+@pytest.fixture
+def track(tmp_path: Path) -> Path:
+    write_records(tmp_path / "pos.sbet", vessel(2000))
+    return tmp_path / "pos.sbet"
+
+
+def on_map(folder: Path, crs: str = "") -> Path:
+    """A line about the trajectory, in UTM."""
+    states = vessel(2000)
+    system = coordinate_system(SYSTEM, height="ellipsoid")
+    place = system.from_geodetic(*(states[:1, k] for k in (1, 2, 3)))[0]
+    return write_line(folder / "utm.las", START + np.linspace(5, 20, 3000), place + fan(3000), crs)
+
+
+def options(**stated: str) -> Reading:
+    return Reading("", tuple(stated.items()))
+
+
+def made(folder: Path, track: Path, line: Path, reading: Reading):
+    return new_project(
+        folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
+        settings=Settings(lever_arm=LEVER),
+    )  # fmt: skip
+
+
+def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tmp_path) -> None:
+    line = on_map(tmp_path, SYSTEM)
+    told = "utm.las: half of the points lie farther than 5 km from the origin"
+    with pytest.raises(InputError, match=told):
+        made(tmp_path / "p", track, line, options(frame="scanner"))
+    intake = taken_in(taken_in(Intake(), track, line).with_option(line, "frame", "scanner"))
+    assert "not in the scanner frame" in intake.files_problem() + said(intake, "utm.las")
+    assert intake.state(named(intake, "utm.las")) == "error"
+    project: Project = create_project(
+        tmp_path / "old", trajectory=track, settings=Settings(lever_arm=LEVER),
+        lines=[LineSource("L", line, reading=Reading("las", (("frame", "scanner"),)))],
+    )  # fmt: skip
+    with pytest.raises(InputError, match=told):
+        import_lines(project)
+    with pytest.raises(InputError, match=told):
+        georeference_project(project, tmp_path / "out", "prior", system="local")
+    usual = replace(project, lines=(replace(project.lines[0], reading=Reading()),))
+    with pytest.raises(InputError, match=told):
+        georeference_project(usual, tmp_path / "out", "prior", system="local")
+
+
+def test_a_long_line_is_refused_by_its_first_point(tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr("lispac.io.line_times.READ_WHOLE", 100)
+    with pytest.raises(InputError, match="not in the scanner frame"):
+        line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
+
+
+def test_single_points_far_off_are_no_reason(track, tmp_path) -> None:
+    points = fan(3000)
+    points[::3] += [0, 2 * FARTHEST, 0]
+    line = write_line(tmp_path / "noise.las", START + np.linspace(5, 20, 3000), points)
+    _, survey = made(tmp_path / "p", track, line, options(frame="scanner"))
+    assert len(survey.scans["L"]) == 3000
+
+
+def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> None:
+    line = on_map(tmp_path)
+    command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
+    command += ["--lever-arm", "0", "0", "0"]
+    assert main(command) != 0
+    assert "name no coordinate system; give its EPSG code" in "".join(capsys.readouterr())
+    assert main([*command, "--line-option", f"crs={SYSTEM}"]) == 0
+    assert "names no coordinate system" not in "".join(capsys.readouterr())
+    intake = taken_in(Intake(), track, line)
+    assert "names no coordinate system" in said(intake, "utm.las")
+    intake = taken_in(intake.with_option(line, "crs", SYSTEM))
+    assert intake.state(named(intake, "utm.las")) == "fine"
+
+
+def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
+    line = write_line(tmp_path / "near.las", START + np.linspace(5, 20, 3000))
+    told = f"{SYSTEM} is stated for it, but its points are in the scanner frame"
+    _, survey = made(tmp_path / "p", track, line, options(crs=SYSTEM))
+    assert f"near.las: {told}" in " ".join(survey.notes)
+    intake = taken_in(taken_in(Intake(), track, line).with_option(line, "crs", SYSTEM))
+    assert told in said(intake, "near.las")
+    assert intake.state(named(intake, "near.las")) == "doubt"
