@@ -20,7 +20,15 @@ from lispac.io.trajectory_formats import (
 TRAJECTORIES: tuple[Format, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
 ACCURACIES: tuple[Format, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
 
-__all__ = ["ACCURACIES", "POINTS", "TRAJECTORIES", "format_of", "formats_of", "recognised"]
+__all__ = [
+    "ACCURACIES",
+    "POINTS",
+    "TRAJECTORIES",
+    "format_of",
+    "formats_of",
+    "recognised",
+    "suggests_time",
+]
 
 
 def formats_of(kind: Kind) -> tuple[Format, ...]:
@@ -39,6 +47,14 @@ def format_of(key: str) -> Format:
     if key not in known:
         raise InputError(f"There is no format {key}; choose one of {', '.join(known)}.")
     return known[key]
+
+
+def suggests_time(format: Format) -> bool:
+    """Whether files of a format do not say what their times count, so that the values suggest it.
+
+    Exail's exports have dates, or are UTC; LAS and other files of points say it where they can.
+    """
+    return format.kind == "trajectory" and format is not EXAIL
 
 
 def recognised(path: Path, kind: Kind) -> list[tuple[Format, float]]:

@@ -198,6 +198,29 @@ def short_of_trajectory(own: Array, track: Array) -> str:
     )
 
 
+def left_out(covered: Coverage, lost: int) -> str:
+    """What is left out of a line and why, without the file.
+
+    Parameters
+    ----------
+    covered : Coverage
+        Of all points of the line.
+    lost : int
+        Points without a pose.
+    """
+    parts = []
+    if covered.outside:
+        parts.append(f"{covered.outside:,} points outside the trajectory's time")
+    if covered.in_gaps:
+        parts.append(
+            f"{covered.in_gaps:,} points in a gap of the trajectory longer than "
+            f"{covered.longest_gap:g} s"
+        )
+    if steep := lost - covered.outside - covered.in_gaps:
+        parts.append(f"{steep:,} points where the trajectory's pitch is beyond 80 deg")
+    return f"{' and '.join(parts)}, of {covered.count:,}, are left out"
+
+
 def joined(parts: list[Coverage]) -> Coverage:
     """Coverage of a line read in parts."""
     parts = [part for part in parts if part.count] or parts[:1]

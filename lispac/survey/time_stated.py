@@ -30,10 +30,13 @@ class Known:
     base : TimeBase or None
     stated : bool
         Whether the user states it; otherwise it is what the file says or its format takes.
+    suggested: bool = False
+        Whether the file does not say it and its values suggest it.
     """
 
     base: TimeBase | None = None
     stated: bool = False
+    suggested: bool = False
 
     def fits(self, times: Array) -> bool:
         """Whether there is a base that ``times`` can be in by their values."""
@@ -44,7 +47,10 @@ class Known:
         """Its name, and where it is from."""
         if self.base is None:
             return "not known"
-        return f"{self.base.name} ({'stated' if self.stated else 'as read from the file'})"
+        if self.stated:
+            return f"{self.base.name} (stated)"
+        where = "as its values suggest" if self.suggested else "as read from the file"
+        return f"{self.base.name} ({where})"
 
 
 def contradiction(times: Array, own: Known) -> str:
@@ -112,12 +118,33 @@ def following_words(found: tuple[Match, ...], own: Known, other: Known) -> str:
     return told
 
 
-def nowhere(own: Known, other: Known) -> str:
-    """That what is stated brings no point onto the trajectory, without the file."""
-    return (
+def nowhere(own: Known, other: Known, times: Array, track: Array) -> str:
+    """That what is stated brings no point onto the trajectory, without the file.
+
+    Parameters
+    ----------
+    times, track : ndarray of shape (n,), seconds
+        Of the line and of the trajectory.
+    """
+    told = (
         f"in {own.words} none of its points lies within the trajectory, whose times are "
-        f"{other.words}; state the time base that the times are in, or give the trajectory of the "
-        "same survey."
+        f"{other.words}"
+    )
+    others = [] if other.stated or own.base is None else [
+        base for base in plausible(track)
+        if base is not other.base
+        and matches(times, track, point_bases=(own.base,), trajectory_bases=(base,))
+    ]  # fmt: skip
+    if others:
+        names = " or ".join(base.name for base in others)
+        options = " or ".join(f"--trajectory-option time={base.key}" for base in others)
+        return (
+            f"{told}; by their values these could also be {names}, where the points lie inside: "
+            f"make sure what the trajectory counts, and state it ({options})."
+        )
+    return (
+        f"{told}; state the time base that the times are in, or give the trajectory of the same "
+        "survey."
     )
 
 

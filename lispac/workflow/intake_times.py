@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from lispac.io.formats import suggests_time
 from lispac.io.line_times import LineTimes
 from lispac.survey.time_base import Match, TimeBase, base_of, matches
 from lispac.survey.time_quality import Coverage, coverage
@@ -32,7 +33,8 @@ def trajectory_base(entry: Entry | None) -> Known:
         look = next((look for look in entry.looks if look.format is entry.format), None)
         found = look.finding.choice if look is not None and look.finding is not None else {}
         stated = stated and key != found.get("time", key)
-    return Known(base_of(key), stated)
+    suggested = not stated and entry.format is not None and suggests_time(entry.format)
+    return Known(base_of(key), stated, suggested)
 
 
 def with_stated_shifts(entries: tuple[Entry, ...]) -> tuple[Entry, ...]:

@@ -21,6 +21,7 @@ from lispac.project import LineSource, Project, Reading
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.recovery import Recovery, recovered, require_scanner_frame
 from lispac.survey.scan import Scan
+from lispac.survey.time_quality import coverage, joined, left_out
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
 FARTHEST_ORIGIN = 100_000.0
@@ -346,13 +347,16 @@ def read_line(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting)
     stream = line_stream(line, trajectory, mounting)
     if stream.recovery is None:
         return _joined(list(stream.chunks), line.path, stream.assumptions)
-    parts, lost = [], 0
-    for chunk, out in recovered(stream.chunks, stream.recovery):
-        parts.append(chunk)
-        lost += out
+    parts, lost, covered = [], 0, []
+    for read in stream.chunks:
+        times = read.time + mounting.latency
+        covered.append(coverage(times, trajectory.time, trajectory.longest_gap))
+        for chunk, out in recovered([read], stream.recovery):
+            parts.append(chunk)
+            lost += out
     assumptions = stream.assumptions
     if lost:
-        assumptions += (f"{line.path.name}: {lost:,} points outside the trajectory are left out",)
+        assumptions += (f"{line.path.name}: {left_out(joined(covered), lost)}",)
     return _joined(parts, line.path, assumptions)
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.formats import format_of
+from lispac.io.formats import format_of, suggests_time
 from lispac.io.line_times import line_times
 from lispac.io.registry import Choice, Format
 from lispac.project import LineSource, Reading
@@ -41,11 +41,11 @@ def known_base(format: Format, path: Path, choice: Choice, option: str, *, state
         Where the file cannot be looked into.
     """
     given = str(choice.get(option, ""))
-    if given:
-        return Known(base_of(given), stated)
-    found = format.settled({**format.look(path, choice).choice, **choice})
-    given = str(found.get(option, ""))
-    return Known(base_of(given) if given else None)
+    if not given:
+        found = format.settled({**format.look(path, choice).choice, **choice})
+        given, stated = str(found.get(option, "")), False
+    suggested = not stated and suggests_time(format)
+    return Known(base_of(given) if given else None, stated, suggested)
 
 
 def states_time(trajectory: Path, reading: Reading) -> bool:
@@ -129,7 +129,7 @@ def lines_in_trajectory_time(
             continue
         if not found:
             if not typed:
-                raise InputError(f"{line.path}: {nowhere(own, other)}")
+                raise InputError(f"{line.path}: {nowhere(own, other, times, track)}")
             continue
         shift = found[0].shift
         if typed:

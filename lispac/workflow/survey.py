@@ -17,7 +17,7 @@ from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
 from lispac.survey.store.layout import is_import
 from lispac.survey.time_base import matches, sentence
-from lispac.survey.time_quality import coverage, short_of_trajectory
+from lispac.survey.time_quality import coverage, left_out, short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.workflow.importing import import_line, line_folder
 from lispac.workflow.offers import offered
@@ -227,17 +227,7 @@ def _inside(
     if lost == 0:
         return scan, ()
     covered = coverage(scan.time, trajectory.time, trajectory.longest_gap)
-    parts = []
-    if covered.outside:
-        parts.append(f"{covered.outside:,} points outside the trajectory's time")
-    if covered.in_gaps:
-        parts.append(
-            f"{covered.in_gaps:,} points in a gap of the trajectory longer than "
-            f"{trajectory.longest_gap:g} s"
-        )
-    if steep := lost - covered.outside - covered.in_gaps:
-        parts.append(f"{steep:,} points where the trajectory's pitch is beyond 80 deg")
-    told = f"{path.name}: {' and '.join(parts)}, of {len(scan):,}, are left out"
+    told = f"{path.name}: {left_out(covered, lost)}"
     if covered.outside:
         some = scan.time[:: max(1, len(scan) // 1000)]
         if more := offered(line.reading, some, trajectory.time):
