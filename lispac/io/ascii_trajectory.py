@@ -24,6 +24,8 @@ from lispac.io.text_table import (
     number,
 )
 from lispac.io.trajectory_columns import (
+    GRID,
+    HEIGHTS,
     ROLES,
     SIGMAS,
     Column,
@@ -32,7 +34,9 @@ from lispac.io.trajectory_columns import (
     role_of,
     trajectory_of,
 )
+from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, look_at_text
+from lispac.io.trajectory_velocities import velocity_columns
 from lispac.survey.trajectory import Trajectory
 
 DEFAULT_COLUMNS = "time latitude longitude height roll pitch heading"
@@ -42,7 +46,8 @@ DEFAULTS = {
     "header": "auto",
     "position": "degrees",
     "attitude": "degrees",
-    "heights": "metres",
+    "grid_unit": "",
+    "heights": "",
     "roll": "starboard-down",
     "pitch": "bow-up",
     "heading": "true",
@@ -50,7 +55,14 @@ DEFAULTS = {
     "time": "gps-week",
 }
 _ANGLES = {"degrees": "deg", "radians": "rad", "dms": "dms"}
-_LENGTHS = {"metres": "m", "feet": "ft", "us-survey-feet": "us-ft"}
+_LENGTHS = {
+    "": UNSTATED,
+    "metres": "m",
+    "feet": "ft",
+    "international-feet": "int-ft",
+    "us-survey-feet": "us-ft",
+}
+LENGTH_CHOICES = tuple(_LENGTHS)
 _COMMENT = ("#", "%", "//", ";")
 
 
@@ -100,7 +112,11 @@ def layout_of(path: Path, choice: Choice) -> TextLayout:
     def rows(path: Path) -> Rows:
         return ascii_rows(path, separator, header)
 
-    return TextLayout(tuple(columns), tuple(tokens), separator, rows, {"Header": "generic text"})
+    titles = _header_names(first_lines(path, 60))
+    velocities = velocity_columns([_bare(name) for name in titles], [unit_of(n) for n in titles])
+    return TextLayout(
+        tuple(columns), tuple(tokens), separator, rows, {"Header": "generic text"}, (), velocities
+    )
 
 
 def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Rows:
@@ -182,7 +198,9 @@ def _unit(role: str, field: str, chosen: dict[str, str]) -> str:
         return _ANGLES[chosen["position"]]
     if role.removesuffix("_sd") in ("roll", "pitch", "heading"):
         return _ANGLES[chosen["attitude"]]
-    return _LENGTHS[chosen["heights"]] if role in ("height", "sea_height") else "m"
+    if role in GRID:
+        return _LENGTHS[chosen["grid_unit"]]
+    return _LENGTHS[chosen["heights"]] if role in HEIGHTS else "m"
 
 
 def _conventions(chosen: dict[str, str]) -> Conventions:
@@ -202,7 +220,8 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
         for option, meant, units in (
             ("position", {"latitude"}, _ANGLES),
             ("attitude", {"roll", "heading"}, _ANGLES),
-            ("heights", {"height", "sea_height"}, _LENGTHS),
+            ("heights", set(HEIGHTS), _LENGTHS),
+            ("grid_unit", set(GRID), _LENGTHS),
         ):
             stated = {unit_of(name) for name in names if role_of(_bare(name)) in meant} - {""}
             word = next((word for word, unit in units.items() if stated == {unit}), "")

@@ -19,6 +19,10 @@ from lispac.errors import InputError
 from lispac.io.registry import LIKELY, NOT, SURE, Choice, Finding
 from lispac.io.text_table import fields_of, first_lines, is_clock, lines_of
 from lispac.io.trajectory_columns import (
+    GRID,
+    HEIGHTS,
+    POSITION,
+    UNIT_WORDS,
     Column,
     Conventions,
     Rows,
@@ -26,7 +30,9 @@ from lispac.io.trajectory_columns import (
     role_of,
     trajectory_of,
 )
+from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
+from lispac.io.trajectory_velocities import velocity_columns
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
@@ -38,7 +44,9 @@ _UNITS = (
     (r"degrees?\W+minutes?|\bdms\b", "dms"),
     (r"deg", "deg"),
     (r"rad", "rad"),
-    (r"us.survey.(feet|foot)", "us-ft"),
+    (r"survey[\s_-]*(feet|foot|ft)|\bu\.?s\.?[\s_-]*(feet|foot|ft)\b", "us-ft"),
+    (r"\bft[\s_-]*\(?us\b|\bsft\b", "us-ft"),
+    (r"\bint\w*\.?[\s_-]*(feet|foot|ft)\b|\bift\b|\bft[\s_-]*\(?int", "int-ft"),
     (r"feet|foot|\bft\b", "ft"),
     (r"met(er|re)|\bm\b", "m"),
     (r"second|\bs\b", "s"),
@@ -111,10 +119,7 @@ def exail_layout(path: Path) -> TextLayout:
             unit = "clock" if is_clock(fields[index]) else unit or "s"
         if not unit:
             unit = default_unit(role)
-            doubts.append(
-                f"The header gives no unit for {name}; {'degrees' if unit == 'deg' else unit} "
-                "is taken."
-            )
+            doubts.append(unstated(name, unit))
         columns.append(Column(role, index, name, unit))
     facts = {"Header": comments[0].lstrip("# ").strip() or "without title"}
     facts |= {
@@ -122,7 +127,11 @@ def exail_layout(path: Path) -> TextLayout:
         for column in columns
         if (words := sign_in(described.get(column.name.lower(), "")))
     }
-    return TextLayout(tuple(columns), names, separator, exail_rows, facts, tuple(doubts))
+    units = [unit_of(described.get(name.lower(), "")) for name in names]
+    return TextLayout(
+        tuple(columns), names, separator, exail_rows, facts, tuple(doubts),
+        velocity_columns(names, units),
+    )  # fmt: skip
 
 
 def unit_of(words: str) -> str:
@@ -134,8 +143,19 @@ def default_unit(role: str) -> str:
     """Unit taken for a column whose header names none; it is said where it is used."""
     if role in ("time", "date"):
         return {"time": "s", "date": "date"}[role]
+    if role in (*GRID, *HEIGHTS):
+        return UNSTATED
     angles = ("latitude", "longitude", "roll", "pitch", "heading")
     return "deg" if role.removesuffix("_sd") in angles else "m"
+
+
+def unstated(name: str, unit: str) -> str:
+    """The doubt where a header gives no unit for a column and ``unit`` is taken."""
+    if unit == UNSTATED:
+        taken = "that of the coordinate system is taken, for heights without one metres"
+    else:
+        taken = f"{UNIT_WORDS.get(unit, 'metres')} are taken"
+    return f"The header gives no unit for {name}; {taken}."
 
 
 def sign_in(words: str) -> str:
@@ -160,7 +180,7 @@ def look_exail(path: Path, choice: Choice) -> Finding:
     path = Path(path)
     layout = exail_layout(path)
     found = _detected(layout) | dict(choice)
-    finding = look_at_text(path, layout, _conventions(found), found)
+    finding = look_at_text(path, layout, _conventions(layout, found), found)
     doubts = list(finding.doubts)
     for angle in ("roll", "pitch"):
         if f"Sign of {angle}" not in layout.facts and angle not in choice:
@@ -182,7 +202,7 @@ def read_exail(path: Path, choice: Choice) -> Trajectory:
     """
     path = Path(path)
     layout = exail_layout(path)
-    conventions = _conventions(_detected(layout) | dict(choice))
+    conventions = _conventions(layout, _detected(layout) | dict(choice))
     said = ("Exail text: columns and units by the header", *layout.doubts)
     return trajectory_of(path, exail_rows(path), layout.columns, conventions, said)
 
@@ -191,7 +211,7 @@ def look_exail_accuracy(path: Path, choice: Choice) -> Finding:
     """Size of the standard deviations."""
     path = Path(path)
     layout = exail_layout(path)
-    return look_at_accuracy(path, layout, _conventions(_detected(layout) | dict(choice)))
+    return look_at_accuracy(path, layout, _conventions(layout, _detected(layout) | dict(choice)))
 
 
 def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
@@ -203,7 +223,7 @@ def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
     """
     path = Path(path)
     layout = exail_layout(path)
-    conventions = _conventions(_detected(layout) | dict(choice))
+    conventions = _conventions(layout, _detected(layout) | dict(choice))
     return accuracy_of(path, exail_rows(path), layout.columns, conventions)
 
 
@@ -230,5 +250,11 @@ def _detected(layout: TextLayout) -> dict[str, str]:
     }
 
 
-def _conventions(choice: Choice) -> Conventions:
-    return Conventions(pitch=choice["pitch"], roll=choice["roll"], time=choice["time"])
+def _conventions(layout: TextLayout, choice: Choice) -> Conventions:
+    geographic = {column.role for column in layout.columns}.issuperset(POSITION)
+    return Conventions(
+        pitch=choice["pitch"],
+        roll=choice["roll"],
+        time=choice["time"],
+        crs="" if geographic else choice.get("crs", ""),
+    )

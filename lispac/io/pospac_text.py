@@ -14,7 +14,7 @@ import re
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.exail import default_unit, unit_of
+from lispac.io.exail import default_unit, unit_of, unstated
 from lispac.io.registry import LIKELY, NOT, SURE, Choice, Finding
 from lispac.io.text_table import fields_of, first_lines, is_data, lines_of
 from lispac.io.trajectory_columns import (
@@ -26,11 +26,12 @@ from lispac.io.trajectory_columns import (
     trajectory_of,
 )
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
+from lispac.io.trajectory_velocities import velocity_columns
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)
 _UNIT = re.compile(
-    r"([A-Za-z][A-Za-z ,]*?)\s+in\s+([A-Za-z./]+(?:\s+(?:Min\w*|Survey \w+))?)", re.I
+    r"([A-Za-z][A-Za-z ,]*?)\s+in\s+([A-Za-z./]+(?:\s+(?:Min\w*|Survey \w+|Feet|Foot))?)", re.I
 )
 _FACTS = {
     "Date of Mission": "Date of mission",
@@ -90,7 +91,7 @@ def pospac_layout(path: Path) -> TextLayout:
         unit = stated.get(_group(role), "")
         if not unit:
             unit = default_unit(role)
-            doubts.append(f"The header gives no unit for {name.lower()}; {unit} is taken.")
+            doubts.append(unstated(name.lower(), unit))
         if unit in ("dms", "clock"):
             raise InputError(
                 f"{path}: {name.lower()} is in degrees, minutes and seconds or in hours; export "
@@ -102,7 +103,8 @@ def pospac_layout(path: Path) -> TextLayout:
         key, colon, value = line.strip().partition(":")
         if colon and key.strip() in _FACTS and value.strip():
             facts[_FACTS[key.strip()]] = value.strip().rstrip(";").strip()
-    return TextLayout(tuple(columns), names, "auto", pospac_rows, facts, tuple(doubts))
+    velocities = velocity_columns(names, [stated.get("velocity", "")] * len(names))
+    return TextLayout(tuple(columns), names, "auto", pospac_rows, facts, tuple(doubts), velocities)
 
 
 def pospac_rows(path: Path) -> Rows:
@@ -193,6 +195,8 @@ def _stated_units(line: str) -> dict[str, str]:
             units["geographic"] = key
         elif "position" in words:
             units["position"] = key
+        elif "velocity" in words:
+            units["velocity"] = key
         elif "time" in words:
             units["time"] = key
     return units

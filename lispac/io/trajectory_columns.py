@@ -11,6 +11,7 @@ from lispac.errors import InputError
 from lispac.io.files import require_increasing
 from lispac.io.text_table import clock, columns_of, day, degrees_minutes_seconds, number
 from lispac.io.trajectory_checks import Numbers, require_attitude, require_base, require_heights
+from lispac.io.trajectory_grid import LENGTHS, UNSTATED, Grid, Length, grid_of, unit_of_heights
 from lispac.survey.time_base import GPS_EPOCH, base_of, unrolled
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -22,22 +23,23 @@ PARSERS: Mapping[str, tuple[Callable[[str], float], float]] = {
     "dms": (degrees_minutes_seconds, np.pi / 180),
     "arcmin": (number, np.pi / 180 / 60),
     "m": (number, 1.0),
-    "ft": (number, 0.3048),
-    "us-ft": (number, 1200 / 3937),
+    "ft": (number, LENGTHS["ft"]),
+    "int-ft": (number, LENGTHS["int-ft"]),
+    "us-ft": (number, LENGTHS["us-ft"]),
+    UNSTATED: (number, 1.0),
     "s": (number, 1.0),
     "clock": (clock, 1.0),
     "date": (day, 1.0),
 }
-"""How a unit is read, and the factor to radians, metres or seconds."""
+"""How a unit is read, and the factor to radians, metres or seconds.
+
+Of positions on the map and heights, the coordinate system has a say in the factor."""
 
 UNIT_WORDS = {
     "rad": "radians",
     "deg": "degrees",
     "dms": "degrees, minutes and seconds",
     "arcmin": "arc minutes",
-    "m": "metres",
-    "ft": "feet of 0.3048 m",
-    "us-ft": "US survey feet",
     "s": "seconds",
     "clock": "hours, minutes and seconds",
     "date": "date",
@@ -67,6 +69,8 @@ ROLES = {name: role for role, names in _NAMES.items() for name in names.split()}
 
 POSITION = ("latitude", "longitude")
 GRID = ("easting", "northing")
+HEIGHTS = ("height", "sea_height")
+_NO_FACTORS: Mapping[str, float] = {}
 ATTITUDE = ("roll", "pitch", "heading")
 SIGMAS = ("north_sd", "east_sd", "height_sd", "roll_sd", "pitch_sd", "heading_sd")
 
@@ -132,7 +136,10 @@ def trajectory_of(
         Where a column is missing, a row cannot be read, or the values cannot be a trajectory.
     """
     chosen = _chosen(path, columns, conventions)
-    values, numbers = _read(path, rows, chosen)
+    grid = _grid_of(path, chosen, conventions)
+    lengths = _lengths(chosen, grid)
+    factors = {role: length.metres for role, length in lengths.items()}
+    values, numbers = _read(path, rows, chosen, factors)
     time, notes = _times(path, values, conventions)
     if len(time) < 2:
         raise InputError(
@@ -140,11 +147,13 @@ def trajectory_of(
         )
     require_increasing(time, path, "text", numbers)
     convergence = 0.0 * time
-    if "latitude" in values:
+    if grid is None:
         latitude, longitude = values["latitude"], values["longitude"]
         _require_on_earth(path, latitude, longitude, numbers)
     else:
-        latitude, longitude, convergence = _from_grid(path, values, conventions.crs)
+        latitude, longitude, convergence = grid.to_geodetic(
+            path, values["easting"], values["northing"]
+        )
         notes += (
             f"eastings and northings are in {conventions.crs}; latitude and longitude are on its "
             "own datum",
@@ -167,7 +176,8 @@ def trajectory_of(
         axis=1,
     )
     units = tuple(
-        f"column {column.name} is in {UNIT_WORDS[column.unit]}"
+        f"column {column.name} is in "
+        + (lengths[column.role].words if column.role in lengths else UNIT_WORDS[column.unit])
         for column in chosen
         if column.role not in ("time", "date")
     )
@@ -251,12 +261,45 @@ def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> 
     return chosen + [column for column in columns if column.role == "date"][:1]
 
 
-def _read(path: Path, rows: Rows, columns: Sequence[Column]) -> tuple[dict[str, Array], Numbers]:
+def unit_doubts(path: Path, columns: Sequence[Column], conventions: Conventions) -> tuple[str, ...]:
+    """What there is to doubt about the units of positions on the map and of heights.
+
+    Raises
+    ------
+    InputError
+    """
+    chosen = _chosen(path, columns, conventions)
+    lengths = _lengths(chosen, _grid_of(path, chosen, conventions))
+    # One of easting and northing speaks for both.
+    lengths.pop("northing", None)
+    return tuple(length.doubt for length in lengths.values() if length.doubt)
+
+
+def _grid_of(path: Path, chosen: Sequence[Column], conventions: Conventions) -> Grid | None:
+    on_map = any(column.role in GRID for column in chosen)
+    return grid_of(path, conventions.crs) if on_map else None
+
+
+def _lengths(chosen: Sequence[Column], grid: Grid | None) -> dict[str, Length]:
+    """Units of eastings, northings and heights by role."""
+    lengths: dict[str, Length] = {}
+    for column in chosen:
+        if column.role in GRID and grid is not None:
+            lengths[column.role] = grid.unit(column.name, column.unit)
+        elif column.role in HEIGHTS:
+            lengths[column.role] = unit_of_heights(column.name, column.unit, grid)
+    return lengths
+
+
+def _read(
+    path: Path, rows: Rows, columns: Sequence[Column], factors: Mapping[str, float] = _NO_FACTORS
+) -> tuple[dict[str, Array], Numbers]:
+    """Values by role in radians, metres and seconds; ``factors`` go before the unit's own."""
     wanted = [(column.index, PARSERS[column.unit][0], column.name) for column in columns]
     table, numbers = columns_of(path, rows, wanted)
     with np.errstate(over="ignore"):
         values = {
-            column.role: values * PARSERS[column.unit][1]
+            column.role: values * factors.get(column.role, PARSERS[column.unit][1])
             for column, values in zip(columns, table, strict=True)
         }
     return values, numbers
@@ -303,37 +346,3 @@ def _require_on_earth(path: Path, latitude: Array, longitude: Array, numbers: Nu
         f"{path}, row {numbers[row]:,}: latitude {lat:.6g} and longitude {lon:.6g} deg are not on "
         f"Earth; {hint}."
     )
-
-
-def _from_grid(path: Path, values: Mapping[str, Array], crs: str) -> tuple[Array, Array, Array]:
-    """Latitude, longitude and meridian convergence, radians, of eastings and northings."""
-    from pyproj import CRS, Proj, Transformer
-    from pyproj.exceptions import ProjError
-
-    try:
-        system = CRS.from_user_input(crs)
-        if not system.is_projected or system.geodetic_crs is None:
-            raise InputError(
-                f"{path}: {crs} ({system.name}) is not a projected coordinate system; state the "
-                "one of the eastings and northings."
-            )
-        to_geographic = Transformer.from_crs(system, system.geodetic_crs, always_xy=True)
-        longitude, latitude = to_geographic.transform(values["easting"], values["northing"])
-        bad = ~(np.isfinite(longitude) & np.isfinite(latitude))
-        if bad.any():
-            raise InputError(
-                f"{path}: eastings and northings lie outside {crs} ({system.name}); state the "
-                "coordinate system they are in, and check that they are not swapped."
-            )
-        factors = Proj(system).get_factors(longitude, latitude)
-    except ProjError as error:
-        raise InputError(
-            f"{path}: the coordinate system {crs!r} cannot be used ({_short(error)}); state an "
-            "EPSG code such as EPSG:32619."
-        ) from error
-    convergence = np.radians(np.asarray(factors.meridian_convergence, dtype=np.float64))
-    return np.radians(latitude), np.radians(longitude), convergence
-
-
-def _short(error: Exception) -> str:
-    return str(error).splitlines()[0][:120] if str(error) else type(error).__name__

@@ -19,6 +19,8 @@ MOVING = 0.3
 FASTEST = 350.0
 """Metres a second; no carrier of a survey is faster."""
 
+FASTEST_VESSEL = 60.0
+"""Metres a second; beyond, a wrong unit is likelier than a vessel."""
 
 MOST_CENTRES = 10_000
 """States of a block at which the velocity is taken; of more, every n-th."""
@@ -190,6 +192,18 @@ def course_doubts(
             f"The positions move at {fast:.4g} m/s; degrees may have been read as radians, or "
             "the times may be in another unit.",
         )
+    said: tuple[str, ...] = ()
+    if fast > FASTEST_VESSEL:
+        said = (
+            f"The positions move at {fast:.3g} m/s in the middle, faster than a vessel; check the "
+            "unit of the positions and of the times, and the coordinate system where there is one.",
+        )
+    return (*said, *_heading_doubts(motions, headings))
+
+
+def _heading_doubts(
+    motions: Sequence[tuple[Motion, Motion]], headings: Sequence[Array]
+) -> tuple[str, ...]:
     differences = [
         _heading_differences([pair[which] for pair in motions], headings) for which in (0, 1)
     ]

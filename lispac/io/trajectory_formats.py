@@ -8,7 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.ascii_trajectory import DEFAULTS, look_ascii, read_ascii, sniff_ascii
+from lispac.io.ascii_trajectory import (
+    DEFAULTS,
+    LENGTH_CHOICES,
+    look_ascii,
+    read_ascii,
+    sniff_ascii,
+)
 from lispac.io.cidco_states import (
     ORIGIN,
     look_sigmas,
@@ -197,10 +203,14 @@ SBET = _format(
     _read_sbet,
 )
 
+GRID_SYSTEM = Option(
+    "crs", "Coordinate system of eastings and northings where there is no latitude (EPSG:...)."
+)
 EXAIL_OPTIONS = (
     Option(PITCH.name, PITCH.meaning, PITCH.choices, "bow-down"),
     ROLL,
     Option(TIME.name, TIME.meaning, TIME.choices, "unix"),
+    GRID_SYSTEM,
 )
 EXAIL = _format(
     "Exail (iXblue) APPS or Delph INS text",
@@ -213,12 +223,7 @@ EXAIL = _format(
     read_exail,
 )
 
-POSPAC_OPTIONS = (
-    TIME,
-    Option(
-        "crs", "Coordinate system of eastings and northings where there is no latitude (EPSG:...)."
-    ),
-)
+POSPAC_OPTIONS = (TIME, GRID_SYSTEM)
 POSPAC = _format(
     "Applanix POSPac text",
     "pospac-text",
@@ -251,7 +256,18 @@ ASCII = _format(
             "position", "Unit of latitude and longitude.", ("degrees", "radians", "dms"), "degrees"
         ),
         Option("attitude", "Unit of roll, pitch and heading.", ("degrees", "radians"), "degrees"),
-        Option("heights", "Unit of the heights.", ("metres", "feet", "us-survey-feet"), "metres"),
+        Option(
+            "grid_unit",
+            "Unit of eastings and northings; empty: as in the coordinate system, of whose kind "
+            "plain feet are too.",
+            LENGTH_CHOICES,
+        ),
+        Option(
+            "heights",
+            "Unit of the heights; empty: as in the coordinate system where it has heights, else "
+            "metres.",
+            LENGTH_CHOICES,
+        ),
         PITCH,
         ROLL,
         Option("heading", "North that the heading counts from.", ("true", "grid"), "true"),

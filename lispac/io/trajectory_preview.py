@@ -18,6 +18,7 @@ from lispac.io.trajectory_columns import (
     accuracy_of,
     missing_roles,
     trajectory_of,
+    unit_doubts,
 )
 from lispac.io.trajectory_facts import (
     course_doubts,
@@ -26,6 +27,7 @@ from lispac.io.trajectory_facts import (
     motion_of,
     time_doubts,
 )
+from lispac.io.trajectory_velocities import speed_doubts
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
@@ -46,6 +48,8 @@ class TextLayout:
         Path to the rows of data, each with its number in the file.
     facts : dict of str to str
     doubts : tuple of str
+    velocities : tuple of Column
+        East and north velocity, each with the unit of its length; empty where there are none.
     """
 
     columns: tuple[Column, ...]
@@ -54,6 +58,7 @@ class TextLayout:
     rows: Callable[[Path], Rows]
     facts: dict[str, str]
     doubts: tuple[str, ...] = ()
+    velocities: tuple[Column, ...] = ()
 
 
 def look_at_text(
@@ -77,6 +82,7 @@ def look_at_text(
     except InputError as error:
         doubts.append(str(error))
         return Finding(facts, rows, choice, tuple(doubts))
+    doubts += unit_doubts(path, layout.columns, conventions)
     whole, said = _with_tail(path, layout, conventions, first, head)
     motion = motion_of(first.time, first.latitude, first.longitude, first.height)
     exchanged = motion_of(first.time, first.longitude, first.latitude, first.height)
@@ -85,6 +91,7 @@ def look_at_text(
     doubts += said
     doubts += time_doubts(first.time, conventions.time)
     doubts += course_doubts([(motion, exchanged)], [first.attitude[:, 2]])
+    doubts += speed_doubts(path, head, layout.velocities, motion)
     return Finding(facts, rows, choice, tuple(doubts), first.assumptions)
 
 

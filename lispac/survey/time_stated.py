@@ -30,7 +30,7 @@ class Known:
     base : TimeBase or None
     stated : bool
         Whether the user states it; otherwise it is what the file says or its format takes.
-    suggested: bool = False
+    suggested : bool
         Whether the file does not say it and its values suggest it.
     """
 

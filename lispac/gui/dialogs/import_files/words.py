@@ -16,6 +16,9 @@ ROLES: dict[Kind | None, str] = {
 _COUNTS = ("points", "Points", "Records", "Rows")
 _OPTIONS = {"crs": "Coordinate system", "byte_order": "Order of bytes", "restart": "Times restart"}
 _RESTARTS = {"none": "nowhere", "midnight": "at midnight", "week-end": "at the end of the week"}
+_UNSTATED = {
+    "restart": "as found by the times", "grid_unit": "by the system", "heights": "by the system",
+}  # fmt: skip
 _FRAMES = {"scanner": "Scanner", "georeferenced": "On the map"}
 
 
@@ -85,7 +88,7 @@ def option_name(name: str) -> str:
 def option_value(name: str, value: str) -> str:
     """A choice of an option as its list shows it."""
     if not value:
-        return "as found by the times" if name == "restart" else "as the file says"
+        return _UNSTATED.get(name, "as the file says")
     if name == "restart":
         return _RESTARTS[value]
     if value in KEYS:

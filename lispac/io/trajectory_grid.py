@@ -1,0 +1,184 @@
+"""Eastings, northings and heights of a trajectory: their unit, and their way to latitude."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+
+if TYPE_CHECKING:
+    from pyproj import CRS
+
+Array = NDArray[np.float64]
+
+LENGTHS = {"m": 1.0, "ft": 0.3048, "int-ft": 0.3048, "us-ft": 1200 / 3937}
+"""Metres in each unit; ``ft`` are feet of which the file does not say which."""
+UNSTATED = ""
+"""Unit of a length of which the file says none."""
+_WORDS = {1.0: "metres", 0.3048: "feet of 0.3048 m", 1200 / 3937: "US survey feet"}
+
+
+@dataclass(frozen=True)
+class Length:
+    """A unit of a column.
+
+    Attributes
+    ----------
+    metres : float
+    words : str
+        Its name, and how it was settled.
+    doubt : str
+        What the user should look at; empty where nothing.
+    """
+
+    metres: float
+    words: str
+    doubt: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """A projected coordinate system of eastings and northings; made by `grid_of`.
+
+    Attributes
+    ----------
+    text : str
+        As the user states it.
+    metres : float
+        In a unit of its axes.
+    words : str
+        Name of that unit.
+    height_metres : float or None
+        In a unit of its heights; None where it has none.
+    """
+
+    text: str
+    system: "CRS"
+    metres: float
+    words: str
+    height_metres: float | None
+    height_words: str
+
+    @property
+    def in_feet(self) -> bool:
+        """Whether its axes count feet of some kind."""
+        return "foot" in self.words or "feet" in self.words
+
+    def unit(self, name: str, stated: str) -> Length:
+        """Unit of a column of eastings or northings called ``name``."""
+        if stated == UNSTATED:
+            return Length(
+                self.metres,
+                f"{self.words}, as in the coordinate system (the file names no unit)",
+            )
+        if stated == "ft" and self.in_feet:
+            return Length(self.metres, f"{self.words}, the feet of the coordinate system")
+        if stated == "ft":
+            return Length(
+                LENGTHS["ft"],
+                _WORDS[LENGTHS["ft"]],
+                f"Column {name} is in feet, the file does not say which, and {self.text} is in "
+                f"{self.words}; feet of 0.3048 m are taken. US survey feet would put the "
+                "positions metres elsewhere: make sure which they are, and state it or name it in "
+                "the header.",
+            )
+        return Length(LENGTHS[stated], _WORDS[LENGTHS[stated]])
+
+    def to_geodetic(self, path: Path, easting: Array, northing: Array) -> tuple[Array, ...]:
+        """Latitude, longitude and meridian convergence, radians, of coordinates in metres.
+
+        Raises
+        ------
+        InputError
+            Where the coordinates lie outside.
+        """
+        from pyproj import Proj, Transformer
+        from pyproj.exceptions import ProjError
+
+        system = self.system
+        try:
+            to_geographic = Transformer.from_crs(system, system.geodetic_crs, always_xy=True)
+            longitude, latitude = to_geographic.transform(
+                easting / self.metres, northing / self.metres
+            )
+            bad = ~(np.isfinite(longitude) & np.isfinite(latitude))
+            if bad.any():
+                raise InputError(
+                    f"{path}: eastings and northings lie outside {self.text} ({system.name}); "
+                    "state the coordinate system they are in, and check that they are not swapped."
+                )
+            factors = Proj(system).get_factors(longitude, latitude)
+        except ProjError as error:
+            raise _unusable(path, self.text, error) from error
+        convergence = np.radians(np.asarray(factors.meridian_convergence, dtype=np.float64))
+        return np.radians(latitude), np.radians(longitude), convergence
+
+
+def grid_of(path: Path, text: str) -> Grid:
+    """The coordinate system of eastings and northings that the user states.
+
+    Raises
+    ------
+    InputError
+        Where it is not known, or is not a projected one.
+    """
+    from pyproj import CRS
+    from pyproj.exceptions import ProjError
+
+    try:
+        system = CRS.from_user_input(text)
+    except ProjError as error:
+        raise _unusable(path, text, error) from error
+    if not system.is_projected or system.geodetic_crs is None:
+        raise InputError(
+            f"{path}: {text} ({system.name}) is not a projected coordinate system; state the "
+            "one of the eastings and northings."
+        )
+    horizontal = system.sub_crs_list[0] if system.is_compound else system
+    across = horizontal.axis_info[0]
+    up = [axis for axis in system.axis_info if axis.direction in ("up", "down")]
+    return Grid(
+        text,
+        horizontal,
+        across.unit_conversion_factor,
+        _named(across.unit_conversion_factor, across.unit_name),
+        up[0].unit_conversion_factor if up else None,
+        _named(up[0].unit_conversion_factor, up[0].unit_name) if up else "",
+    )
+
+
+def unit_of_heights(name: str, stated: str, grid: Grid | None) -> Length:
+    """Unit of a column of heights called ``name``; metres where nobody says otherwise."""
+    own = None if grid is None else grid.height_metres
+    if stated == UNSTATED:
+        if grid is not None and own is not None:
+            return Length(
+                own, f"{grid.height_words}, as in the coordinate system (the file names no unit)"
+            )
+        doubt = ""
+        if grid is not None and grid.in_feet:
+            doubt = (
+                f"No unit is stated for the heights in column {name}, and eastings and northings "
+                f"are in {grid.words}; metres are taken: make sure, and state feet if they are, "
+                "or name them in the header."
+            )
+        return Length(1.0, "metres (no unit is stated)", doubt)
+    if stated == "ft" and grid is not None and grid.in_feet:
+        return Length(grid.metres, f"{grid.words}, the feet of the coordinate system")
+    return Length(LENGTHS[stated], _WORDS[LENGTHS[stated]])
+
+
+def _named(metres: float, name: str) -> str:
+    near = [words for known, words in _WORDS.items() if abs(metres / known - 1) < 1e-9]
+    return near[0] if near else f"{name} ({metres:.9g} m each)"
+
+
+def _unusable(path: Path, text: str, error: Exception) -> InputError:
+    said = str(error).splitlines()[0][:120] if str(error) else type(error).__name__
+    return InputError(
+        f"{path}: the coordinate system {text!r} cannot be used ({said}); state an EPSG code such "
+        "as EPSG:32619."
+    )

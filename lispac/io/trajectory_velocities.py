@@ -1,0 +1,73 @@
+"""The velocities that a trajectory of text brings along, against the motion of its positions.
+
+A trajectory does not need them, but a wrong unit or coordinate system of the positions shows.
+"""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.text_table import columns_of, number
+from lispac.io.trajectory_columns import Column
+from lispac.io.trajectory_facts import MOVING, Motion
+from lispac.io.trajectory_grid import LENGTHS
+
+_NAMES = {
+    "east_velocity": ("eastvelocity", "velocityeast", "eastvel", "veleast", "veast", "ve"),
+    "north_velocity": ("northvelocity", "velocitynorth", "northvel", "velnorth", "vnorth", "vn"),
+}
+OFF = 0.05
+"""Part by which two speeds of the same motion do not differ in the middle."""
+FOOT = 0.3048
+"""Metres; US survey feet are the same to `OFF`."""
+
+
+def velocity_columns(names: Sequence[str], units: Sequence[str]) -> tuple[Column, ...]:
+    """East and north velocity among columns; empty where one is missing.
+
+    Parameters
+    ----------
+    units : sequence of str
+        Of the length in each, for each name; empty where not known.
+    """
+    bare = ["".join(c for c in name.lower() if c.isalnum()) for name in names]
+    found = []
+    for role, known in _NAMES.items():
+        index = next((k for k, name in enumerate(bare) if name in known), None)
+        if index is None:
+            return ()
+        found.append(Column(role, index, names[index], units[index]))
+    return tuple(found)
+
+
+def speed_doubts(
+    path: Path,
+    rows: Sequence[tuple[int, list[str]]],
+    velocities: Sequence[Column],
+    motion: Motion,
+) -> tuple[str, ...]:
+    """A sentence where positions move at another speed than the velocities of the same rows."""
+    if not velocities:
+        return ()
+    try:
+        wanted = [(column.index, number, column.name) for column in velocities]
+        (east, north), _ = columns_of(path, iter(rows), wanted)
+    except InputError:
+        return ()  # columns that nobody needs may hold what they like
+    factor = LENGTHS.get(velocities[0].unit)
+    stated = np.hypot(east, north)[motion.index] * (factor or 1.0)
+    moving = stated > MOVING
+    if np.count_nonzero(moving) < 20:
+        return ()
+    ratio = float(np.median(motion.speed[moving] / stated[moving]))
+    by_feet = min(abs(ratio / FOOT - 1), abs(ratio * FOOT - 1)) < OFF
+    # Velocities in a unit that is not known may be knots; those of feet and metres show alone.
+    if abs(ratio - 1) <= OFF or (factor is None and not by_feet):
+        return ()
+    hint = ": as where feet are taken for metres, or metres for feet" if by_feet else ""
+    return (
+        f"The positions move at {ratio:.3g} times the speed in {velocities[0].name} and "
+        f"{velocities[1].name}{hint}; check the unit of the positions and the coordinate system.",
+    )

@@ -1,0 +1,195 @@
+"""Units of eastings, northings and heights in trajectories of text, and how wrong ones show."""
+
+from pathlib import Path
+
+import numpy as np
+import pyproj
+import pytest
+
+from lispac.errors import InputError
+from lispac.io.exail import unit_of
+from lispac.io.formats import format_of, recognised
+from lispac.survey.trajectory import Trajectory
+from tests.trajectory_files import vessel
+
+ASCII, EXAIL, POSPAC = (format_of(key) for key in ("ascii-trajectory", "exail-text", "pospac-text"))
+FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
+NEW_JERSEY = "EPSG:3424"  # in US survey feet
+UTM = "EPSG:32618"  # in metres
+MICHIGAN = "EPSG:2251"  # in feet of 0.3048 m
+IN_METRES = {
+    NEW_JERSEY: "+proj=tmerc +lat_0=38.83333333333334 +lon_0=-74.5 +k=0.9999 +x_0=150000 "
+    "+ellps=GRS80",
+    UTM: "+proj=utm +zone=18 +ellps=WGS84",
+    MICHIGAN: "+proj=lcc +lat_0=44.78333333333333 +lon_0=-87 +lat_1=47.08333333333334 "
+    "+lat_2=45.48333333333333 +x_0=7999999.999968001 +ellps=GRS80",
+}
+POSPAC_HEAD = (
+    "POS Export Utility\n\nTIME, DISTANCE, EASTING, NORTHING, ELLIPSOID HEIGHT, ROLL, PITCH, "
+    "HEADING, EAST VELOCITY, NORTH VELOCITY\n(time in Sec, distance in Meters, position in {0}, "
+    "orientation in Degrees, velocity in Meter/Sec)\n\n"
+)
+EXAIL_HEAD = (
+    "# Delph INS export\n# time: UTC time, second\n# easting: Easting, {0}\n"
+    "# northing: Northing, {0}\n# ellipsoidHeight: Ellipsoid height, meter\n"
+    "# heading: Heading, degree\n# roll: Roll, degree\n# pitch: Pitch, degree\n"
+    "#time\teasting\tnorthing\tellipsoidHeight\theading\troll\tpitch\n"
+)
+
+
+def gridded(crs: str, unit: float) -> tuple[np.ndarray, np.ndarray]:
+    """Records, and rows of time, easting, northing, height, roll, pitch, heading; by PROJ."""
+    records = vessel(1000)
+    lon, lat = np.degrees(records[:, 2]), np.degrees(records[:, 1])
+    east, north = pyproj.Proj(IN_METRES[crs])(lon, lat)
+    angles = np.degrees(records[:, [7, 8, 9]])
+    rows = [records[:, 0], east / unit, north / unit, records[:, 3], *angles.T]
+    return records, np.stack(rows, axis=1)
+
+
+def write(path: Path, head: str, rows: np.ndarray, separator: str) -> Path:
+    body = "\n".join(separator.join(f"{value:.9f}" for value in row) for row in rows)
+    path.write_text(head + body + "\n", encoding="utf-8")
+    return path
+
+
+def off(trajectory: Trajectory, records: np.ndarray) -> float:
+    """Metres by which positions are off at the most."""
+    north = (trajectory.latitude - records[:, 1]) * 6.4e6
+    east = (trajectory.longitude - records[:, 2]) * 6.4e6 * np.cos(records[:, 1])
+    return float(np.abs([north, east, trajectory.height - records[:, 3]]).max())
+
+
+@pytest.mark.parametrize("crs", [NEW_JERSEY, UTM, MICHIGAN])
+@pytest.mark.parametrize(
+    ("word", "unit"),
+    [("Meters", 1.0), ("US Survey Feet", SURVEY_FOOT), ("International Feet", FOOT)],
+)
+def test_pospac_positions_are_turned_into_the_unit_of_the_system(
+    tmp_path: Path, word: str, unit: float, crs: str
+) -> None:
+    records, rows = gridded(crs, unit)
+    rows[:, 3] /= unit
+    rows = np.insert(np.column_stack([rows, rows[:, :2]]), 1, 0.0, axis=1)
+    path = write(tmp_path / "a.txt", POSPAC_HEAD.format(word), rows, " ")
+    assert recognised(path, "trajectory")[0][0] is POSPAC
+    assert off(POSPAC.read(path, {"crs": crs}), records) < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("crs", "unit"), [(NEW_JERSEY, SURVEY_FOOT), (MICHIGAN, FOOT), (UTM, FOOT)]
+)
+def test_plain_feet_are_those_of_the_system(tmp_path: Path, crs: str, unit: float) -> None:
+    records, rows = gridded(crs, unit)
+    rows[:, 3] /= unit
+    rows = np.insert(np.column_stack([rows, rows[:, :2]]), 1, 0.0, axis=1)
+    path = write(tmp_path / "a.txt", POSPAC_HEAD.format("Feet"), rows, " ")
+    trajectory = POSPAC.read(path, {"crs": crs})
+    assert off(trajectory, records) < 1e-4
+    words = "; ".join(trajectory.assumptions)
+    assert ("EASTING is in US survey feet" in words) == (crs == NEW_JERSEY)
+    assert ("the feet of the coordinate system" in words) == (crs != UTM)
+    doubts = POSPAC.look(path, {"crs": crs}).doubts
+    assert any("does not say which" in doubt for doubt in doubts) == (crs == UTM)
+
+
+@pytest.mark.parametrize(
+    ("mark", "unit", "said"),
+    [
+        ("[ft]", SURVEY_FOOT, "US survey feet, the feet of"),
+        ("[m]", 1.0, "metres"),
+        ("(ftUS)", SURVEY_FOOT, "US survey feet"),
+        ("[US ft]", SURVEY_FOOT, "US survey feet"),
+        ("[ift]", FOOT, "feet of 0.3048 m"),
+        ("", SURVEY_FOOT, "US survey feet, as in the coordinate system (the file names no unit)"),
+    ],
+)
+def test_generic_text_heeds_the_unit_in_the_names(
+    tmp_path: Path, mark: str, unit: float, said: str
+) -> None:
+    records, rows = gridded(NEW_JERSEY, unit)
+    head = f"Time[s],Easting{mark},Northing{mark},Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
+    path = write(tmp_path / "a.csv", head, rows, ",")
+    finding = ASCII.look(path, {"crs": NEW_JERSEY})
+    trajectory = ASCII.read(path, finding.choice)
+    assert off(trajectory, records) < 1e-4
+    assert any(f"easting is in {said}" in words for words in trajectory.assumptions)
+
+
+def test_unit_stated_by_the_user_goes_before_that_of_the_names(tmp_path: Path) -> None:
+    records, rows = gridded(NEW_JERSEY, FOOT)
+    head = "Time,Easting[m],Northing[m],Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
+    path = write(tmp_path / "a.csv", head, rows, ",")
+    stated = {"crs": NEW_JERSEY, "grid_unit": "international-feet"}
+    assert off(ASCII.read(path, ASCII.look(path, stated).choice), records) < 1e-4
+
+
+def test_heights_without_unit_are_metres_unless_the_system_has_heights(tmp_path: Path) -> None:
+    records, rows = gridded(NEW_JERSEY, SURVEY_FOOT)
+    head = "Time,Easting,Northing,Height,Roll[deg],Pitch[deg],Heading[deg]\n"
+    path = write(tmp_path / "a.csv", head, rows, ",")
+    finding = ASCII.look(path, {"crs": NEW_JERSEY})
+    assert off(ASCII.read(path, finding.choice), records) < 1e-4
+    assert any("No unit is stated for the heights" in doubt for doubt in finding.doubts)
+    rows[:, 3] /= SURVEY_FOOT
+    write(path, head, rows, ",")
+    finding = ASCII.look(path, {"crs": f"{NEW_JERSEY}+6360"})  # NAVD88 height (ftUS)
+    trajectory = ASCII.read(path, finding.choice)
+    assert off(trajectory, records) < 1e-4
+    assert any("height is in US survey feet, as in the" in said for said in trajectory.assumptions)
+    assert not any("No unit is stated" in doubt for doubt in finding.doubts)
+
+
+@pytest.mark.parametrize(("word", "unit"), [("US survey feet", SURVEY_FOOT), ("meter", 1.0)])
+def test_exail_text_may_be_in_a_projected_system(tmp_path: Path, word: str, unit: float) -> None:
+    records, rows = gridded(NEW_JERSEY, unit)
+    rows[:, 5] *= -1
+    path = write(tmp_path / "a.txt", EXAIL_HEAD.format(word), rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
+    assert recognised(path, "trajectory")[0][0] is EXAIL
+    assert off(EXAIL.read(path, {"crs": NEW_JERSEY, "time": "gps-week"}), records) < 1e-4
+    with pytest.raises(InputError, match="state their coordinate system"):
+        EXAIL.read(path, {"time": "gps-week"})
+
+
+@pytest.mark.parametrize(
+    ("words", "unit"),
+    [
+        ("US Survey Feet", "us-ft"), ("U.S. Survey Foot", "us-ft"), ("survey feet", "us-ft"),
+        ("Easting[ftUS]", "us-ft"), ("East (us-ft)", "us-ft"), ("International feet", "int-ft"),
+        ("[ift]", "int-ft"), ("Height(ft)", "ft"), ("feet", "ft"), ("Easting [m]", "m"),
+    ],
+)  # fmt: skip
+def test_words_of_feet(words: str, unit: str) -> None:
+    assert unit_of(words) == unit
+
+
+def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> tuple[str, ...]:
+    """Doubts about positions in a unit that the header calls ``word``, beside true velocities."""
+    records, rows = gridded(NEW_JERSEY, unit)
+    course = records[:, 9] - np.radians(2)
+    speed = factor * np.stack([4 * np.sin(course), 4 * np.cos(course)], axis=1)
+    rows = np.insert(np.column_stack([rows, speed]), 1, 0.0, axis=1)
+    write(path, POSPAC_HEAD.format(word), rows, " ")
+    return POSPAC.look(path, {"crs": NEW_JERSEY}).doubts
+
+
+def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
+    path = tmp_path / "a.txt"
+    assert not any("times the speed" in s for s in doubts_of_velocities(path, "Meters", 1.0, 1.0))
+    wrong = doubts_of_velocities(path, "US Survey Feet", 1.0, 1.0)
+    assert any("0.305 times the speed in EAST VELOCITY" in said for said in wrong)
+    assert any("feet are taken for metres" in said for said in wrong)
+    knots = doubts_of_velocities(path, "Meters", 1.0, 1.9438)
+    assert any("0.514 times the speed" in said for said in knots)
+
+
+def test_speed_that_no_vessel_has_is_doubted(tmp_path: Path) -> None:
+    for times, doubted in ((1, False), (20, True)):
+        records = vessel(1000)
+        rows = np.column_stack([records[:, 0], np.degrees(records[:, [1, 2]]), records[:, 3]])
+        rows[:, 1:3] = rows[0, 1:3] + times * (rows[:, 1:3] - rows[0, 1:3])
+        rows = np.column_stack([rows, np.degrees(records[:, [7, 8, 9]])])
+        head = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading\n"
+        path = write(tmp_path / "a.csv", head, rows, ",")
+        doubts = ASCII.look(path, {}).doubts
+        assert any("faster than a vessel" in doubt for doubt in doubts) == doubted
