@@ -26,6 +26,20 @@ def test_a_boresight_in_a_sentence() -> None:
     assert "(first turned, then pitched, then rolled)" in boresight_words(np.radians([5, 0, 90]))
 
 
+def test_angles_are_said_with_as_many_decimals_as_each_other() -> None:
+    assert boresight_words(np.radians([0.2, 1.178, 0.3])) == (
+        "The scanner looks 1.178 deg bow down, is turned 0.300 deg to starboard and leans 0.200 "
+        "deg with its left side up."
+    )
+    assert boresight_words(np.radians([0, 1.2, 0.0251])) == (
+        "The scanner looks 1.200 deg bow down and is turned 0.0251 deg to starboard."
+    )
+    assert boresight_words(np.radians([1e-6, 1.178, 90])) == (
+        "The scanner looks 1.178 deg bow down and is turned 90.000 deg to starboard (first turned, "
+        "then pitched, then rolled)."
+    )
+
+
 @pytest.mark.parametrize("sign", [1, -1])
 def test_the_words_say_what_the_matrix_does(sign: int) -> None:
     """Where the scanner's own axes end up, in body coordinates forward, left, up."""
@@ -46,7 +60,7 @@ def test_a_lever_arm_in_a_sentence() -> None:
         "the POS centre."
     )
     assert lever_arm_words((0, -1.5, -2)) == (
-        "The scanner's optical centre is 1.5 m to starboard of and 2 m below the POS centre."
+        "The scanner's optical centre is 1.5 m to starboard of and 2.0 m below the POS centre."
     )
     assert lever_arm_words((0, 0, 0)) == "The scanner's optical centre is at the POS centre."
 

@@ -21,12 +21,13 @@ def boresight_words(boresight: Array) -> str:
     boresight : ndarray of shape (3,), radians; roll, pitch, yaw of this program
     """
     roll, pitch, yaw = np.degrees(boresight)
+    leans, looks, turned = _amounts(roll, pitch, yaw)
     parts = []
-    if looks := _amount(pitch):
+    if looks:
         parts.append(f"looks {looks} deg bow {'down' if pitch > 0 else 'up'}")
-    if turned := _amount(yaw):
+    if turned:
         parts.append(f"is turned {turned} deg to {'starboard' if yaw > 0 else 'port'}")
-    if leans := _amount(roll):
+    if leans:
         side = "left" if roll > 0 else "right"
         parts.append(f"leans {leans} deg with its {side} side up")
     if not parts:
@@ -47,12 +48,13 @@ def lever_arm_words(lever_arm: Sequence[float] | Array) -> str:
     """
     forward, left, up = (float(value) for value in lever_arm)
     parts = []
-    for value, ahead, behind in (
-        (forward, "forward of", "aft of"),
-        (left, "to port of", "to starboard of"),
-        (up, "above", "below"),
+    for value, amount, (ahead, behind) in zip(
+        (forward, left, up),
+        _amounts(forward, left, up),
+        (("forward of", "aft of"), ("to port of", "to starboard of"), ("above", "below")),
+        strict=True,
     ):
-        if amount := _amount(value):
+        if amount:
             parts.append(f"{amount} m {ahead if value > 0 else behind}")
     if not parts:
         return "The scanner's optical centre is at the POS centre."
@@ -76,12 +78,19 @@ def offsets_words(mounting: Mounting) -> str:
     return f"The boresight holds together with {_listed(parts)}: apply that there too."
 
 
-def _amount(value: float) -> str:
-    """The size with three decimals, four where it is small; empty where that is zero."""
-    size = abs(value)
-    text = f"{size:.4f}" if size < 0.1 else f"{size:.3f}"
-    text = text.rstrip("0").rstrip(".")
-    return "" if text == "0" else text
+def _amounts(*values: float) -> list[str]:
+    """The sizes with three decimals, four where one is small; empty where it is zero.
+
+    Zeros at the end go where they are nothing but that in every one of them: beside 1.178 it is
+    0.300, for 0.3 would seem less certain.
+    """
+    texts = [f"{abs(v):.4f}" if abs(v) < 0.1 else f"{abs(v):.3f}" for v in values]
+    decimals = [len(text.rstrip("0").partition(".")[2]) for text in texts]
+    most = min(max(decimals), 3)
+    return [
+        "" if not float(text) else f"{float(text):.{max(own, most)}f}"
+        for text, own in zip(texts, decimals, strict=True)
+    ]
 
 
 def _listed(parts: Sequence[str]) -> str:
