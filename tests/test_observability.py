@@ -112,6 +112,18 @@ def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
     assert (np.abs(one.boresight - TRUTH.boresight) < 3.5 * one.sigma).all()
 
 
+def test_nothing_is_said_of_the_inclination_of_a_sphere() -> None:
+    ball = Ball("B1", (0.0, 15.0, 4.0), 0.3)
+    result = adjust(survey((ball,)), PRIOR, StochasticModel())
+    assert result.observability.sentences[-1] == (
+        "B1 is the only target: no other shows whether it is out of shape or moved. Add another."
+    )
+    first = six_courses()[0]
+    twice = (first, replace(first, name="L2", time=first.time + 90))
+    with pytest.raises(RankDeficient, match="Add another target, or lines in other directions"):
+        adjust(survey((ball,), twice, still=True), PRIOR, StochasticModel())
+
+
 def test_boards_that_face_one_way_are_told_of() -> None:
     points = survey((UPRIGHT, facing(0)))
     result = adjust(points, PRIOR, StochasticModel(), accept_one_facing=True)

@@ -108,11 +108,13 @@ def require_determined(linearised: Linearised) -> None:
     elif _one_facing(linearised):
         reasons.append("all targets face the same way")
     because = f": {' and '.join(reasons)}" if reasons else ""
+    # A sphere has no inclination that another could differ from.
+    spheres = bool(problem.observations.is_sphere.all())
+    another = "another target" if spheres else "a target of another inclination"
     raise RankDeficient(
         f"These lines and targets do not determine the boresight, mainly not "
-        f"{_mixture(directions[:, 0])}{because}. Add a target of another inclination, or lines in "
-        "other directions: a vertical target shows roll on lines along it, pitch and yaw on lines "
-        "at 45 deg to it."
+        f"{_mixture(directions[:, 0])}{because}. Add {another}, or lines in other directions: a "
+        "vertical target shows roll on lines along it, pitch and yaw on lines at 45 deg to it."
     )
 
 
@@ -196,11 +198,16 @@ def observability(linearised: Linearised) -> Observability:
 
 def _one_sided(linearised: Linearised) -> Sequence[str]:
     """What the data determine, and nothing checks."""
-    targets = linearised.problem.observations.targets
+    observations = linearised.problem.observations
+    targets = observations.targets
     if len(targets) == 1:
+        sphere = bool(observations.is_sphere[0])
+        wrong, other = (
+            ("out of shape", "another") if sphere else ("bent", "one of another inclination")
+        )
         return [
-            f"{targets[0]} is the only target: no other shows whether it is bent or moved. Add one "
-            "of another inclination."
+            f"{targets[0]} is the only target: no other shows whether it is {wrong} or moved. Add "
+            f"{other}."
         ]
     if _one_facing(linearised):
         return [
