@@ -1,5 +1,6 @@
 """What the geometry sees: refusals with their reason, weak directions, a further line."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -223,7 +224,49 @@ def test_no_line_is_promised_to_bring_what_no_line_can() -> None:
     assert result.sigma[0] > 0.9 * np.radians(0.5)
     best = min(line.sigma[0] for line in further_lines(points, result))
     assert best > 0.95 * result.sigma[0]
-    assert "No single further line" in advice(points, result)
+    said = advice(points, result)
+    assert said.startswith("The sigma of roll is mostly that of the stated scan-angle offset, ")
+    assert "targets elsewhere" not in said
+
+
+def test_the_advice_goes_on_to_the_angle_that_data_can_help() -> None:
+    """What is known as well as a stated value, and no better, is named; a line is for the next."""
+    courses = six_courses()[:2] + six_courses()[4:5]
+    points, model = survey(courses=courses), StochasticModel(surface=0.0)
+    held = Parameter("scan_angle_offset", np.radians(0.5))
+    plain = advice(points, adjust(points, PRIOR, model))
+    said = advice(points, adjust(points, PRIOR, model, parameters=(held,)))
+    assert plain.startswith("A further line headed ")
+    assert said.endswith(f" no further line lowers it. {plain}")
+
+
+def test_a_stated_value_that_matters_little_leaves_the_advice_as_it_is() -> None:
+    points, held = survey(), Parameter("scan_angle_offset", np.radians(0.002))
+    result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
+    assert [each.value for each in result.parameters] == [None]
+    assert "is mostly that of" not in advice(points, result)
+
+
+def test_thesis_mode_is_advised_without_what_it_does_not_estimate() -> None:
+    points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
+    model = StochasticModel("independent")
+    plain = adjust(points, PRIOR, model)
+    assert advice(points, adjust(points, PRIOR, model, parameters=(held,))) == advice(points, plain)
+
+
+def test_a_further_line_says_on_which_side_and_how_far_off_the_targets_are() -> None:
+    """The boards lie west of where the vessel passes, 11 to 15 m from the lines."""
+    courses = six_courses()[:2] + six_courses()[4:5]
+    points = survey(courses=courses)
+    result = adjust(points, PRIOR, StochasticModel(surface=0.0))
+    lines = {round(np.degrees(line.heading)): line for line in further_lines(points, result)}
+    assert not lines[0].to_starboard  # northward, west is to port
+    assert lines[180].to_starboard
+    assert all(10.5 < line.distance < 15.5 for line in lines.values())
+    said = advice(points, result)
+    best = lines[int(re.search(r"headed (\d+) deg", said)[1])]
+    side = "starboard" if best.to_starboard else "port"
+    assert f", with the middle of the targets {best.distance:.0f} m to {side}, would " in said
 
 
 def test_parts_are_compared_without_what_none_of_them_sees() -> None:

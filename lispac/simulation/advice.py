@@ -12,6 +12,7 @@ from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.problem import RELEASED, Problem
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.shapes import points_local
+from lispac.adjustment.shown import listed, parameter
 from lispac.survey.georeferencing import to_lidar
 from lispac.survey.trajectory import Poses
 
@@ -35,10 +36,16 @@ class FurtherLine:
     heading : float, radians clockwise from north
     sigma : ndarray of shape (3,), radians
         Of roll, pitch, yaw with the line added.
+    distance : float, metres
+        From the middle of the targets, over ground.
+    to_starboard : bool
+        Whether they lie there, and not to port.
     """
 
     heading: float
     sigma: Array
+    distance: float
+    to_starboard: bool
 
 
 def further_lines(observations: Observations, result: AdjustmentResult) -> tuple[FurtherLine, ...]:
@@ -48,50 +55,114 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
     Sigmas follow from the geometry alone: the same model and Jacobians as in the adjustment. The
     observations carry the sigmas that the result was found with (`AdjustmentResult.sigma_factors`).
     """
-    shapes = np.stack([target.plane for target in result.targets])
-    # What is held without a sigma takes no part; what no line sees keeps its stated one.
-    parameters = tuple(
-        Parameter(each.name, each.prior_sigma)
-        for each in result.parameters
-        if each.value is not None or each.prior_sigma is not None
-    )
-    suspects = set(result.suspects)
-    released = [k for k, s in enumerate(observations.sightings) if s in suspects]
     found = []
     with one_thread():
         for heading in HEADINGS:
             added = _with_line(observations, result, float(heading))
-            if added is None:
-                continue
-            problem = Problem.of(added, result.mounting, result.model, parameters)
-            noise = np.array([target.noise for target in result.targets])
-            problem = replace(problem, noise=noise).with_surface(max(result.surface, 1e-5))
-            problem = problem.with_surface_of(released, slice(0, 3), RELEASED)
-            state = problem.start(result.mounting, shapes)
-            information = problem.linearised(state).normal.information(3)
-            sigma = np.sqrt(np.diag(np.linalg.inv(information)))
-            found.append(FurtherLine(float(heading), sigma))
+            if added is not None:
+                every, distance, to_starboard = added
+                sigma = _foretold(every, result, _taking_part(result))
+                found.append(FurtherLine(float(heading), sigma, distance, to_starboard))
     return tuple(found)
 
 
+def _taking_part(result: AdjustmentResult) -> tuple[Parameter, ...]:
+    """What is held without a sigma takes no part; what no line sees keeps its stated one."""
+    if not result.model.correlated:
+        return ()  # thesis mode estimates the angles alone
+    return tuple(
+        Parameter(each.name, each.prior_sigma)
+        for each in result.parameters
+        if each.value is not None or each.prior_sigma is not None
+    )
+
+
+def _foretold(
+    observations: Observations, result: AdjustmentResult, parameters: tuple[Parameter, ...]
+) -> Array:
+    """Sigmas (radians) of roll, pitch, yaw that the observations would give, shape (3,)."""
+    shapes = np.stack([target.plane for target in result.targets])
+    suspects = set(result.suspects)
+    released = [k for k, s in enumerate(observations.sightings) if s in suspects]
+    problem = Problem.of(observations, result.mounting, result.model, parameters)
+    noise = np.array([target.noise for target in result.targets])
+    problem = replace(problem, noise=noise).with_surface(max(result.surface, 1e-5))
+    problem = problem.with_surface_of(released, slice(0, 3), RELEASED)
+    state = problem.start(result.mounting, shapes)
+    information = problem.linearised(state).normal.information(3)
+    return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
+
+
 def advice(observations: Observations, result: AdjustmentResult) -> str:
-    """The line that would help the least certain angle most, in a sentence."""
-    weakest = int(np.argmax(result.sigma))
+    """The line that would help the least certain angle most, in a sentence.
+
+    An angle that is known as well as a stated value, and no better whoever sails, is named as such,
+    and the next one is spoken of.
+    """
     lines = further_lines(observations, result)
     if not lines:
         return ""
-    best = min(lines, key=lambda line: float(line.sigma[weakest]))
-    now, then = np.degrees(result.sigma[weakest]), np.degrees(best.sigma[weakest])
-    if then > WORTH_IT * now:
+    ruled = _ruled(observations, result)
+    said = []
+    for k in np.argsort(-result.sigma, kind="stable"):
+        best = min(lines, key=lambda line: float(line.sigma[k]))
+        helps = best.sigma[k] <= WORTH_IT * result.sigma[k]
+        if not helps and ruled[k]:
+            said.append(
+                f"The sigma of {ANGLES[k]} is mostly that of the stated {listed(ruled[k])}, and no "
+                "further line lowers it."
+            )
+            continue
+        said.append(_line_for(result, best, int(k), helps=bool(helps)))
+        break
+    return " ".join(said)
+
+
+def _line_for(result: AdjustmentResult, best: FurtherLine, angle: int, *, helps: bool) -> str:
+    now, then = np.degrees(result.sigma[angle]), np.degrees(best.sigma[angle])
+    metres = f"{best.distance:.0f}" if best.distance >= 10 else f"{best.distance:.1f}"
+    if not helps:
         return (
-            f"No single further line past these targets would bring the sigma of "
-            f"{ANGLES[weakest]} from {now:.3f} below {WORTH_IT * now:.3f} deg; targets elsewhere, "
-            "or the survey repeated later, when the POS error is another one, would."
+            f"No single further line past these targets, {metres} m from their middle, would bring "
+            f"the sigma of {ANGLES[angle]} from {now:.3f} below {WORTH_IT * now:.3f} deg; targets "
+            "elsewhere, or the survey repeated later, when the POS error is another one, would."
         )
+    side = "starboard" if best.to_starboard else "port"
     return (
-        f"A further line headed {np.degrees(best.heading):.0f} deg{_off_wall(result, best)} would "
-        f"bring the sigma of {ANGLES[weakest]} from {now:.3f} to {then:.3f} deg."
+        f"A further line headed {np.degrees(best.heading):.0f} deg{_off_wall(result, best)}, with "
+        f"the middle of the targets {metres} m to {side}, would bring the sigma of "
+        f"{ANGLES[angle]} from {now:.3f} to {then:.3f} deg."
     )
+
+
+def _ruled(observations: Observations, result: AdjustmentResult) -> tuple[list[str], ...]:
+    """Of each angle the stated values, not seen, whose sigma no data bring its own below.
+
+    They are found by what the sigmas would be if a value were known exactly.
+    """
+    everything = _taking_part(result)
+    values = {each.name: each.value for each in result.parameters}
+    held = [each.name for each in everything if values[each.name] is None]
+    if not held:
+        return [], [], []
+
+    def exactly(names: Collection[str]) -> Array:
+        others = tuple(each for each in everything if each.name not in names)
+        return _foretold(observations, result, others)
+
+    with one_thread():
+        now, known = exactly(()), exactly(held)
+        alone = {name: exactly([name]) for name in held}
+    floor = np.sqrt(np.maximum(now**2 - known**2, 0.0))
+    found: list[list[str]] = [[], [], []]
+    for k in np.flatnonzero(floor > WORTH_IT * now):
+        least = min(sigma[k] for sigma in alone.values())
+        found[k] = [
+            parameter(name)
+            for name, sigma in alone.items()
+            if sigma[k] == least or sigma[k] < WORTH_IT * now[k]
+        ]
+    return found[0], found[1], found[2]
 
 
 def _off_wall(result: AdjustmentResult, line: FurtherLine) -> str:
@@ -108,7 +179,8 @@ def _off_wall(result: AdjustmentResult, line: FurtherLine) -> str:
 
 def _with_line(
     observations: Observations, result: AdjustmentResult, heading: float
-) -> Observations | None:
+) -> tuple[Observations, float, bool] | None:
+    """The observations with a line; how far from it the targets lie, and whether to starboard."""
     places = points_local(observations, result.mounting)
     suspects = set(result.suspects)
     seen = [_best_sighting(observations, k, suspects) for k in range(len(observations.targets))]
@@ -118,7 +190,8 @@ def _with_line(
     course = np.array([np.cos(heading), -np.sin(heading), 0.0])
     aside = np.array([-course[1], course[0], 0.0])
     middle = centres.mean(axis=0)
-    if (vessel.mean(axis=0) - middle) @ aside < 0:
+    to_starboard = bool((vessel.mean(axis=0) - middle) @ aside >= 0)
+    if not to_starboard:
         aside = -aside
     start = middle + reach * aside
     start[2] = float(vessel[:, 2].mean())
@@ -150,7 +223,7 @@ def _with_line(
         sightings.append(Sighting(target.target, "further line"))
     if not parts:
         return None
-    return _joined(observations, parts, sightings)
+    return _joined(observations, parts, sightings), reach, to_starboard
 
 
 def _joined(
