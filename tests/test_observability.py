@@ -15,7 +15,15 @@ from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
 from lispac.errors import RankDeficient
 from lispac.simulation.advice import advice, further_lines
-from lispac.simulation.closed_form import BOARDS, Ball, Board, exact_survey, observed, six_courses
+from lispac.simulation.closed_form import (
+    BOARDS,
+    Ball,
+    Board,
+    Course,
+    exact_survey,
+    observed,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses
@@ -56,6 +64,26 @@ def test_a_geometry_that_fails_is_refused_with_its_reason(
     points, model = survey(targets, courses, still=True), StochasticModel(pos_errors)
     with pytest.raises(RankDeficient, match=reason):
         adjust(points, PRIOR, model, accept_one_facing=accepted)
+
+
+def there_and_back(times: int) -> tuple[Course, ...]:
+    """Lines past both boards, all parallel: what pitch and yaw do to them can hardly be told."""
+    pair = six_courses()[:2]
+    return tuple(
+        replace(course, name=f"{course.name}{k}", time=course.time + 180 * k)
+        for k in range(times)
+        for course in pair
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("loss", ["none", "tukey"])
+def test_thesis_mode_refuses_what_the_correlated_model_refuses(seed, loss) -> None:
+    """Its own information grows with the points, and any angle seems known."""
+    points = survey(courses=there_and_back(2), seed=seed)
+    for pos_errors in POS_ERRORS:
+        with pytest.raises(RankDeficient, match="all lines run parallel"):
+            adjust(points, PRIOR, StochasticModel(pos_errors, loss=loss), diagnostics=False)
 
 
 def facing(degrees: float) -> Board:

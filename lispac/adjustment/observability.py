@@ -1,12 +1,13 @@
 """What the geometry sees: eigenvalues, weak directions, refusals, in numbers and in words."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.parameters import LIMITS, Estimate
-from lispac.adjustment.problem import Linearised
+from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import ANGLES, Observability
 from lispac.errors import RankDeficient
 from lispac.survey.georeferencing import CALIBRATION
@@ -82,7 +83,7 @@ def _hidden(
 
 
 def require_determined(linearised: Linearised) -> None:
-    """Refuse a geometry that leaves an angle open.
+    """Refuse a geometry that leaves an angle open, in thesis mode as in the correlated model.
 
     Raises
     ------
@@ -96,7 +97,7 @@ def require_determined(linearised: Linearised) -> None:
             f"All sightings are on line {lines[0]}: a surface seen once fits any boresight. Add "
             "lines in other directions over the same targets."
         )
-    information = linearised.normal.information(3)
+    information = _with_shared_errors(linearised).normal.information(3)
     eigenvalues, directions = np.linalg.eigh(information)
     if eigenvalues[0] >= max(WORST_SIGMA**-2, 1e-12 * eigenvalues[2]):
         return
@@ -116,6 +117,21 @@ def require_determined(linearised: Linearised) -> None:
         f"{_mixture(directions[:, 0])}{because}. Add {another}, or lines in other directions: a "
         "vertical target shows roll on lines along it, pitch and yaw on lines at 45 deg to it."
     )
+
+
+def _with_shared_errors(linearised: Linearised) -> Linearised:
+    """The equations of the correlated model at the same state.
+
+    Where every point has a POS error of its own, any angle is known if only the points are many.
+    """
+    problem, state = linearised.problem, linearised.state
+    if problem.model.correlated:
+        return linearised
+    model = replace(problem.model, pos_errors="correlated")
+    problem = Problem.of(
+        problem.observations, problem.prior, model, problem.parameters, problem.moments
+    )
+    return problem.linearised(problem.start(state.mounting, state.shapes))
 
 
 def require_two_facings(linearised: Linearised) -> None:

@@ -10,7 +10,6 @@ from lispac.adjustment.averaging import averaged
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
 from lispac.errors import AdjustmentError, RankDeficient
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
@@ -210,6 +209,8 @@ def select(
         subsample=max(settings.subsample, SELECTION_SPACING),
         parameters=(),
     )
+    # Whether the geometry answers is judged by the times and surfaces that are stated.
+    judged = replace(settings.stochastic_model, pos_errors="independent", loss="none")
     angles = prior.boresight
     for k in range(rounds):
         step = part(progress, k / rounds, (k + 1) / rounds)
@@ -218,7 +219,7 @@ def select(
         # model; this one leaves them to stand out.
         thinned = observations_of(selected, survey, settings=coarse)
         result = adjust(
-            thinned, prior, StochasticModel("independent"),
+            thinned, prior, judged,
             accept_one_facing=settings.accept_one_facing, diagnostics=False,
         )  # fmt: skip
         moved = np.abs(result.boresight - angles)
