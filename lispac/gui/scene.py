@@ -103,6 +103,11 @@ class Scene(QObject):
         """Keep the lines placed with ``result``."""
         self._estimated = (result, clouds)
 
+    def keep_placed(self, old: object, new: object) -> None:
+        """The lines placed with one result are those of another with the same mounting."""
+        if self._estimated is not None and self._estimated[0] is old:
+            self._estimated = (new, self._estimated[1])
+
     def show(self, which: Which) -> None:
         """Show the lines before or after."""
         if which == "estimated" and not self.has_estimated:

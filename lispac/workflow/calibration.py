@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.averaging import averaged
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError, RankDeficient
 from lispac.progress import Progress, no_progress, part
@@ -236,11 +237,13 @@ def solve(
     survey: Survey,
     *,
     cross_check: bool = True,
+    advise: bool = True,
     progress: Progress = no_progress,
 ) -> Project:
     """Adjust the points of ``selected``, those of the sightings that ``project`` uses.
 
-    Fast enough to follow a click: a target or line switched off needs no new selection.
+    Fast enough to follow a click: a target or line switched off needs no new selection. Without
+    ``advise`` nothing is said of a further line; that, and the cross-checks, `check` brings after.
     """
     settings, prior = project.settings, project.mounting("prior")
     observations = _chosen(project, selected, survey)
@@ -253,24 +256,37 @@ def solve(
         accept_one_facing=settings.accept_one_facing,
         progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
     )
-    # A further line is judged by the sigmas of the whole.
-    judged = observations.with_sigmas(*result.sigma_factors)
-    seen = result.observability
-    if seen is not None and (said := advice(judged, result)):
-        said_too = replace(seen, sentences=(*seen.sentences, said))
-        result = replace(result, observability=said_too)
-    solved = project.with_result(result)
+    solved = project.with_result(_advised(result, observations) if advise else result)
     return _checked(solved, observations, part(progress, 0.4, 1.0)) if cross_check else solved
 
 
 def check(
-    project: Project, selected: Project, survey: Survey, *, progress: Progress = no_progress
+    project: Project,
+    selected: Project,
+    survey: Survey,
+    *,
+    cross_check: bool = True,
+    progress: Progress = no_progress,
 ) -> Project:
-    """A project with a result, and the answers of parts of the same points beside it.
+    """A project with a result, and what was left out for haste: a further line, the cross-checks.
 
-    For what was solved without: a click is followed at once, and this comes after it.
+    For what was solved without advice: a click is followed at once, and this comes after it. The
+    result is the same but for the sentence on a further line.
     """
-    return _checked(project, _chosen(project, selected, survey), progress)
+    assert project.result is not None
+    observations = _chosen(project, selected, survey)
+    advised = replace(project, result=_advised(project.result, observations))
+    return _checked(advised, observations, progress) if cross_check else advised
+
+
+def _advised(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
+    """The result with a sentence on the further line that would help most."""
+    # A further line is judged by the sigmas of the whole.
+    judged = observations.with_sigmas(*result.sigma_factors)
+    seen = result.observability
+    if seen is None or not (said := advice(judged, result)):
+        return result
+    return replace(result, observability=replace(seen, sentences=(*seen.sentences, said)))
 
 
 def _chosen(project: Project, selected: Project, survey: Survey) -> Observations:

@@ -12,6 +12,7 @@ from lispac.gui.panels.diagnostics_pages import PAGES
 from lispac.gui.panels.diagnostics_table import MARKED_BACKGROUND
 from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
 from lispac.project import Project
+from lispac.simulation.advice import advice
 from tests.gui.support import (
     WAIT_MS,
     Control,
@@ -206,6 +207,34 @@ def test_what_follows_from_a_tick_is_shown_and_cross_checked_after_that(
     shown.rest()
     assert turn_to(shown, "Sightings").table.rowCount() == len(estimated.result.sightings)
     assert turn_to(shown, "Cross-checks").advice == ""
+
+
+@pytest.mark.parametrize("checked", [True, False])
+def test_a_further_line_is_sought_after_what_follows_from_a_tick(
+    shown: Driver, estimated: Project, monkeypatch: pytest.MonkeyPatch, checked: bool
+):
+    """It takes half as long as the adjustment, and nobody waits for it."""
+    sought = []
+
+    def advised(observations, result):
+        sought.append(shown.project.result is not None)
+        return advice(observations, result)
+
+    def said():
+        result = shown.project.result
+        return result is not None and "further line" in result.observability.sentences[-1]
+
+    monkeypatch.setattr("lispac.workflow.calibration.advice", advised)
+    monkeypatch.setattr(shown.window.estimating, "_wants_checks", checked)
+    shown.window.docks["Targets by lines"].raise_()
+    ticks = shown.window.table
+    click_check(shown, ticks, ticks.sightings.index(0, 2))
+    shown.bot.waitUntil(said, timeout=WAIT_MS)
+    assert sought == [True]
+    assert shown.window.scene.has_estimated
+    shown.rest()
+    assert (shown.project.cross_checks is not None) == checked
+    assert sought == [True]
 
 
 def test_thesis_mode_says_what_it_does_not_work_out(shown: Driver, estimated: Project):
