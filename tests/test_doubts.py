@@ -117,10 +117,18 @@ def _bent(project: Project) -> Project:
     return replace(project, result=replace(project.result, surface=0.0071))
 
 
+def _displaced(project: Project) -> Project:
+    assert project.result is not None
+    return replace(project, result=replace(project.result, surface=1e-5, offset=0.0071))
+
+
 CASES = [
     ("contradicted_lever_x", True, _contradicted, "The data contradict the stated lever arm X: "
      "they want it 0.0951 m smaller (+/- 0.0041 m, w -23.2), which would move pitch by -"),
-    ("surfaces_differ", False, _bent, "seem to lie 7.1 mm (1 sigma) off their common shape"),
+    ("surfaces_differ", False, _bent, "seem to lie 7.1 mm (1 sigma) off their common shape, "
+     "beyond what"),
+    ("surfaces_differ", False, _displaced, "seem to lie 7.1 mm (1 sigma) off their common shape, "
+     "displaced rather than bent or turned (offsets 7.1 mm, tilts below 0.1 mm), beyond what"),
     ("large_sigma", True, _wide, "roll to 0.49 deg (1 sigma). Add targets"),
     ("large_sigma", True, _unseen, "What these lines and targets do not see goes into it: "
      "scan-angle offset."),

@@ -77,7 +77,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     said = _settings(sample_content(project))
     assert said["POS errors"].startswith("correlated. All points of one sighting share")
     assert said["Correlation times, position, attitude"].startswith("300 s, 600 s: how long")
-    assert said["Surface sigma"].startswith("0.4 mm, found from the data")
+    assert said["Surface sigma"].startswith("0.4\u00a0mm, found from the data")
     assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
     assert said["LiDAR noise found"] == "not above the stated LiDAR noise on any target"
     first, second = _result(project).targets
@@ -90,7 +90,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
         "in the residuals 1.4\u00a0times (T2) the stated LiDAR noise; the sigmas"
     )
     assert "T1" not in said["LiDAR noise found"]
-    assert said["Surface sigma"].startswith("0.4 mm, as typed")
+    assert said["Surface sigma"].startswith("0.4\u00a0mm, as typed")
     assert "beyond 4.7 standard deviations" in said["Stray points"]
     assert "noise" not in {caution.code for caution in noisy.cautions}
     assert "T2 is rougher than a plane" in _caution(

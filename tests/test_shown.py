@@ -57,6 +57,24 @@ def test_a_value_is_shown_alike_everywhere(
     assert said == printed.replace(" ", "\u00a0")
 
 
+def test_two_surface_sigmas_are_told_where_there_are_two(sample: Sample, tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "report")
+    assert project.result is not None
+    for offset, words in (
+        (None, "0.4\u00a0mm"),
+        (0.0032, "offsets 3.2\u00a0mm, tilts 0.4\u00a0mm"),
+    ):
+        result = replace(project.result, offset=offset)
+        assert result_words.surface_words(result) == words
+        said = numbers(result, None)
+        assert (said["surface_sigma_m"], said["offset_sigma_m"]) == (0.0004, offset)
+        content = sample_content(replace(project, result=result))
+        assert content.settings.offset_sigma_m == offset
+        blocks = [block for s in document_of(content, {}).sections for block in s.blocks]
+        cells = [cell for b in blocks if b.kind == "table" for row in b.rows for cell in row]
+        assert any(str(cell).startswith(f"{words}, found from the data") for cell in cells)
+
+
 def test_json_keeps_metres_degrees_and_seconds(sample: Sample) -> None:
     latency = Estimate("latency", 0.0, None, 0.0021, 0.0001, 21.0)
     said = numbers(replace(sample[0], parameters=(latency,)), None)["parameters"]["latency"]

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from lispac.adjustment.components import surface_sigma
+from lispac.adjustment.components import OFFSETS, TILTS, surface_sigma
 from lispac.adjustment.noise import at_target, noise_factors, scale_of_targets
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.sums import State
@@ -45,7 +45,10 @@ def with_surface(problem: Problem, linearised: Linearised) -> Problem:
     """The same problem with the surfaces that the data tell, where they were not stated."""
     if not problem.model.correlated or problem.model.surface is not None:
         return problem
-    return problem.with_surface(surface_sigma(linearised))
+    if not problem.own_offsets:
+        return problem.with_surface(surface_sigma(linearised))
+    tilts, offsets = (surface_sigma(linearised, some) for some in (TILTS, OFFSETS))
+    return problem.with_surface(np.array([tilts, tilts, offsets]))
 
 
 def differ(one: Problem, other: Problem) -> bool:

@@ -15,7 +15,7 @@ import scipy.linalg
 import scipy.stats
 from numpy.typing import NDArray
 
-from lispac.adjustment.components import surface_sigma
+from lispac.adjustment.adaptation import with_surface
 from lispac.adjustment.normal import columns_basis
 from lispac.adjustment.problem import RELEASED, Linearised, Problem
 
@@ -64,7 +64,8 @@ class Blunder:
 
     def back_in(self, problem: Problem) -> Problem:
         """The problem that holds the sightings like all others."""
-        return problem.with_surface_of(self.sightings, self._directions, problem.usual_surface)
+        held = problem.usual_surface[self._directions]
+        return problem.with_surface_of(self.sightings, self._directions, held)
 
     @property
     def _directions(self) -> slice:
@@ -146,10 +147,8 @@ def _candidates(problem: Problem) -> Iterator[Blunder]:
 
 def _without(linearised: Linearised, found: Blunder) -> Linearised:
     """The same with surfaces that differ by as much as all other sightings say."""
-    if linearised.problem.model.surface is not None:
-        return linearised
-    released = linearised.of(found.out_of(linearised.problem))
-    return linearised.of(linearised.problem.with_surface(surface_sigma(released)))
+    problem = linearised.problem
+    return linearised.of(with_surface(problem, linearised.of(found.out_of(problem))))
 
 
 def _chance(linearised: Linearised, found: Blunder) -> float:

@@ -21,23 +21,73 @@ Array = NDArray[np.float64]
 SMALLEST_SURFACE, LARGEST_SURFACE = 1e-5, 0.3  # metres
 
 
-def surface_sigma(linearised: Linearised) -> float:
-    """Most likely sigma of how the sightings depart from their target's shape, metres."""
+EVERY, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
+
+INSIST = 10.0
+"""Gain of twice the log likelihood by a sigma of the offsets' own: by chance once in 1000."""
+
+
+def surface_sigma(linearised: Linearised, directions: slice = EVERY) -> float:
+    """Most likely sigma of how the sightings depart from their target's shape, metres.
+
+    Parameters
+    ----------
+    directions : slice
+        Of the tilts (0, 1) and the offset (2): those the sigma is of; the others keep theirs.
+    """
+    alike = np.zeros_like(linearised.problem.surface_sigma, dtype=bool)
+    alike[:, directions] = True
+    return _likeliest(linearised, alike & (linearised.problem.surface_sigma < RELEASED))[0]
+
+
+def offsets_insist(linearised: Linearised) -> bool:
+    """Whether the data insist on another sigma for the offsets than they share with the tilts.
+
+    Boards that are displaced from line to line and not bent do that. Those that are displaced most
+    may have been let go of: with a sigma of their own they are held again. That must be likelier
+    than what was let go of, and than holding them again with the sigma shared.
+    """
+    shared = np.repeat(linearised.problem.surface_sigma[:, :1] < RELEASED, 3, axis=1)
+    own = shared.copy()
+    own[:, TILTS] = False
+    gain = _likeliest(linearised, own)[1]
+    return gain > INSIST and gain - _likeliest(linearised, shared)[1] > INSIST
+
+
+def _likeliest(linearised: Linearised, alike: NDArray[np.bool_]) -> tuple[float, float]:
+    """The most likely sigma of some departures, metres, and the gain of twice the log likelihood.
+
+    Parameters
+    ----------
+    alike : ndarray of shape (sightings, 3)
+        Those the sigma is of.
+    """
+    now = linearised.problem.surface_sigma
+    unlikeliness = _surface_likelihood(linearised)
+    found = scipy.optimize.minimize_scalar(
+        lambda log_sigma: unlikeliness(np.where(alike, np.exp(log_sigma), now)),
+        bounds=(np.log(SMALLEST_SURFACE), np.log(LARGEST_SURFACE)),
+        method="bounded",
+    )
+    return float(np.exp(found.x)), unlikeliness(now) - float(found.fun)
+
+
+def _surface_likelihood(linearised: Linearised) -> Callable[[Array], float]:
+    """Minus twice the restricted log likelihood by the sigmas of all departures."""
     problem, normal = linearised.problem, linearised.normal
-    sigma = problem.surface_sigma.reshape(-1)
-    held = sigma < RELEASED
-    places = np.arange(normal.layout.surfaces[0].start, normal.layout.size)[held]
-    departures, used = linearised.departures.reshape(-1)[held], sigma[held]
+    places = np.arange(normal.layout.surfaces[0].start, normal.layout.size)
+    departures, used = linearised.departures.reshape(-1), problem.surface_sigma.reshape(-1)
     reduced, right = normal.reduced.copy(), normal.reduced_right.copy()
     reduced[places, places] -= used**-2.0
     right[places] += departures * used**-2.0
     scale = np.ones(len(reduced))
-    others = slice(0, -len(sigma))
+    others = slice(0, -len(places))
     scale[others] = 1 / np.sqrt(np.diag(reduced)[others])
     reduced, right = reduced * np.outer(scale, scale), right * scale
 
-    def unlikeliness(log_sigma: float) -> float:
-        precision = np.exp(-2 * log_sigma)
+    def unlikeliness(sigmas: Array) -> float:
+        sigma = sigmas.reshape(-1)
+        precision = sigma**-2.0
         matrix, pull = reduced.copy(), right.copy()
         matrix[places, places] += precision
         pull[places] -= departures * precision
@@ -45,14 +95,12 @@ def surface_sigma(linearised: Linearised) -> float:
         explained = scipy.linalg.solve_triangular(factor, pull, lower=True)
         return float(
             2 * np.log(np.diag(factor)).sum()
-            + 2 * log_sigma * len(places)
-            + departures @ departures * precision
+            + 2 * np.log(sigma).sum()
+            + departures**2 @ precision
             - explained @ explained
         )
 
-    bounds = (np.log(SMALLEST_SURFACE), np.log(LARGEST_SURFACE))
-    found = scipy.optimize.minimize_scalar(unlikeliness, bounds=bounds, method="bounded")
-    return float(np.exp(found.x))
+    return unlikeliness
 
 
 NAMES = ("LiDAR", "POS position", "POS attitude")
@@ -102,7 +150,7 @@ def variance_components(linearised: Linearised) -> Likeliest:
     free[0] = bool(problem.noise.max() < NOISY)
     free[3] = problem.model.surface is None
     enough = len(problem.observations.lines) >= FEWEST_LINES
-    usual = problem.usual_surface if free[3] else 1.0
+    usual = float(problem.usual_surface.max()) if free[3] else 1.0
     bounds = [
         *[(np.log(FACTORS[0]), np.log(FACTORS[1]))] * len(NAMES),
         (np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)),

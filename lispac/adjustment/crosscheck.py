@@ -49,8 +49,9 @@ def cross_checks(
         observations, sigma_lidar=observations.sigma_lidar * factors[owners][:, None]
     )
     if result.model.correlated:
-        surface = max(result.surface, 1e-5) if result.model.surface != 0 else 0.0
-        result = replace(result, model=replace(result.model, surface=surface))
+        surface, _, offset = np.maximum(result.surfaces, 1e-5 if result.model.surface != 0 else 0.0)
+        model = replace(result.model, surface=float(surface), offset=float(offset))
+        result = replace(result, model=model)
     result, parameters = _without_unseen(observations, start, result, parameters)
     parts = [*_left_out(observations), *_halves(observations)]
     found: list[CrossCheck] = []

@@ -34,6 +34,7 @@ from lispac.adjustment.shown import (
     plain,
     signed,
     standing,
+    surface_sigmas,
     times,
 )
 
@@ -135,15 +136,21 @@ def _contradictions(result: AdjustmentResult, _: CrossChecks | None) -> Iterator
 
 
 def _surfaces(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
-    if result.model.surface is None and result.surface > FLAT:
-        yield Doubt(
-            "surfaces_differ",
-            False,
-            f"From line to line the targets seem to lie {mm(result.surface)}\u00a0mm (1 sigma) off "
-            "their common shape, beyond what the stated sigmas explain; the chi-square test "
-            "allows for it. Rough or bent targets do that, and so does an error the model lacks; "
-            "flat boards do not.",
-        )
+    most = float(result.surfaces.max())
+    if result.model.surface is not None or most <= FLAT:
+        return
+    told = ""
+    why = "Rough or bent targets do that, and so does an error the model lacks; flat boards do not."
+    if result.offset == most:
+        told = f", displaced rather than bent or turned ({surface_sigmas(result.surface, most)})"
+        why = "Targets that moved do that, and so does an error the model lacks."
+    yield Doubt(
+        "surfaces_differ",
+        False,
+        f"From line to line the targets seem to lie {mm(most)}\u00a0mm (1 sigma) off their common "
+        f"shape{told}, beyond what the stated sigmas explain; the chi-square test allows for it. "
+        f"{why}",
+    )
 
 
 def _large_sigmas(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:

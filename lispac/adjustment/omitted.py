@@ -13,7 +13,8 @@ import numpy as np
 import scipy.stats
 from numpy.typing import NDArray
 
-from lispac.adjustment.components import SMALLEST_SURFACE, surface_sigma
+from lispac.adjustment.adaptation import with_surface
+from lispac.adjustment.components import SMALLEST_SURFACE
 from lispac.adjustment.observability import unseen
 from lispac.adjustment.parameters import SWITCHED, Parameter
 from lispac.adjustment.problem import Linearised, Problem
@@ -85,18 +86,18 @@ def _test(
         return None
     problem = let_go.problem
     # Where the surfaces' sigma is nothing already, it has swallowed nothing.
-    if problem.layout.surfaces and problem.model.surface is None and not _nothing(problem):
-        let_go = let_go.of(problem.with_surface(surface_sigma(let_go)))
+    if problem.layout.surfaces and not _nothing(problem):
+        let_go = let_go.of(with_surface(problem, let_go))
     correction, _ = let_go.normal.solve()
     k = int(np.searchsorted(problem.active, parameter.index))
     sigma = float(np.sqrt(let_go.normal.covariance[k, k]))
     moved = correction[:3] - before
-    surface = let_go.problem.usual_surface
+    surface = float(let_go.problem.usual_surface.max())
     return Contradiction(parameter.name, float(correction[k]), sigma, moved, surface)
 
 
 def _nothing(problem: Problem) -> bool:
-    return problem.usual_surface < 2 * SMALLEST_SURFACE
+    return bool(problem.usual_surface.max() < 2 * SMALLEST_SURFACE)
 
 
 def _only(every: Linearised, parameters: tuple[Parameter, ...]) -> Linearised:

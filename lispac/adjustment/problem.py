@@ -59,6 +59,8 @@ class Problem:
     moments : ndarray of shape (sightings, 4, 4)
         Sums of the products of (x, y, z, 1), metres, placed with the prior: where each sighting is
         and how far it reaches. Of all points alike: what a tilt is must not depend on weights.
+    own_offsets : bool
+        Whether the data tell a sigma of the offsets apart from that of the tilts.
     """
 
     observations: Observations
@@ -72,6 +74,7 @@ class Problem:
     noise: Array
     blocks: NDArray[np.int64]
     moments: Array
+    own_offsets: bool = False
 
     @classmethod
     def of(
@@ -89,6 +92,8 @@ class Problem:
         ordered, groups, order = grouped(observations, knots)
         surface = FIRST_SURFACE if model.surface is None else model.surface
         sigma = np.full((len(observations.sightings), 3), surface)
+        if model.offset is not None:
+            sigma[:, 2] = model.offset
         ones = np.ones(len(observations.targets))
         blocks = np.zeros(0, dtype=np.int64)
         return cls(
@@ -124,17 +129,28 @@ class Problem:
         return np.asarray(self.surface_sigma[:, 2] < RELEASED)
 
     @property
-    def usual_surface(self) -> float:
-        """Sigma (metres) of the surfaces that are held."""
-        return float(self.surface_sigma.min())
+    def usual_surface(self) -> Array:
+        """Sigmas of the tilts and the offset of what is held, shape (3,), metres."""
+        return np.asarray(self.surface_sigma.min(axis=0))
 
-    def with_surface(self, sigma: float) -> "Problem":
-        """The same with another sigma of the surfaces, metres, but for what is released."""
+    @property
+    def has_own_offsets(self) -> bool:
+        """Whether the sigma of the offsets is apart from that of the tilts."""
+        return self.own_offsets or self.model.offset is not None
+
+    def with_surface(self, sigma: float | Array) -> "Problem":
+        """The same with another sigma of the surfaces, metres, but for what is released.
+
+        Parameters
+        ----------
+        sigma : float or ndarray of shape (3,), metres
+            Of tilts and offset alike, or of each.
+        """
         kept = self.surface_sigma >= RELEASED
         return replace(self, surface_sigma=np.where(kept, RELEASED, sigma))
 
     def with_surface_of(
-        self, sightings: Sequence[int], directions: slice, sigma: float
+        self, sightings: Sequence[int], directions: slice, sigma: float | Array
     ) -> "Problem":
         """The same with another sigma (metres) of some sightings' tilts (0, 1) or offset (2)."""
         changed = self.surface_sigma.copy()
@@ -161,7 +177,11 @@ class Problem:
         observations = self.observations.with_sigmas(lidar, position, attitude)
         problem = Problem.of(observations, self.prior, self.model, self.parameters, self.moments)
         return replace(
-            problem, surface_sigma=self.surface_sigma, scale=self.scale, noise=self.noise
+            problem,
+            surface_sigma=self.surface_sigma,
+            scale=self.scale,
+            noise=self.noise,
+            own_offsets=self.own_offsets,
         )
 
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "Problem":

@@ -61,7 +61,7 @@ def sighting_tests(linearised: Linearised) -> SightingTests:
     # What all other data say of the offset, as a variance; infinite where only the prior does
     open_to_data = np.maximum(1 / after - 1 / prior, 1e-9)
     shift = linearised.departures[:, 2] / after / open_to_data
-    sigma = np.sqrt(problem.usual_surface**2 + 1 / open_to_data)
+    sigma = np.sqrt(problem.usual_surface[2] ** 2 + 1 / open_to_data)
     return SightingTests(shift, sigma, covariance[:3, places].T / prior[:, None])
 
 

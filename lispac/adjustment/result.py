@@ -226,6 +226,9 @@ class AdjustmentResult:
         the residuals.
     surface : float, metres
         Sigma of how the sightings depart from their target's shape; 0 in thesis mode.
+    offset : float or None, metres
+        That of their offsets, where the data insist on another one; ``surface`` is that of the
+        tilts then.
     reliability : tuple of SightingReliability
         Empty in thesis mode.
     components : tuple of Component
@@ -259,6 +262,14 @@ class AdjustmentResult:
     elapsed: float
     left_out: int = 0
     contradictions: tuple[Contradiction, ...] = ()
+    offset: float | None = None
+
+    @property
+    def surfaces(self) -> Array:
+        """Sigmas of a sighting's two tilts and its offset, shape (3,), metres."""
+        return np.array(
+            [self.surface, self.surface, self.surface if self.offset is None else self.offset]
+        )
 
     @property
     def boresight(self) -> Array:

@@ -161,6 +161,17 @@ def mm(metres: float) -> str:
     return f"{1000 * metres:,.1f}"
 
 
+def surface_sigmas(surface: float, offset: float | None) -> str:
+    """Sigma of the surfaces, metres, and that of their offsets where it is another one."""
+    if offset is None:
+        return f"{_tenths(surface)}\u00a0mm"
+    return f"offsets {_tenths(offset)}\u00a0mm, tilts {_tenths(surface)}\u00a0mm"
+
+
+def _tenths(metres: float) -> str:
+    return "below 0.1" if mm(metres) == "0.0" else mm(metres)
+
+
 def times(factor: float) -> str:
     """How many times something is as large as something else."""
     return f"{factor:.1f}\u00a0times"

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.adaptation import SCALE_SETTLED
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
-from lispac.adjustment.components import FACTORS, variance_components
+from lispac.adjustment.components import FACTORS, offsets_insist, variance_components
 from lispac.adjustment.iteration import Solution, iterate
 from lispac.adjustment.noise import astray, at_target, noise_factors
 from lispac.adjustment.observability import NAMES, require_determined, require_two_facings, unseen
@@ -147,7 +147,7 @@ def _adjusted(
         # Sigmas that are too small would make blunders of sightings that are none.
         solution, _, factors = _with_components(solution, factors, progress)
     if _may_release(model):
-        solution = _explained(solution, gone, progress)
+        solution = _agreeing(solution, gone, progress)
     if components and model.correlated:
         solution, found, factors = _with_components(solution, factors, progress)
     if len(few) < len(observations):
@@ -226,6 +226,7 @@ def _completed(near: Solution, observations: Observations, progress: Progress) -
         noise=sample.noise,
         scale=sample.scale,
         surface_sigma=sample.surface_sigma,
+        own_offsets=sample.own_offsets,
     )
     if problem.model.correlated:
         few, residuals = sample.observations, sample.residuals(near.state)[1]
@@ -274,6 +275,26 @@ def _led_by_most(
 def _let_go(solution: Solution) -> int:
     """Sightings that are not held to their target's place."""
     return int((~solution.linearised.problem.held).sum())
+
+
+def _agreeing(start: Solution, gone: list[Blunder], progress: Progress) -> Solution:
+    """Let go of what does not agree, with a sigma of the offsets' own where the data insist on it.
+
+    Boards that are displaced from line to line and not bent would seem to be blunders, one after
+    the other; but so would those that a wrong value of the mounting displaces.
+    """
+    solution = _explained(start, gone, progress)
+    here = solution.linearised
+    if here.problem.model.surface is not None or not offsets_insist(here):
+        return solution
+    if contradictions(here, least=0.0):
+        return solution
+    problem = replace(start.linearised.problem, own_offsets=True)
+    try:
+        other = iterate(problem, start.state, progress, earlier=solution.path)
+        return _explained(other, gone, progress)
+    except (RankDeficient, NotConverged):
+        return solution
 
 
 def _explained(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:

@@ -40,6 +40,8 @@ class StochasticModel:
         over the whole sighting: a bent board, rough ground, range errors that depend on how the
         beam falls. Each sighting gets an offset of this sigma and, for planes, two tilts that
         lift its border by as much; None takes the sigma from the data. ``correlated`` alone.
+    offset : float or None, metres
+        Sigma of the offsets where ``surface`` is that of the tilts alone.
     loss : {"none", "huber", "tukey"}
         How stray points are weighted.
     """
@@ -49,6 +51,7 @@ class StochasticModel:
     attitude_time: float = 600.0
     surface: float | None = None
     loss: LossName = "none"
+    offset: float | None = None
 
     @property
     def knot_interval(self) -> float:

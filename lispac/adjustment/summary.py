@@ -85,7 +85,8 @@ def summary(
         sightings=sightings,
         rms_before=rms[0],
         rms_after=rms[1],
-        surface=problem.usual_surface if layout.surfaces else 0.0,
+        surface=float(problem.usual_surface[0]) if layout.surfaces else 0.0,
+        offset=float(problem.usual_surface[2]) if problem.has_own_offsets else None,
         observability=observability(linearised) if diagnostics else None,
         reliability=(
             reliability(linearised) if diagnostics and correlated and layout.surfaces else ()

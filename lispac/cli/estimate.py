@@ -203,6 +203,7 @@ def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, A
         "pos_errors": result.model.pos_errors,
         "loss": result.model.loss,
         "surface_sigma_m": result.surface,
+        "offset_sigma_m": result.offset,
         "noise_factor": {target.target: target.noise for target in result.targets},
         "prior_boresight_deg": _degrees(result.prior_boresight),
         "joint_plane_rms_m": {"before": result.rms_before, "after": result.rms_after},

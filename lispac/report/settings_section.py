@@ -9,6 +9,7 @@ from lispac.report.wording import (
     origin,
     parameter,
     quantity,
+    surface_sigmas,
     times,
     title,
     triple,
@@ -127,8 +128,7 @@ def _surface(used: SettingsUsed) -> str:
     if used.surface_sigma_m == 0:
         return "none: each sighting is held to the shape that all lines have in common"
     source = "found from the data" if used.surface_from_data else "as typed"
-    shown = mm(used.surface_sigma_m)
-    return f"{'below 0.1' if shown == '0.0' else shown} mm, {source}: {what}"
+    return f"{surface_sigmas(used.surface_sigma_m, used.offset_sigma_m)}, {source}: {what}"
 
 
 def _components(adjustment: Adjustment) -> list[Block]:

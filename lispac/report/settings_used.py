@@ -55,6 +55,7 @@ def settings_used(project: Project) -> SettingsUsed:
         attitude_correlation_time_s=model.attitude_time if model.correlated else None,
         pos_errors_in_words=POS_ERROR_WORDS[model.pos_errors],
         surface_sigma_m=found if model.correlated else None,
+        offset_sigma_m=result.offset if result else None,
         surface_from_data=model.surface is None if model.correlated else None,
         loss=model.loss,
         loss_in_words=LOSS_WORDS[model.loss],

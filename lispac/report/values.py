@@ -44,7 +44,8 @@ class SettingsUsed:
 
     The LiDAR noise is that along x, y, z, or of range and angle, where one of these is known, and
     ``lidar_sigma_m`` on each axis otherwise. The surface sigma is the value used; None where it
-    is still to be found, and in thesis mode, as is where it came from.
+    is still to be found, and in thesis mode, as is where it came from. The offset sigma is None
+    where it is the same.
     """
 
     lever_arm_m: tuple[float, ...]
@@ -66,6 +67,7 @@ class SettingsUsed:
     attitude_correlation_time_s: float | None
     pos_errors_in_words: str
     surface_sigma_m: float | None
+    offset_sigma_m: float | None
     surface_from_data: bool | None
     loss: str
     loss_in_words: str

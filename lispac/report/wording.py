@@ -12,6 +12,7 @@ from lispac.adjustment.shown import (
     mm,
     parameter,
     signed,
+    surface_sigmas,
     times,
 )
 from lispac.adjustment.shown import capitalised as title
@@ -19,7 +20,8 @@ from lispac.report.values import CheckedPart, CrossChecked
 
 __all__ = [
     "UNKNOWN", "angle", "count", "heading", "known", "listed", "minus", "mm", "moment",
-    "named_parts", "origin", "parameter", "quantity", "signed", "times", "title", "triple",
+    "named_parts", "origin", "parameter", "quantity", "signed", "surface_sigmas", "times", "title",
+    "triple",
 ]  # fmt: skip
 
 UNKNOWN = "\u2013"

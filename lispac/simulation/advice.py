@@ -86,7 +86,7 @@ def _foretold(
     released = [k for k, s in enumerate(observations.sightings) if s in suspects]
     problem = Problem.of(observations, result.mounting, result.model, parameters)
     noise = np.array([target.noise for target in result.targets])
-    problem = replace(problem, noise=noise).with_surface(max(result.surface, 1e-5))
+    problem = replace(problem, noise=noise).with_surface(np.maximum(result.surfaces, 1e-5))
     problem = problem.with_surface_of(released, slice(0, 3), RELEASED)
     state = problem.start(result.mounting, shapes)
     information = problem.linearised(state).normal.information(3)

@@ -143,7 +143,7 @@ def _linearised(project: Project, survey: Survey) -> Linearised:
         problem = Problem.of(observations, result.mounting, model)
         problem = replace(problem, noise=np.array([target.noise for target in result.targets]))
         if model.correlated:
-            problem = problem.with_surface(max(result.surface, 1e-5))
+            problem = problem.with_surface(np.maximum(result.surfaces, 1e-5))
         return problem.linearised(problem.start(result.mounting, shapes))
 
 

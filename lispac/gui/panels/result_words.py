@@ -2,7 +2,7 @@
 
 from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.shown import component_shown, counted, significance_words
+from lispac.adjustment.shown import component_shown, counted, mm, significance_words, surface_sigmas
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.theme import DONE, MUTED, WARNING
 
@@ -36,15 +36,18 @@ def surface_words(result: AdjustmentResult) -> str:
         return "–"
     if result.model.surface == 0:
         return "held at 0"
-    return "none seen" if result.surface < LEAST_SURFACE else f"{result.surface * 1000:.1f} mm"
+    if result.surfaces.max() < LEAST_SURFACE:
+        return "none seen"
+    return surface_sigmas(result.surface, result.offset)
 
 
 def verdict(result: AdjustmentResult, checks: CrossChecks | None) -> str:
     """What the chi-square test means, in words; no more than that where something is in doubt."""
     if result.chi_square.passed:
         words = "The residuals are as large as the stated sigmas say"
-        if result.model.surface is None and result.surface > FLAT:
-            words += f", once the targets may differ by {surface_words(result)} from line to line"
+        if result.model.surface is None and result.surfaces.max() > FLAT:
+            most = f"{mm(result.surfaces.max())}\u00a0mm"
+            words += f", once the targets may differ by {most} from line to line"
         doubtful = bool(doubts(result, checks))
         return f"{words}." if doubtful else f"{words}: the uncertainties can be used."
     if result.variance_factor > 1:

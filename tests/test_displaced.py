@@ -1,0 +1,124 @@
+"""Targets that are displaced from line to line and not bent: offsets with a sigma of their own."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import scipy.stats
+
+from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from tests.test_robustness import PRIOR, TRUTH, jumped, shifted
+
+FIVE = (
+    *BOARDS,
+    Board("T3", (3.0, 25.0, 2.0), (-0.6, -1.0, 0.2)),
+    Board("T4", (-5.0, 12.0, 0.5), (0.7, -1.0, 0.6)),
+    Board("T5", (2.0, 10.0, -1.0), (0.0, -0.2, 1.0)),
+)
+MODEL = StochasticModel(loss="tukey")
+
+
+def survey(seed: int, displaced: float = 0.0, boards: tuple[Board, ...] = FIVE) -> Observations:
+    """Each sighting displaced along the beams by a normal deviate of so many metres."""
+    generator = np.random.default_rng([99, seed])
+    exact = exact_survey(TRUTH, boards, six_courses(), 0.12, generator)
+    data = observed(exact, HYDROGRAPHIC_INS, generator)
+    off = generator.normal(0, displaced, len(data.sightings))[data.sighting]
+    beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
+    return replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
+
+
+def few_are_let_go_of(results: list[AdjustmentResult]) -> None:
+    """And errors are as large as their sigmas say, by chi-square at one in a thousand."""
+    let_go = [bool(result.suspects) for result in results]
+    assert sum(let_go) <= len(results) / 3
+    ratios = np.array([(result.boresight - TRUTH.boresight) / result.sigma for result in results])
+    lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], len(results)) / len(results))
+    spread = np.sqrt((ratios**2).mean(axis=0))
+    assert ((spread > lower) & (spread < upper)).all(), spread
+
+
+def test_good_sightings_of_displaced_boards_are_held() -> None:
+    """By one sigma shared with the tilts, sightings are let go of in four surveys of five."""
+    results = [adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in (0, 2, 7, 8)]
+    few_are_let_go_of(results)
+    offsets = [result.offset for result in results if result.offset is not None]
+    assert len(offsets) >= 2
+    assert all(0.001 < offset < 0.010 for offset in offsets)
+    assert all(result.surface < 0.001 for result in results)
+
+
+@pytest.mark.long
+def test_good_sightings_of_displaced_boards_are_held_in_many_surveys() -> None:
+    few_are_let_go_of([adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in range(24)])
+
+
+@pytest.mark.parametrize("boards", [BOARDS, FIVE])
+def test_boards_in_place_need_no_second_sigma(boards) -> None:
+    for seed in range(5000, 5003):
+        found = adjust(survey(seed, 0.0, boards), PRIOR, MODEL, diagnostics=False)
+        assert found.offset is None
+
+
+@pytest.mark.long
+@pytest.mark.timeout(1800)
+@pytest.mark.parametrize("boards", [BOARDS, FIVE])
+def test_boards_in_place_need_no_second_sigma_in_many_surveys(boards) -> None:
+    for seed in range(5000, 5060):
+        assert adjust(survey(seed, 0.0, boards), PRIOR, MODEL).offset is None
+
+
+@pytest.mark.parametrize("boards", [BOARDS, FIVE])
+def test_one_sighting_that_is_off_is_a_blunder_and_no_matter_of_all(boards) -> None:
+    clean = survey(700, 0.0, boards)
+    found = adjust(shifted(clean, 8, 0.05), PRIOR, MODEL)
+    assert found.offset is None
+    assert found.suspects == (clean.sightings[8],)
+
+
+def test_a_line_that_jumped_is_no_matter_of_all() -> None:
+    clean = survey(700)
+    found = adjust(jumped(clean, "L6", [0.0, 0.1, 0.05]), PRIOR, MODEL)
+    assert found.offset is None
+    assert found.suspect_lines == ("L6",)
+
+
+@pytest.mark.parametrize("boards", [BOARDS, FIVE])
+def test_a_wrong_lever_arm_is_not_taken_for_displaced_targets(boards) -> None:
+    stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
+    found = adjust(survey(701, 0.0, boards), stated, MODEL)
+    assert found.offset is None
+    assert [each.name for each in found.contradictions] == ["lever_x"]
+
+
+def test_a_wrong_lever_arm_and_a_blunder_are_named_among_displaced_targets() -> None:
+    clean = survey(407, 0.005)
+    stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
+    assert [each.name for each in adjust(clean, stated, MODEL).contradictions] == ["lever_x"]
+    assert clean.sightings[8] in adjust(shifted(clean, 8, 0.06), PRIOR, MODEL).suspects
+
+
+@pytest.mark.long
+def test_parts_are_judged_with_the_sigmas_of_the_whole() -> None:
+    """A part alone would hardly tell them; none disagrees with the whole."""
+    data = survey(407, 0.005)
+    checks = cross_checks(data, PRIOR, adjust(data, PRIOR, MODEL))
+    assert not checks.disagreements
+
+
+def test_what_was_found_can_be_held() -> None:
+    data = survey(407, 0.005)
+    whole = adjust(data, PRIOR, MODEL, diagnostics=False)
+    assert whole.offset is not None
+    tilts, also, offset = whole.surfaces
+    assert tilts == also == whole.surface
+    held = replace(MODEL, surface=tilts, offset=offset)
+    same = adjust(data, PRIOR, held, diagnostics=False)
+    assert same.offset == offset
+    assert np.abs(same.boresight - whole.boresight).max() < 0.05 * whole.sigma.min()
