@@ -8,6 +8,7 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.io.files import require_file
 from lispac.io.las import require_finite
+from lispac.io.text_table import clock, is_clock
 from lispac.survey.scan import Scan
 
 REQUIRED = ("time", "x", "y", "z")
@@ -22,7 +23,7 @@ def read_text_scan(path: Path, columns: Sequence[str]) -> Scan:
     columns : sequence of str
         Name of each column from the left: ``time``, ``x``, ``y``, ``z`` are needed, ``intensity``
         is used, any other name (``-``, say) passes a column over. Rows that start with ``#``, and
-        a first row of names, are passed over.
+        a first row of names, are passed over. The time may be seconds, or as hh:mm:ss.
 
     Raises
     ------
@@ -45,6 +46,7 @@ def read_text_scan(path: Path, columns: Sequence[str]) -> Scan:
     wanted = [name for name in (*REQUIRED, "intensity") if name in names]
     indices = [names.index(name) for name in wanted]
     rows: list[list[float]] = []
+    at = names.index("time")
     with path.open(encoding="utf-8-sig", errors="replace") as lines:
         for number, line in enumerate(lines, start=1):
             fields = line.replace(",", " ").replace(";", " ").split()
@@ -57,7 +59,7 @@ def read_text_scan(path: Path, columns: Sequence[str]) -> Scan:
                     "name the columns the file has."
                 )
             try:
-                rows.append([float(fields[index]) for index in indices])
+                rows.append([_value(fields[index], index == at) for index in indices])
             except ValueError as error:
                 if not rows and not any(character.isdigit() for character in fields[0]):
                     continue  # a row of names
@@ -70,3 +72,7 @@ def read_text_scan(path: Path, columns: Sequence[str]) -> Scan:
     points, time = np.ascontiguousarray(table[:, 1:4]), table[:, 0].copy()
     require_finite(points, time, path)
     return Scan(points, time, table[:, 4].copy() if len(wanted) > 4 else None, ASSUMPTIONS)
+
+
+def _value(field: str, is_time: bool) -> float:
+    return clock(field) if is_time and is_clock(field) else float(field)

@@ -30,6 +30,7 @@ from lispac.io.points import (
 )
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding, Format, Option, PointChunk
 from lispac.io.text_layout import REQUIRED, SEPARATORS, Layout, layout_of, rows_of
+from lispac.io.text_table import clock, is_clock
 
 COLUMNS = Option(
     "columns", "Name of each column from the left, parted by blanks: time x y z are needed, - "
@@ -98,7 +99,14 @@ def look(path: Path, choice: Choice) -> Finding:
     }
     above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
     feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
-    doubts = ("The head of the file speaks of feet: check the unit.",) if feet else ()
+    doubts: tuple[str, ...] = ()
+    if feet:
+        doubts += ("The head of the file speaks of feet: check the unit.",)
+    if not settled["time_base"] and "time" in columns and is_clock(shown[0][columns.index("time")]):
+        doubts += (
+            "Times are as hh:mm:ss; the file does not say whether they are UTC: choose the time "
+            "base (utc-day or gps-day).",
+        )
     return Finding(facts, preview, found, (*doubts, *seen.doubts))
 
 
@@ -135,7 +143,8 @@ def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
     layout = layout_of(lines)
     if layout.first == len(rows_of(lines)):
         raise InputError(
-            f"{path}: no row of four numbers or more is in it; this is not a text file of points."
+            f"{path}: no row of four numbers or more is in it (a time is seconds, or hh:mm:ss "
+            "without a date); this is not a text file of points."
         )
     found = {
         "separator": layout.separator,
@@ -215,18 +224,21 @@ def _parsed(
     if not text:
         return np.empty((0, len(wanted)))
     _require_width(path, block, number, layout.fields(text[0]), names)
+    at = names.index("time")
+    clocks = is_clock(layout.fields(text[0])[at])
     try:
         return np.loadtxt(
-            text, delimiter=SEPARATORS[layout.separator], usecols=wanted, ndmin=2, comments=None
-        )
+            text, delimiter=SEPARATORS[layout.separator], usecols=wanted, ndmin=2, comments=None,
+            converters={at: clock} if clocks else None, encoding=None,
+        )  # fmt: skip
     except ValueError as error:
-        _name_the_row(path, block, number, before, names, wanted, layout)
+        _name_the_row(path, block, number, before, names, wanted, layout, clocks=clocks)
         raise InputError(f"{path}: rows must be numbers ({error}).") from error
 
 
 def _name_the_row(
     path: Path, block: list[str], number: int, before: int, names: Sequence[str],
-    wanted: list[int], layout: Layout,
+    wanted: list[int], layout: Layout, *, clocks: bool,
 ) -> None:  # fmt: skip
     """Say which row of a block is at fault."""
     passed = 0
@@ -239,12 +251,13 @@ def _name_the_row(
         fields = layout.fields(line)
         _require_width(path, [line], k - 1, fields, names)
         for column in wanted:
+            as_clock = clocks and names[column] == "time"
             try:
-                float(fields[column])
+                (clock if as_clock else float)(fields[column])
             except ValueError:
                 raise InputError(
                     f"{path}, row {k:,}: {names[column]} is {fields[column][:40]!r}; "
-                    "rows must be numbers."
+                    + ("times above it are as hh:mm:ss." if as_clock else "rows must be numbers.")
                 ) from None
 
 

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from lispac.io.points import TIME_NAMES
+from lispac.io.text_table import is_clock
 
 REQUIRED = ("time", "x", "y", "z")
 SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
@@ -49,8 +50,11 @@ class Layout:
         return [field.strip() for field in self.plain(row).split(SEPARATORS[self.separator])]
 
     def is_numbers(self, row: str) -> bool:
-        """Whether a row has four numbers or more, and few other columns: so have no names."""
-        numbers = [_is_number(field) for field in self.fields(row)]
+        """Whether a row has four numbers or more, and few other columns: so have no names.
+
+        A time as hh:mm:ss is a number here.
+        """
+        numbers = [_is_number(field) or is_clock(field) for field in self.fields(row)]
         return sum(numbers) >= max(len(REQUIRED), len(numbers) // 2 + 1)
 
 
@@ -92,7 +96,7 @@ def _names(lines: Sequence[str], row: str, separator: str, columns: int) -> tupl
         fields = [field.strip() for field in plain.split(SEPARATORS[separator])]
         if len(fields) != columns:
             fields = plain.replace(",", " ").replace(";", " ").split()
-        if len(fields) == columns and not any(map(_is_number, fields)):
+        if len(fields) == columns and not any(_is_number(f) or is_clock(f) for f in fields):
             return _meant(fields)
     return ()
 

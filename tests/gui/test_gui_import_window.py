@@ -58,6 +58,7 @@ def test_an_envelope_keeps_peaks_and_breaks_at_gaps() -> None:
 def test_ticks_are_round_and_few() -> None:
     assert ticks_of(485_987.0, 486_461.0, 6) == [486_000, 486_100, 486_200, 486_300, 486_400]
     assert len(ticks_of(0.0, 0.9, 4)) <= 5
+    assert [f"{tick:,.0f}" for tick in ticks_of(-3.0, 43.0, 5)] == ["0", "10", "20", "30", "40"]
 
 
 # -- keyboard --------------------------------------------------------------------------------------

@@ -105,7 +105,8 @@ def ticks_of(start: float, end: float, most: int) -> list[float]:
     rough = (end - start) / max(most, 1)
     power = 10.0 ** np.floor(np.log10(rough))
     step = next(k * power for k in (1, 2, 5, 10) if k * power >= rough)
-    return [float(t) for t in np.arange(np.ceil(start / step), np.floor(end / step) + 1) * step]
+    ticks = np.arange(np.ceil(start / step), np.floor(end / step) + 1) * step
+    return [float(t) for t in ticks + 0.0]  # what is added makes a zero of a minus zero
 
 
 class TimelineView(QWidget):

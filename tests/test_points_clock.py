@@ -1,0 +1,83 @@
+"""Points of text whose times are as hh:mm:ss."""
+
+import gzip
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import InputError
+from lispac.io.formats import format_of
+from lispac.project import LineSource, Reading, Settings
+from lispac.survey.time_base import DAY
+from lispac.workflow.intake import Intake
+from lispac.workflow.projects import new_project
+from tests.intake_files import LEVER, START, said, taken_in
+from tests.trajectory_files import vessel, write_records
+
+
+def clocked(seconds: np.ndarray) -> list[str]:
+    told = []
+    for t in np.mod(seconds, DAY):
+        told.append(f"{int(t // 3600):02d}:{int(t % 3600 // 60):02d}:{t % 60:09.6f}")
+    return told
+
+
+@pytest.fixture
+def times() -> np.ndarray:
+    return np.round(START + np.linspace(5, 30, 2000), 6)
+
+
+@pytest.fixture
+def track(tmp_path: Path) -> Path:
+    write_records(tmp_path / "pos.sbet", vessel(2000))
+    return tmp_path / "pos.sbet"
+
+
+def rows_of(times: np.ndarray) -> str:
+    return "\n".join(f"{c},{k % 5},10.5,{k % 7}" for k, c in enumerate(clocked(times)))
+
+
+def test_the_reader_gives_seconds_of_the_day(times, tmp_path) -> None:
+    path = tmp_path / "L.csv.gz"
+    path.write_bytes(gzip.compress(("Time,X,Y,Z\n" + rows_of(times)).encode()))
+    text = format_of("text")
+    assert text.sniff(path) > 0.5
+    found = text.look(path, {})
+    assert found.choice["columns"] == "time x y z"
+    assert "choose the time base" in " ".join(found.doubts)
+    assert "choose the time base" not in " ".join(text.look(path, {"time_base": "utc-day"}).doubts)
+    (chunk,) = text.read(path, dict(found.choice))
+    assert chunk.time == pytest.approx(np.mod(times, DAY), abs=1e-6)
+    assert chunk.xyz[3] == pytest.approx([3, 10.5, 3])
+
+
+@pytest.mark.parametrize("named", [(), ("time", "x", "y", "z")])
+def test_a_project_takes_them(named, times, track, tmp_path, capsys) -> None:
+    (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + rows_of(times))
+    day = START - START % DAY
+    _, survey = new_project(
+        tmp_path / "p", trajectory=track, settings=Settings(lever_arm=LEVER),
+        lines=[LineSource("L", tmp_path / "L.csv", named, Reading("", (), day))],
+    )  # fmt: skip
+    assert survey.scans["L"].time == pytest.approx(times, abs=1e-6)
+    assert "choose the time base" in said(taken_in(Intake(), track, tmp_path / "L.csv"), "L.csv")
+
+
+def test_a_row_that_is_no_clock_time_is_named(times, tmp_path) -> None:
+    rows = rows_of(times).split("\n")
+    rows[1200] = "13:61:00.0,1,2,3"
+    (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
+    with pytest.raises(InputError, match=r"row 1,202: time is '13:61:00.0'; times above it are as"):
+        list(format_of("text").read(tmp_path / "L.csv", {}))
+
+
+def test_times_that_are_neither_are_said_rightly(track, times, tmp_path, capsys) -> None:
+    rows = [f"2023-05-09T{c}Z,1,2,3" for c in clocked(times)]
+    (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
+    command = ["new", str(tmp_path / "p"), str(tmp_path / "L.csv"), "--trajectory", str(track)]
+    assert main([*command, "--lever-arm", "0", "0", "0"]) != 0
+    told = capsys.readouterr().err
+    assert "no row of four numbers or more is in it (a time is seconds, or hh:mm:ss without" in told
+    assert "(none)" not in told
