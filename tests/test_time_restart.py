@@ -150,3 +150,13 @@ def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_pa
     assert main([*command, "--lever-arm", "0", "0", "0"]) == 0
     told = "".join(capsys.readouterr())
     assert "times start again at midnight or at the end of the week" in told
+
+
+def test_a_sorted_trajectory_asks_for_a_line_that_is_not_counted_on(tmp_path: Path) -> None:
+    track, line = survey_about(tmp_path, DAY)
+    records = np.fromfile(track).reshape(-1, 17)
+    write_records(track, records[np.argsort(records[:, 0])])
+    _, survey = made(tmp_path / "p", track, line)
+    assert "import it again with --line-option restart=none" in " ".join(survey.notes)
+    _, survey = made(tmp_path / "q", track, line, Reading("", (("restart", "none"),)))
+    assert len(survey.scans["L"]) > 2990

@@ -6,8 +6,8 @@ from numpy.typing import NDArray
 from lispac.project import Reading
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import matches
-from lispac.survey.time_restart import restart_of
-from lispac.survey.time_stated import offer
+from lispac.survey.time_restart import PERIODS, restart_of
+from lispac.survey.time_stated import CLEARLY_MORE, offer
 
 Array = NDArray[np.float64]
 
@@ -28,7 +28,15 @@ def offered(reading: Reading, times: Array, track: Array) -> str:
         return ""
     if not reading.restart and (found := restart_of(reading.moved_back(times))):
         return f"its times restart within it: import it again with --line-option {RESTART}={found}"
+    inside = (times >= track[0]) & (times <= track[-1])
+    if reading.restart in PERIODS:  # the trajectory may have been sorted instead of counted on
+        written = reading.moved_back(times) + reading.time_shift
+        share = float(((written >= track[0]) & (written <= track[-1])).mean())
+        if share >= float(inside.mean()) + CLEARLY_MORE:
+            return (
+                f"not counted on, {100 * share:.1f} % of its points lie inside: where the "
+                f"trajectory's times restart too, import it again with --line-option {RESTART}=none"
+            )
     if reading.time_shift:
         return ""
-    inside = (times >= track[0]) & (times <= track[-1])
     return offer(matches(times, track), float(inside.mean()))
