@@ -8,7 +8,6 @@ the sum, so unless the user says otherwise both are in the datum of the cloud an
 between datums: that is what makes the inverse exact. PROJ's network access stays off.
 """
 
-import warnings
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -17,11 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pyproj import CRS, Transformer
 from pyproj.crs import CompoundCRS, GeographicCRS
-from pyproj.datadir import get_user_data_dir  # type: ignore[attr-defined]
 from pyproj.enums import TransformDirection
 from pyproj.exceptions import CRSError, ProjError
 from pyproj.network import set_network_enabled  # type: ignore[attr-defined]
-from pyproj.transformer import TransformerGroup
 
 from lispac.errors import InputError
 from lispac.geometry.frames import (
@@ -32,6 +29,7 @@ from lispac.geometry.frames import (
     geodetic_to_ecef,
 )
 from lispac.survey.blocks import in_blocks
+from lispac.survey.crs_operation import best_operation
 from lispac.survey.geoid import geoid_grid
 
 Array = NDArray[np.float64]
@@ -259,7 +257,7 @@ def _settled(
         f"trajectory in {target.name}, not shifted to another datum" if not trajectory_datum
         else f"trajectory in {target.name}, points shifted there from {horizontal.name}"
     )  # fmt: skip
-    to_geographic = _best(source, target, epoch)
+    to_geographic = best_operation(source, target, epoch)
     above = grid.name if grid else vertical.name if vertical else ELLIPSOID
     return CoordinateSystem(
         crs=crs,
@@ -361,33 +359,3 @@ def _target(horizontal: CRS, trajectory_datum: str) -> CRS:
             f"{ellipsoid.name}: state the datum of the trajectory, EPSG:4979 (WGS 84) for example."
         )
     return GeographicCRS(name=own.name, datum=own).to_3d()
-
-
-def _best(source: CRS, target: CRS, epoch: float | None) -> Transformer:
-    """The most accurate operation; refused where it needs what is not on this machine."""
-    set_network_enabled(active=False)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # said below
-        group = TransformerGroup(source, target, always_xy=True, allow_ballpark=False)
-    if not group.transformers or not group.best_available:
-        grids = [
-            grid.short_name
-            for operation in group.unavailable_operations[:1]
-            for grid in operation.grids
-            if not grid.available
-        ]
-        needed = f"{', '.join(grids)}, which is" if grids else "a grid file that is"
-        geoid = "give the geoid as a file (.gtx, .tif), " if source.is_compound else ""
-        raise InputError(
-            f"From {source.name} to {target.name} PROJ needs {needed} not on this machine "
-            f"and not fetched from the network: {geoid}put it into "
-            f"{get_user_data_dir()}, or export the points with ellipsoidal heights in the datum "
-            "of the trajectory."
-        )
-    transformer = group.transformers[0]
-    if "t_epoch=" in transformer.definition and epoch is None:
-        raise InputError(
-            f"The shift from {source.name} to {target.name} changes with time: "
-            "state the date of the survey as a decimal year."
-        )
-    return transformer
