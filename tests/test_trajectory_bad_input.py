@@ -104,7 +104,7 @@ def test_cut_short_text_names_the_row(tmp_path: Path, key: str) -> None:
     path.write_text(path.read_text()[:-75])
     rows = len(path.read_text().splitlines())
     assert f"row {rows}: " in refused(key, path)
-    assert any(f"row {rows}: " in doubt for doubt in format_of(key).look(path, {}).doubts)
+    assert any(f"Row {rows}: " in doubt for doubt in format_of(key).look(path, {}).doubts)
 
 
 @pytest.mark.parametrize("key", EVERY)

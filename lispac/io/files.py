@@ -116,6 +116,15 @@ def such(count: int, noun: str) -> str:
     return f"{count:,} such {noun}{'' if count == 1 else 's'}"
 
 
+def without_path(sentence: str, path: Path) -> str:
+    """A sentence for where the file is named already."""
+    for name in (f"{path}: ", f"{path}, "):
+        if sentence.startswith(name):
+            rest = sentence[len(name) :]
+            return rest[:1].upper() + rest[1:]
+    return sentence
+
+
 @contextmanager
 def written_whole(path: Path) -> Iterator[Path]:
     """Yield a temporary name beside ``path`` and rename it to ``path`` when all went well.

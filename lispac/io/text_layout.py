@@ -9,6 +9,8 @@ from lispac.io.text_table import is_clock
 
 REQUIRED = ("time", "x", "y", "z")
 SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
+DECIMAL_COMMAS = re.compile(r"\d,\d+\s+-?\d+,\d")
+"""In a row without points: commas that are decimal signs, blanks that part the columns."""
 REMARKS = ("#", "%", "//")
 MEANINGS = {
     **dict.fromkeys(("x", "easting", "east", "e", "lon", "longitude"), "x"),
@@ -83,7 +85,7 @@ def _candidates(row: str) -> list[tuple[str, bool]]:
         return [("tab", "." not in row and "," in row)]
     if "," in row:
         # 1,5 2,5 is two numbers with decimal commas; 1.5, 2.5 and 1,2,3,4 are lists.
-        comma_is_decimal = "." not in row and bool(re.search(r"\d,\d+\s+-?\d+,\d", row))
+        comma_is_decimal = "." not in row and bool(DECIMAL_COMMAS.search(row))
         return [("blank", True)] if comma_is_decimal else [("comma", False)]
     return [("blank", False)]
 

@@ -1,5 +1,6 @@
 """Rows of text as columns of numbers: separators, angles in degrees and minutes, clock and date."""
 
+import os
 import re
 from calendar import timegm
 from collections.abc import Callable, Iterator, Sequence
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import require_file
+from lispac.io.text_layout import DECIMAL_COMMAS
 
 Array = NDArray[np.float64]
 
@@ -22,7 +24,7 @@ LONGEST_LINE = 20_000
 
 _CLOCK = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2}(?:[.,]\d*)?)Z?")
 _DATE = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})")
-_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eEdD][-+]?\d+)?")
+_NUMBER = re.compile(r"[-+]?(\d+[.,]?\d*|[.,]\d+)([eEdD][-+]?\d+)?")
 _DMS_SEPARATORS = re.compile("[°º'’′\"”″:dms]+|\\s+")
 
 
@@ -36,10 +38,43 @@ def first_lines(path: Path, count: int = 200) -> list[str]:
             head = file.read(256 * 1024)
     except OSError:
         return []
-    if b"\0" in head:
+    text = head.decode(_encoding(head), errors="replace")
+    if "\0" in text:
         return []
-    lines = head.decode("utf-8-sig", errors="replace").splitlines()[:count]
+    lines = text.splitlines()[:count]
     return [] if any(len(line) > LONGEST_LINE for line in lines) else lines
+
+
+UTF16 = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}
+"""Byte order marks of text as some programs on Windows write it."""
+
+
+def _encoding(head: bytes) -> str:
+    return "utf-16" if head[:2] in UTF16 else "utf-8-sig"
+
+
+def encoding_of(path: Path) -> str:
+    """How the text of a file is encoded, by its first bytes.
+
+    Raises
+    ------
+    OSError
+    """
+    with Path(path).open("rb") as file:
+        return _encoding(file.read(2))
+
+
+def last_lines(path: Path, size: int) -> list[str]:
+    """Whole lines within the last ``size`` bytes; none where the file cannot be read."""
+    try:
+        with Path(path).open("rb") as file:
+            mark = file.read(2)
+            start = max(0, file.seek(0, os.SEEK_END) - size)
+            file.seek(start + start % 2)
+            text = file.read().decode(UTF16.get(mark, "utf-8"), errors="replace")
+    except OSError:
+        return []
+    return text.splitlines()[1:]
 
 
 def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
@@ -54,7 +89,7 @@ def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
     if path.stat().st_size == 0:
         raise InputError(f"{path}: this {what} file is empty; export it again.")
     try:
-        with path.open(encoding="utf-8-sig", errors="replace", newline=None) as file:
+        with path.open(encoding=encoding_of(path), errors="replace", newline=None) as file:
             number = 0
             while line := file.readline(LONGEST_LINE + 1):
                 number += 1
@@ -71,9 +106,14 @@ def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
 
 
 def fields_of(line: str, separator: str = "auto") -> list[str]:
-    """Split one row; ``auto`` takes semicolon, tab or comma where there is one, else blanks."""
+    """Split one row; ``auto`` takes semicolon, tab or comma where there is one, else blanks.
+
+    Commas between digits, with blanks between the numbers, are decimal signs.
+    """
     if separator == "auto":
         separator = next((name for name, mark in _MARKS.items() if mark in line), "blank")
+        if separator == "comma" and "." not in line and DECIMAL_COMMAS.search(line):
+            separator = "blank"
     if separator == "blank":
         return line.split()
     return [field.strip() for field in line.strip(" \r\n").split(_MARKS[separator])]
@@ -83,7 +123,7 @@ _MARKS = {"semicolon": ";", "tab": "\t", "comma": ","}
 
 
 def is_number(field: str) -> bool:
-    """Whether a field reads as one finite number."""
+    """Whether a field reads as one finite number, of decimal point or comma."""
     return _NUMBER.fullmatch(field.strip()) is not None
 
 
@@ -223,10 +263,11 @@ def columns_of(
 def _parsed(fields: list[str], parse: Callable[[str], float]) -> Array:
     """Values of fields; not a number where one cannot be read."""
     if parse is number:
-        try:
-            return np.fromiter(map(float, fields), dtype=np.float64, count=len(fields))
-        except (ValueError, OverflowError):
-            pass  # one by one, to find which
+        for quick in (float, number):
+            try:
+                return np.fromiter(map(quick, fields), dtype=np.float64, count=len(fields))
+            except (ValueError, OverflowError):
+                pass  # with decimal commas, else one by one, to find which
     values = np.full(len(fields), np.nan)
     for k, field in enumerate(fields):
         with suppress(ValueError, OverflowError):

@@ -31,7 +31,7 @@ from lispac.io.exail import (
     sniff_exail,
     sniff_exail_accuracy,
 )
-from lispac.io.files import require_file
+from lispac.io.files import require_file, without_path
 from lispac.io.pospac_text import (
     look_pospac,
     look_pospac_accuracy,
@@ -133,7 +133,7 @@ def _look_smrmsg(path: Path, choice: Choice) -> Finding:
             facts |= found
             doubts += said
         except InputError as error:
-            doubts.append(str(error))
+            doubts.append(without_path(str(error), path))
     return Finding(facts, (SMRMSG_COLUMNS, *rows), dict(choice), tuple(doubts))
 
 

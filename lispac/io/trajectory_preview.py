@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import InputError
+from lispac.io.files import without_path
 from lispac.io.registry import Choice, Finding
-from lispac.io.text_table import fields_of, is_data
+from lispac.io.text_table import encoding_of, fields_of, is_data, last_lines
 from lispac.io.trajectory_columns import (
     SIGMAS,
     Column,
@@ -80,7 +81,7 @@ def look_at_text(
     try:
         first = trajectory_of(path, iter(head), layout.columns, conventions, ())
     except InputError as error:
-        doubts.append(str(error))
+        doubts.append(without_path(str(error), path))
         return Finding(facts, rows, choice, tuple(doubts))
     doubts += unit_doubts(path, layout.columns, conventions)
     whole, said = _with_tail(path, layout, conventions, first, head)
@@ -103,7 +104,12 @@ def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -
     try:
         accuracy = accuracy_of(path, iter(head), layout.columns, conventions)
     except InputError as error:
-        return Finding(facts, rows, {"time": conventions.time}, (*layout.doubts, str(error)))
+        return Finding(
+            facts,
+            rows,
+            {"time": conventions.time},
+            (*layout.doubts, without_path(str(error), path)),
+        )
     found, doubts = accuracy_facts(accuracy)
     return Finding(facts | found, rows, {"time": conventions.time}, (*layout.doubts, *doubts))
 
@@ -160,13 +166,7 @@ def _with_tail(
 
 
 def _tail(path: Path, layout: TextLayout) -> Rows:
-    try:
-        with path.open("rb") as file:
-            file.seek(max(0, path.stat().st_size - TAIL_BYTES))
-            lines = file.read().decode("utf-8", errors="replace").splitlines()[1:]
-    except OSError:
-        lines = []
-    for row, line in enumerate(lines, start=1):
+    for row, line in enumerate(last_lines(path, TAIL_BYTES), start=1):
         fields = fields_of(line, layout.separator)
         if is_data(fields):
             yield row, fields
@@ -176,4 +176,6 @@ def _estimated_rows(path: Path, head: Sequence[tuple[int, list[str]]]) -> int:
     if len(head) < HEAD_ROWS:
         return len(head)
     length = sum(len(field) + 1 for _, fields in head for field in fields) / len(head)
+    if encoding_of(path) == "utf-16":
+        length *= 2
     return int(path.stat().st_size / max(length, 1.0))

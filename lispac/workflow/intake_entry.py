@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import Cancelled, InputError, LispacError
+from lispac.io.files import without_path
 from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes, line_times
 from lispac.io.registry import POSSIBLE, Finding, Format, Kind
@@ -158,7 +159,7 @@ def examined(
     try:
         found = looks(path)
     except LispacError as error:
-        return Entry(path, error=_without_path(str(error), path), pending=False)
+        return Entry(path, error=without_path(str(error), path), pending=False)
     # Of equally sure formats those whose files end so come first, then those that can be read.
     ending = path.suffix.lower()
     found.sort(
@@ -188,7 +189,7 @@ def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entr
     try:
         found = looks(entry.path, (entry.role,))
     except LispacError as error:
-        return replace(entry, error=_without_path(str(error), entry.path), pending=False)
+        return replace(entry, error=without_path(str(error), entry.path), pending=False)
     format = format_of(entry.given.format or USUAL[entry.role])
     stated = dict(entry.given.options)
     return examined_again(
@@ -221,7 +222,7 @@ def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
     except Cancelled:
         raise
     except LispacError as error:
-        return replace(entry, error=_without_path(str(error), entry.path))
+        return replace(entry, error=without_path(str(error), entry.path))
 
 
 def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
@@ -229,13 +230,13 @@ def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
     known = next((look for look in entry.looks if look.format is entry.format), None)
     if not stated and known is not None:
         # Columns shown again as found are those of the first look.
-        error = _without_path(known.error, entry.path)
+        error = without_path(known.error, entry.path)
         return replace(entry, finding=known.finding, error=error)
     try:
         return replace(entry, finding=looked_at(entry.path, entry.format, stated))
     except LispacError as error:
         kept = entry.finding or (None if known is None else known.finding)
-        return replace(entry, finding=kept, error=_without_path(str(error), entry.path))
+        return replace(entry, finding=kept, error=without_path(str(error), entry.path))
 
 
 def _filled(entry: Entry, progress: Progress) -> Entry:
@@ -271,12 +272,3 @@ def _place(options: Mapping[str, str], times: LineTimes) -> Place:
     if not np.isfinite([latitude[0], longitude[0]]).all():
         return Place(system.name, error=f"The points lie outside {system.name}.")
     return Place(system.name, float(latitude[0]), float(longitude[0]))
-
-
-def _without_path(sentence: str, path: Path) -> str:
-    """A sentence for a row that names the file already."""
-    for name in (f"{path}: ", f"{path}, "):
-        if sentence.startswith(name):
-            rest = sentence[len(name) :]
-            return rest[:1].upper() + rest[1:]
-    return sentence

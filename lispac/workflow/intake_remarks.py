@@ -157,7 +157,9 @@ def _own(entry: Entry, longest_gap: float) -> list[Remark]:
     """What the file says by itself."""
     told: list[Remark] = []
     if entry.error:
-        told.append(Remark("error", entry.error, (LEAVE_OUT,)))
+        ask = Remedy("State the coordinate system", ask="crs")
+        wanted = "coordinate system" in entry.error and "crs" in entry.options
+        told.append(Remark("error", entry.error, (ask, LEAVE_OUT) if wanted else (LEAVE_OUT,)))
     elif entry.place is not None and entry.place.error:
         ask = Remedy("State the coordinate system", ask="crs")
         told.append(Remark("error", entry.place.error, (ask, LEAVE_OUT)))
@@ -173,7 +175,7 @@ def _own(entry: Entry, longest_gap: float) -> list[Remark]:
     unnamed = "does not name its columns" in said or "columns lack" in said
     if entry.finding is not None:
         for doubt in entry.finding.doubts:
-            if entry.error and unnamed and "columns" in doubt:
+            if entry.error and (doubt == entry.error or (unnamed and "columns" in doubt)):
                 continue
             if UNUSABLE in doubt and isinstance(entry.content, Trajectory):
                 continue  # the reader does not know which gaps are to be bridged

@@ -1,0 +1,86 @@
+"""Trajectories of text as other countries and programs write them: decimal commas, UTF-16."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.io.formats import format_of, recognised
+from lispac.io.text_table import fields_of
+from lispac.workflow.intake import Intake
+from lispac.workflow.intake_entry import examined
+from tests.trajectory_files import vessel, write_pospac
+
+ASCII, POSPAC = format_of("ascii-trajectory"), format_of("pospac-text")
+NAMES = ("Time", "Latitude", "Longitude", "Height", "Roll", "Pitch", "Heading")
+
+
+def text_of(records: np.ndarray, separator: str, sign: str) -> str:
+    table = np.column_stack([records[:, [0]], np.degrees(records[:, [1, 2]]), records[:, [3]]])
+    table = np.column_stack([table, np.degrees(records[:, [7, 8, 9]])])
+    rows = [[f"{value:.10f}".replace(".", sign) for value in row] for row in table]
+    return "\n".join(separator.join(row) for row in (NAMES, *rows)) + "\n"
+
+
+def same(path: Path, records: np.ndarray) -> None:
+    trajectory = ASCII.read(path, ASCII.look(path, {}).choice)
+    np.testing.assert_allclose(trajectory.time, records[:, 0], atol=1e-6)
+    np.testing.assert_allclose(trajectory.latitude, records[:, 1], atol=1e-11)
+    np.testing.assert_allclose(trajectory.attitude[:, 2], records[:, 9], atol=1e-9)
+
+
+@pytest.mark.parametrize("separator", [";", "\t", " ", "  "])
+def test_decimal_commas(tmp_path: Path, separator: str) -> None:
+    records = vessel(200)
+    path = tmp_path / "a.txt"
+    path.write_text(text_of(records, separator, ","), encoding="utf-8")
+    assert recognised(path, "trajectory")[0][0] is ASCII
+    same(path, records)
+    entry = examined(path)
+    assert (entry.role, entry.error) == ("trajectory", "")
+
+
+def test_commas_that_part_the_columns_still_do() -> None:
+    assert fields_of("1,2,3") == ["1", "2", "3"]
+    assert fields_of("1.5, 2.5, 3") == ["1.5", "2.5", "3"]
+    assert fields_of("1, 2, 3") == ["1", "2", "3"]
+    assert fields_of("1,5 -2,5 3") == ["1,5", "-2,5", "3"]
+
+
+def test_pospac_with_decimal_commas(tmp_path: Path) -> None:
+    records = vessel(100)
+    path = write_pospac(tmp_path / "a.txt", records)
+    head, body = path.read_text().split("position SD in Meters)\n\n")
+    path.write_text(f"{head}position SD in Meters)\n\n{body.replace('.', ',')}", encoding="utf-8")
+    right = POSPAC.read(write_pospac(tmp_path / "b.txt", records), {})
+    np.testing.assert_array_equal(POSPAC.read(path, {}).latitude, right.latitude)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-be"])
+@pytest.mark.parametrize("count", [200, 8000])
+def test_utf_16(tmp_path: Path, encoding: str, count: int) -> None:
+    records = vessel(count)
+    path = tmp_path / "a.csv"
+    mark = "\ufeff" if encoding == "utf-16-be" else ""
+    path.write_bytes((mark + text_of(records, ",", ".")).encode(encoding))
+    assert recognised(path, "trajectory")[0][0] is ASCII
+    same(path, records)
+    facts = ASCII.look(path, {}).facts
+    assert facts["End"] == f"{records[-1, 0]:.3f} s"
+    rows = int(facts["Rows"].removeprefix("about ").replace(",", ""))
+    assert rows == pytest.approx(count, rel=0.05)
+
+
+def test_what_keeps_a_trajectory_out_is_said_once_without_its_path(tmp_path: Path) -> None:
+    path = tmp_path / "a.txt"
+    head = "TIME, EASTING, NORTHING, ELLIPSOID HEIGHT, ROLL, PITCH, HEADING\n(time in Sec, "
+    head += "position in Meters, orientation in Degrees)\n"
+    rows = [f"{300 + k / 10} {4e5 + k} 5e6 10 0 0 90" for k in range(50)]
+    path.write_text("POS Export Utility\n" + head + "\n".join(rows), encoding="utf-8")
+    intake = Intake().with_files([path]).with_entry(examined(path))
+    remarks = intake.remarks(intake.entries[0])
+    about = [remark for remark in remarks if "coordinate system" in remark.text]
+    assert [remark.level for remark in about] == ["error"]
+    assert str(path) not in about[0].text
+    assert about[0].remedies[0].ask == "crs"
+    assert not any(str(path) in doubt for doubt in POSPAC.look(path, {}).doubts)
