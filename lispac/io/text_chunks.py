@@ -31,6 +31,7 @@ from lispac.io.points import (
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding, Format, Option, PointChunk
 from lispac.io.text_layout import REQUIRED, SEPARATORS, Layout, layout_of, rows_of
 from lispac.io.text_table import clock, is_clock
+from lispac.io.text_units import height_unit_of, unit_doubts, units_in
 
 COLUMNS = Option(
     "columns", "Name of each column from the left, parted by blanks: time x y z are needed, - "
@@ -90,6 +91,9 @@ def look(path: Path, choice: Choice) -> Finding:
     require_points(chunk.xyz, chunk.time, path)
     seen = sight(chunk.xyz, chunk.time, crs=str(choice.get("crs", "")))
     found["frame"] = seen.frame
+    units, crs = units_in(lines, layout), str(choice.get("crs", ""))
+    if crs and (unit := height_unit_of(units, crs)):
+        found["height_unit"] = unit
     settled = _settled(found, choice)
     facts |= {
         **place_facts(settled),
@@ -101,7 +105,9 @@ def look(path: Path, choice: Choice) -> Finding:
     feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
     doubts: tuple[str, ...] = ()
     if feet:
-        doubts += ("The head of the file speaks of feet: check the unit.",)
+        doubts = ("The head of the file speaks of feet: check the unit.",)
+    if crs and units:
+        doubts = unit_doubts(units, crs)  # the names say which, and which does not fit
     if not settled["time_base"] and "time" in columns and is_clock(shown[0][columns.index("time")]):
         doubts += (
             "Times are as hh:mm:ss; the file does not say whether they are UTC: choose the time "

@@ -5,12 +5,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from lispac.io.points import TIME_NAMES
-from lispac.io.text_table import is_clock
+from lispac.io.text_table import DECIMAL_COMMAS, is_clock
 
 REQUIRED = ("time", "x", "y", "z")
 SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
-DECIMAL_COMMAS = re.compile(r"\d,\d+\s+-?\d+,\d")
-"""In a row without points: commas that are decimal signs, blanks that part the columns."""
 REMARKS = ("#", "%", "//")
 MEANINGS = {
     **dict.fromkeys(("x", "easting", "east", "e", "lon", "longitude"), "x"),
@@ -50,6 +48,10 @@ class Layout:
     def fields(self, row: str) -> list[str]:
         """The columns of a row."""
         return [field.strip() for field in self.plain(row).split(SEPARATORS[self.separator])]
+
+    def meant(self, fields: Sequence[str]) -> tuple[str, ...]:
+        """Names of columns in the program's words."""
+        return _meant(fields)
 
     def is_numbers(self, row: str) -> bool:
         """Whether a row has four numbers or more, and few other columns: so have no names.
@@ -94,13 +96,19 @@ def _names(lines: Sequence[str], row: str, separator: str, columns: int) -> tupl
     """Names from one of the three lines above the numbers, which may be marked as a remark."""
     written = [bare for line in lines if (bare := line.strip("\r\n ")).strip()]
     for line in reversed(written[: written.index(row)][-3:]):
-        plain = line.lstrip("#%/ ").replace('"', "")
-        fields = [field.strip() for field in plain.split(SEPARATORS[separator])]
-        if len(fields) != columns:
-            fields = plain.replace(",", " ").replace(";", " ").split()
-        if len(fields) == columns and not any(_is_number(f) or is_clock(f) for f in fields):
+        if fields := names_of(line, separator, columns):
             return _meant(fields)
     return ()
+
+
+def names_of(line: str, separator: str, columns: int) -> list[str]:
+    """Names in a line, which may be marked as a remark; empty where it is none of that many."""
+    plain = line.strip("\r\n ").lstrip("#%/ ").replace('"', "")
+    fields = [field.strip() for field in plain.split(SEPARATORS[separator])]
+    if len(fields) != columns:
+        fields = plain.replace(",", " ").replace(";", " ").split()
+    numbers = any(_is_number(field) or is_clock(field) for field in fields)
+    return fields if len(fields) == columns and not numbers else []
 
 
 def _meant(fields: Sequence[str]) -> tuple[str, ...]:

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import require_file
-from lispac.io.text_layout import DECIMAL_COMMAS
 
 Array = NDArray[np.float64]
 
@@ -21,6 +20,9 @@ SEPARATORS = ("auto", "comma", "semicolon", "tab", "blank")
 BLOCK = 50_000
 LONGEST_LINE = 20_000
 """Characters; a longer one is not a row of a table, and binary files have no line ends at all."""
+
+DECIMAL_COMMAS = re.compile(r"\d,\d+\s+-?\d+,\d")
+"""In a row without points: commas that are decimal signs, blanks that part the columns."""
 
 _CLOCK = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2}(?:[.,]\d*)?)Z?")
 _DATE = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})")

@@ -18,7 +18,8 @@ LENGTHS = {"m": 1.0, "ft": 0.3048, "int-ft": 0.3048, "us-ft": 1200 / 3937}
 """Metres in each unit; ``ft`` are feet of which the file does not say which."""
 UNSTATED = ""
 """Unit of a length of which the file says none."""
-_WORDS = {1.0: "metres", 0.3048: "feet of 0.3048 m", 1200 / 3937: "US survey feet"}
+LENGTH_WORDS = {1.0: "metres", 0.3048: "feet of 0.3048 m", 1200 / 3937: "US survey feet"}
+"""Names of the units by the metres in them."""
 
 
 @dataclass(frozen=True)
@@ -79,13 +80,13 @@ class Grid:
         if stated == "ft":
             return Length(
                 LENGTHS["ft"],
-                _WORDS[LENGTHS["ft"]],
+                LENGTH_WORDS[LENGTHS["ft"]],
                 f"Column {name} is in feet, the file does not say which, and {self.text} is in "
                 f"{self.words}; feet of 0.3048 m are taken. US survey feet would put the "
                 "positions metres elsewhere: make sure which they are, and state it or name it in "
                 "the header.",
             )
-        return Length(LENGTHS[stated], _WORDS[LENGTHS[stated]])
+        return Length(LENGTHS[stated], LENGTH_WORDS[LENGTHS[stated]])
 
     def to_geodetic(self, path: Path, easting: Array, northing: Array) -> tuple[Array, ...]:
         """Latitude, longitude and meridian convergence, radians, of coordinates in metres.
@@ -168,11 +169,11 @@ def unit_of_heights(name: str, stated: str, grid: Grid | None) -> Length:
         return Length(1.0, "metres (no unit is stated)", doubt)
     if stated == "ft" and grid is not None and grid.in_feet:
         return Length(grid.metres, f"{grid.words}, the feet of the coordinate system")
-    return Length(LENGTHS[stated], _WORDS[LENGTHS[stated]])
+    return Length(LENGTHS[stated], LENGTH_WORDS[LENGTHS[stated]])
 
 
 def _named(metres: float, name: str) -> str:
-    near = [words for known, words in _WORDS.items() if abs(metres / known - 1) < 1e-9]
+    near = [words for known, words in LENGTH_WORDS.items() if abs(metres / known - 1) < 1e-9]
     return near[0] if near else f"{name} ({metres:.9g} m each)"
 
 

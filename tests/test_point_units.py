@@ -1,0 +1,37 @@
+"""Units in the names of columns of points on the map."""
+
+from pathlib import Path
+
+import pytest
+
+from lispac.io.formats import format_of
+from lispac.io.points import system_of
+
+TEXT = format_of("text")
+SURVEY_FOOT = 1200 / 3937
+
+
+@pytest.mark.parametrize(
+    ("across", "up", "crs", "height", "doubted"),
+    [
+        ("[ftUS]", "[ftUS]", "EPSG:3424", SURVEY_FOOT, False),
+        ("[ft]", "[ft]", "EPSG:3424", SURVEY_FOOT, False),
+        ("[ft]", "[m]", "EPSG:3424", 1.0, False),
+        ("[m]", "[m]", "EPSG:3424", 1.0, True),
+        ("", "", "EPSG:3424", SURVEY_FOOT, False),
+        ("[m]", "(ft)", "EPSG:32618", 0.3048, False),
+        ("[ft]", "[m]", "EPSG:32618", 1.0, True),
+    ],
+)
+def test_names_state_units(
+    tmp_path: Path, across: str, up: str, crs: str, height: float, doubted: bool
+) -> None:
+    path = tmp_path / "a.csv"
+    rows = [f"{300 + k / 10},{6e5 + k},{6.4e5},{10 + k}" for k in range(20)]
+    path.write_text("\n".join([f"time,Easting{across},Northing{across},Height{up}", *rows]))
+    finding = TEXT.look(path, {"crs": crs, "frame": "georeferenced"})
+    settled = TEXT.settled({**finding.choice, "crs": crs, "frame": "georeferenced"})
+    system = system_of(settled)
+    assert system is not None
+    assert system.metres[2] == pytest.approx(height, rel=1e-12)
+    assert any("By the name of its column" in doubt for doubt in finding.doubts) == doubted
