@@ -10,9 +10,10 @@ from lispac.errors import InputError
 from lispac.io.exail import unit_of
 from lispac.io.formats import format_of, recognised
 from lispac.survey.trajectory import Trajectory
-from tests.trajectory_files import vessel
+from tests.trajectory_files import vessel, write_records
 
 ASCII, EXAIL, POSPAC = (format_of(key) for key in ("ascii-trajectory", "exail-text", "pospac-text"))
+SBET = format_of("sbet")
 FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
 NEW_JERSEY = "EPSG:3424"  # in US survey feet
 UTM = "EPSG:32618"  # in metres
@@ -193,3 +194,12 @@ def test_speed_that_no_vessel_has_is_doubted(tmp_path: Path) -> None:
         path = write(tmp_path / "a.csv", head, rows, ",")
         doubts = ASCII.look(path, {}).doubts
         assert any("faster than a vessel" in doubt for doubt in doubts) == doubted
+
+
+def test_jump_of_an_sbet_is_doubted(tmp_path: Path) -> None:
+    records = vessel(2000)
+    path = write_records(tmp_path / "a.sbet", records)
+    assert not any("jump" in doubt for doubt in SBET.look(path, {}).doubts)
+    records[1200:, 1] += 300 / 6.4e6
+    write_records(path, records)
+    assert any("The positions jump" in doubt for doubt in SBET.look(path, {}).doubts)

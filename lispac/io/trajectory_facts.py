@@ -198,6 +198,11 @@ def course_doubts(
             f"The positions move at {fast:.3g} m/s in the middle, faster than a vessel; check the "
             "unit of the positions and of the times, and the coordinate system where there is one.",
         )
+    elif len(speeds) and float(speeds.max()) > FASTEST_VESSEL:
+        said = (
+            f"The positions jump: in places they move at up to {float(speeds.max()):,.0f} m/s, in "
+            f"the middle at {fast:.3g} m/s; look at the track and process the trajectory again.",
+        )
     return (*said, *_heading_doubts(motions, headings))
 
 
