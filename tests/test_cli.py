@@ -245,7 +245,7 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
         ("no gps_time", "has no gps_time"),
         ("outside the trajectory", "lie outside the trajectory"),
         ("empty line", "holds no points"),
-        ("missing column", "lack time, x, y, z"),
+        ("missing column", "line.txt: no row of four numbers or more is in it"),
     ],
 )
 def test_bad_input_is_refused_and_no_project_is_left(
