@@ -69,10 +69,15 @@ def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tm
         georeference_project(usual, tmp_path / "out", "prior", system="local")
 
 
-def test_a_long_line_is_refused_by_its_first_point(tmp_path, monkeypatch) -> None:
+def test_a_long_line_is_judged_by_points_all_over_it(tmp_path, monkeypatch) -> None:
     monkeypatch.setattr("lispac.io.line_times.READ_WHOLE", 100)
     with pytest.raises(InputError, match="not in the scanner frame"):
         line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
+    points = fan(3000)
+    points[0] += [0, 2 * FARTHEST, 0]  # a stray at the very beginning is none
+    line = write_line(tmp_path / "stray.las", START + np.linspace(5, 20, 3000), points)
+    times = line_times(line, format_of("las"), {"frame": "scanner"})
+    assert times.count == 3000
 
 
 def test_single_points_far_off_are_no_reason(track, tmp_path) -> None:

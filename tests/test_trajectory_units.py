@@ -203,3 +203,15 @@ def test_jump_of_an_sbet_is_doubted(tmp_path: Path) -> None:
     records[1200:, 1] += 300 / 6.4e6
     write_records(path, records)
     assert any("The positions jump" in doubt for doubt in SBET.look(path, {}).doubts)
+
+
+@pytest.mark.parametrize(("unit", "said"), [(FOOT, True), (1.0, False)])
+def test_positions_far_from_where_the_system_is_meant_for_are_doubted(
+    tmp_path: Path, unit: float, said: bool
+) -> None:
+    """Feet that nothing calls so, in a system in metres."""
+    _, rows = gridded(UTM, unit)
+    path = write(tmp_path / "a.csv", "time,easting,northing,height,roll,pitch,heading\n", rows, ",")
+    doubts = " ".join(ASCII.look(path, {"crs": UTM}).doubts)
+    assert (f"In {UTM} (WGS 84 / UTM zone 18N) the positions lie at latitude" in doubts) is said
+    assert ("(feet, metres)" in doubts) is said

@@ -25,6 +25,8 @@ EVERY, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
 
 INSIST = 10.0
 """Gain of twice the log likelihood by a sigma of the offsets' own: by chance once in 1000."""
+COMMONER = 5.0
+"""More of it where sightings were let go of: jumps are a dozen times commoner, exp(5 / 2)."""
 
 
 def surface_sigma(linearised: Linearised, directions: slice = EVERY) -> float:
@@ -45,13 +47,14 @@ def offsets_insist(linearised: Linearised) -> bool:
 
     Boards that are displaced from line to line and not bent do that. Those that are displaced most
     may have been let go of: with a sigma of their own they are held again. That must be likelier
-    than what was let go of, and than holding them again with the sigma shared.
+    than what was let go of, and clearly so, as one sighting that jumped is the commoner thing; and
+    likelier than holding them again with the sigma shared.
     """
-    shared = np.repeat(linearised.problem.surface_sigma[:, :1] < RELEASED, 3, axis=1)
-    own = shared.copy()
-    own[:, TILTS] = False
+    every = np.repeat(linearised.problem.surface_sigma[:, :1] < RELEASED, 3, axis=1)
+    own = every & (np.arange(3) == 2)
     gain = _likeliest(linearised, own)[1]
-    return gain > INSIST and gain - _likeliest(linearised, shared)[1] > INSIST
+    least = INSIST if linearised.problem.held.all() else INSIST + COMMONER
+    return gain > least and gain - _likeliest(linearised, every)[1] > INSIST
 
 
 def _likeliest(linearised: Linearised, alike: NDArray[np.bool_]) -> tuple[float, float]:

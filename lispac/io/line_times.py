@@ -25,6 +25,8 @@ KEPT = 20_000
 READ_WHOLE = 3_000_000
 """Points that LAS and LAZ are read whole up to; of more, blocks here and there."""
 BLOCKS, BLOCK = 40, 500
+PLACE_STEP = 10
+"""Of so many points looked at for their time, one is looked at for its place."""
 LONGEST = 15.0
 """Seconds after which reading stops; what was not read is checked at the import."""
 
@@ -77,9 +79,9 @@ def line_times(
     settled = format.settled(choice)
     scanner = settled[FRAME.name] == SCANNER
     if format.key == "las" and (count := _points_of(path)) > READ_WHOLE:
-        found = _sampled(path, count, progress)
+        found, places = _sampled(path, count, progress)
         if scanner:
-            require_scanner_frame(found.place[None, :] * scale_of(settled), path)
+            require_scanner_frame(places * scale_of(settled), path)
         return _counted_on(found, stated)
     chunks = format.read(path, choice)
     assert isinstance(chunks, Iterator)
@@ -131,18 +133,21 @@ def _points_of(path: Path) -> int:
             return int(reader.header.point_count)
 
 
-def _sampled(path: Path, count: int, progress: Progress) -> LineTimes:
-    parts, place = [], np.zeros(3)
+def _sampled(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Array]:
+    """Times of points all over a long line, and coordinates (n, 3) of some, in the file's unit."""
+    parts, places = [], []
     with plainly(path, "LAS or LAZ"), laspy.open(path) as reader:
         for k, first in enumerate(np.linspace(0, count - BLOCK, BLOCKS).astype(int)):
             progress(k / BLOCKS, f"{path.name}: {k} of {BLOCKS} places looked at")
             reader.seek(int(first))
             points = reader.read_points(BLOCK)
             parts.append(np.array(points.gps_time, dtype=np.float64))
-            if not k and len(points):
-                place = np.array([points.x[0], points.y[0], points.z[0]], dtype=np.float64)
+            xyz = np.stack([points.x, points.y, points.z], axis=1)
+            places.append(np.asarray(xyz[::PLACE_STEP], dtype=np.float64))
     times = np.concatenate(parts)
     times = times[np.isfinite(times)]
     if not len(times):
         raise InputError(f"{path}: no point looked at has a usable time; export the line again.")
-    return LineTimes(times, float(times.min()), float(times.max()), count, False, True, place)
+    looked = np.concatenate(places)
+    start, end = float(times.min()), float(times.max())
+    return LineTimes(times, start, end, count, False, True, looked[0]), looked

@@ -261,18 +261,24 @@ def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> 
     return chosen + [column for column in columns if column.role == "date"][:1]
 
 
-def unit_doubts(path: Path, columns: Sequence[Column], conventions: Conventions) -> tuple[str, ...]:
-    """What there is to doubt about the units of positions on the map and of heights.
+def map_doubts(
+    path: Path, columns: Sequence[Column], conventions: Conventions, read: Trajectory
+) -> tuple[str, ...]:
+    """What there is to doubt about positions on the map, as they were read, and about heights.
 
     Raises
     ------
     InputError
     """
     chosen = _chosen(path, columns, conventions)
-    lengths = _lengths(chosen, _grid_of(path, chosen, conventions))
+    grid = _grid_of(path, chosen, conventions)
+    lengths = _lengths(chosen, grid)
     # One of easting and northing speaks for both.
     lengths.pop("northing", None)
-    return tuple(length.doubt for length in lengths.values() if length.doubt)
+    doubts = [length.doubt for length in lengths.values()]
+    if grid is not None:
+        doubts.append(grid.doubt_of_place(read.latitude, read.longitude))
+    return tuple(doubt for doubt in doubts if doubt)
 
 
 def _grid_of(path: Path, chosen: Sequence[Column], conventions: Conventions) -> Grid | None:

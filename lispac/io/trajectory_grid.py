@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.survey.crs_area import meant_elsewhere
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -87,6 +88,18 @@ class Grid:
                 "the header.",
             )
         return Length(LENGTHS[stated], LENGTH_WORDS[LENGTHS[stated]])
+
+    def doubt_of_place(self, latitude: Array, longitude: Array) -> str:
+        """That positions (radians) lie where the system is not meant for; empty where they do."""
+        middle = np.degrees(np.median(latitude)), np.degrees(np.median(longitude))
+        elsewhere = meant_elsewhere(self.system, float(middle[0]), float(middle[1]))
+        if not elsewhere:
+            return ""
+        return (
+            f"In {self.text} ({self.system.name}) the positions lie at latitude {middle[0]:.1f}, "
+            f"longitude {middle[1]:.1f} deg, and it is meant for {elsewhere}: check the coordinate "
+            "system, the unit of eastings and northings (feet, metres), and their order."
+        )
 
     def to_geodetic(self, path: Path, easting: Array, northing: Array) -> tuple[Array, ...]:
         """Latitude, longitude and meridian convergence, radians, of coordinates in metres.

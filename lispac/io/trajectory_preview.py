@@ -17,9 +17,9 @@ from lispac.io.trajectory_columns import (
     Conventions,
     Rows,
     accuracy_of,
+    map_doubts,
     missing_roles,
     trajectory_of,
-    unit_doubts,
 )
 from lispac.io.trajectory_facts import (
     course_doubts,
@@ -83,7 +83,7 @@ def look_at_text(
     except InputError as error:
         doubts.append(without_path(str(error), path))
         return Finding(facts, rows, choice, tuple(doubts))
-    doubts += unit_doubts(path, layout.columns, conventions)
+    doubts += map_doubts(path, layout.columns, conventions, first)
     whole, said = _with_tail(path, layout, conventions, first, head)
     motion = motion_of(first.time, first.latitude, first.longitude, first.height)
     exchanged = motion_of(first.time, first.longitude, first.latitude, first.height)

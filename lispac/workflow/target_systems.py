@@ -8,6 +8,7 @@ from lispac.errors import InputError
 from lispac.io.points import DATUM, EPOCH, system_of
 from lispac.project import LineSource, Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.crs_area import meant_elsewhere
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.line_chunks import Chunks
 
@@ -15,8 +16,6 @@ DOUBT = "Mistyped?"
 """Begins what is said of a coordinate system that is not meant for the place."""
 LOCAL = "local"
 """Asks for the local frame instead of a coordinate system."""
-BEYOND_AREA = 3.0
-"""Degrees beyond the area of a coordinate system that a survey may lie: half a UTM zone."""
 FIRST_YEAR, LAST_YEAR = 1900.0, 2100.0
 """An epoch outside is a slip of the pen."""
 
@@ -130,17 +129,13 @@ def chosen_system(
 
 def _far_away(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[str, ...]:
     """What is said where a coordinate system is meant for another part of the world."""
-    area = system.crs.area_of_use
-    if area is None:
-        return ()
     latitude = math.degrees(trajectory.frame.latitude)
     longitude = math.degrees(trajectory.frame.longitude)
-    width = (area.east - area.west) % 360 or 360.0
-    east = (longitude - area.west + BEYOND_AREA) % 360 <= width + 2 * BEYOND_AREA
-    if east and area.south - BEYOND_AREA <= latitude <= area.north + BEYOND_AREA:
+    elsewhere = meant_elsewhere(system.crs, latitude, longitude)
+    if not elsewhere:
         return ()
     return (
-        f"{DOUBT}: {system.name} is meant for {area.name.split('.')[0]}, and the trajectory is at "
+        f"{DOUBT}: {system.name} is meant for {elsewhere}, and the trajectory is at "
         f"latitude {latitude:.1f}, longitude {longitude:.1f} deg; {utm_zone(trajectory)} is the "
         "UTM zone there",
     )

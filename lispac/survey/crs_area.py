@@ -1,0 +1,21 @@
+"""The part of the world that a coordinate system is meant for."""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pyproj import CRS
+
+BEYOND = 3.0
+"""Degrees beyond the area of a coordinate system that a survey may lie: half a UTM zone."""
+
+
+def meant_elsewhere(crs: "CRS", latitude_deg: float, longitude_deg: float) -> str:
+    """The area that a system is meant for, where a place is well outside; empty otherwise."""
+    area = crs.area_of_use
+    if area is None:
+        return ""
+    width = (area.east - area.west) % 360 or 360.0
+    inside = (longitude_deg - area.west + BEYOND) % 360 <= width + 2 * BEYOND
+    if inside and area.south - BEYOND <= latitude_deg <= area.north + BEYOND:
+        return ""
+    return str(area.name.split(".")[0])
