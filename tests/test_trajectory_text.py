@@ -40,6 +40,21 @@ def test_decimal_commas(tmp_path: Path, separator: str) -> None:
     assert (entry.role, entry.error) == ("trajectory", "")
 
 
+@pytest.mark.parametrize(("separator", "sign"), [(",", "."), (",", ","), (";", ","), ("\t", ".")])
+def test_quoted_fields(tmp_path: Path, separator: str, sign: str) -> None:
+    records = vessel(200)
+    path = tmp_path / "a.csv"
+    rows = text_of(records, "|", sign).splitlines()
+    quoted = [separator.join(f'"{field}"' for field in row.split("|")) for row in rows]
+    path.write_text("\n".join(quoted) + "\n", encoding="utf-8")
+    assert recognised(path, "trajectory")[0][0] is ASCII
+    same(path, records)
+
+
+def test_a_quote_may_be_seconds_of_arc() -> None:
+    assert fields_of('1.0,45 31 08.5",-73 32 20.1"') == ["1.0", '45 31 08.5"', '-73 32 20.1"']
+
+
 def test_commas_that_part_the_columns_still_do() -> None:
     assert fields_of("1,2,3") == ["1", "2", "3"]
     assert fields_of("1.5, 2.5, 3") == ["1.5", "2.5", "3"]

@@ -269,10 +269,12 @@ def _seen_by(sigma: Array, without: dict[str, Array | None]) -> Sequence[str]:
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
         lines = sorted((line for line in grown if grown[line] > MATTERS), key=lambda x: -grown[x])
         if lines:
-            worst = np.degrees(grown[lines[0]] * sigma[k])
+            now = np.degrees(sigma[k])
+            places = max(3, 1 - int(np.floor(np.log10(now))))  # two digits tell them apart
+            then = grown[lines[0]] * now
             said.append(
                 f"{angle.capitalize()} is seen mainly by {_listed(lines)}: without {lines[0]} its "
-                f"sigma would be {worst:.3f} instead of {np.degrees(sigma[k]):.3f} deg."
+                f"sigma would be {then:.{places}f} instead of {now:.{places}f} deg."
             )
         elif not needed:
             said.append(f"{angle.capitalize()} hangs on no single line.")

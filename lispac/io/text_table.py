@@ -1,5 +1,6 @@
 """Rows of text as columns of numbers: separators, angles in degrees and minutes, clock and date."""
 
+import csv
 import os
 import re
 from calendar import timegm
@@ -110,8 +111,11 @@ def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
 def fields_of(line: str, separator: str = "auto") -> list[str]:
     """Split one row; ``auto`` takes semicolon, tab or comma where there is one, else blanks.
 
-    Commas between digits, with blanks between the numbers, are decimal signs.
+    Commas between digits, with blanks between the numbers, are decimal signs. Fields may be in
+    quotes, as spreadsheets write them.
     """
+    if '"' in line and _QUOTED.search(line):
+        return _unquoted(line, separator)
     if separator == "auto":
         separator = next((name for name, mark in _MARKS.items() if mark in line), "blank")
         if separator == "comma" and "." not in line and DECIMAL_COMMAS.search(line):
@@ -122,6 +126,17 @@ def fields_of(line: str, separator: str = "auto") -> list[str]:
 
 
 _MARKS = {"semicolon": ";", "tab": "\t", "comma": ","}
+_QUOTED = re.compile(r'(?:^|[;,\t])\s*"')
+"""A quote that opens a field; others are seconds of arc."""
+
+
+def _unquoted(line: str, separator: str) -> list[str]:
+    if separator == "auto":
+        parted = re.sub('"[^"]*"', "", line)
+        separator = next((name for name, mark in _MARKS.items() if mark in parted), "blank")
+    mark = _MARKS.get(separator, " ")
+    row = next(csv.reader([line.strip(" \r\n")], delimiter=mark, skipinitialspace=True), [])
+    return [field.strip() for field in row]
 
 
 def is_number(field: str) -> bool:
