@@ -215,3 +215,16 @@ def test_positions_far_from_where_the_system_is_meant_for_are_doubted(
     doubts = " ".join(ASCII.look(path, {"crs": UTM}).doubts)
     assert (f"In {UTM} (WGS 84 / UTM zone 18N) the positions lie at latitude" in doubts) is said
     assert ("(feet, metres)" in doubts) is said
+
+
+@pytest.mark.parametrize("look", [True, False])
+def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
+    _, rows = gridded(UTM, 1.0)
+    head = EXAIL_HEAD.format("meter").replace("Ellipsoid height, meter", "Ellipsoid height, degree")
+    path = write(tmp_path / "a.txt", head, rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
+    told = "olumn ellipsoidHeight is in degrees by its header, and should be a length"
+    if look:
+        assert told in " ".join(EXAIL.look(path, {"crs": UTM}).doubts)
+        return
+    with pytest.raises(InputError, match=told):
+        EXAIL.read(path, {"crs": UTM})

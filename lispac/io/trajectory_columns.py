@@ -137,7 +137,7 @@ def trajectory_of(
     """
     chosen = _chosen(path, columns, conventions)
     grid = _grid_of(path, chosen, conventions)
-    lengths = _lengths(chosen, grid)
+    lengths = _lengths(path, chosen, grid)
     factors = {role: length.metres for role, length in lengths.items()}
     values, numbers = _read(path, rows, chosen, factors)
     time, notes = _times(path, values, conventions)
@@ -272,7 +272,7 @@ def map_doubts(
     """
     chosen = _chosen(path, columns, conventions)
     grid = _grid_of(path, chosen, conventions)
-    lengths = _lengths(chosen, grid)
+    lengths = _lengths(path, chosen, grid)
     # One of easting and northing speaks for both.
     lengths.pop("northing", None)
     doubts = [length.doubt for length in lengths.values()]
@@ -286,10 +286,16 @@ def _grid_of(path: Path, chosen: Sequence[Column], conventions: Conventions) -> 
     return grid_of(path, conventions.crs) if on_map else None
 
 
-def _lengths(chosen: Sequence[Column], grid: Grid | None) -> dict[str, Length]:
+def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[str, Length]:
     """Units of eastings, northings and heights by role."""
     lengths: dict[str, Length] = {}
     for column in chosen:
+        is_length = column.unit == UNSTATED or column.unit in LENGTHS
+        if column.role in (*GRID, *HEIGHTS) and not is_length:
+            raise InputError(
+                f"{path}: column {column.name} is in {UNIT_WORDS[column.unit]} by its header, and "
+                "should be a length; export it in metres or feet, or mend the header."
+            )
         if column.role in GRID and grid is not None:
             lengths[column.role] = grid.unit(column.name, column.unit)
         elif column.role in HEIGHTS:
