@@ -291,10 +291,12 @@ def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[st
     lengths: dict[str, Length] = {}
     for column in chosen:
         is_length = column.unit == UNSTATED or column.unit in LENGTHS
-        if column.role in (*GRID, *HEIGHTS) and not is_length:
+        wanted = "an angle" if column.role in (*POSITION, *ATTITUDE) else "a length"
+        if column.role not in ("time", "date") and is_length is not (wanted == "a length"):
+            unit = column.unit or "none"
             raise InputError(
-                f"{path}: column {column.name} is in {UNIT_WORDS[column.unit]} by its header, and "
-                "should be a length; export it in metres or feet, or mend the header."
+                f"{path}: column {column.name} is in {UNIT_WORDS.get(unit, unit)} by its header, "
+                f"and should be {wanted}; mend the header, or export it again."
             )
         if column.role in GRID and grid is not None:
             lengths[column.role] = grid.unit(column.name, column.unit)
