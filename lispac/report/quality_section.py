@@ -40,7 +40,7 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
     told = "RMS about the sighting's own surface; incidence counts from its normal."
     if not content.calibrated:
         told += (
-            " What an error of the prior boresight can explain does not count in RMS, curvature and"
+            " What an error of the rough boresight can explain does not count in RMS, curvature and"
             " flatness: it bends what is seen from a moving vessel."
         )
     return [table, Paragraph(told)]

@@ -70,6 +70,10 @@ class Line(Protocol):
 class Cloud(Protocol):
     """A line placed in the local frame."""
 
+    @property
+    def place(self) -> Georeferencer:
+        """Puts its points into the local frame."""
+
     def __len__(self) -> int: ...
     def __getitem__(self, numbers: Numbers) -> Array:
         """Points by their numbers, shape (n, 3), metres."""
@@ -92,6 +96,9 @@ class Cloud(Protocol):
     @property
     def sample_intensity(self) -> Array | None:
         """Their intensities, shape (n,), as in the file, if the line has any."""
+
+    def sample_lidar(self, numbers: Numbers) -> tuple[Array, Array]:
+        """Some of them, told by their place in the sample, as `Line.take`."""
 
     def placed_with(self, mounting: Mounting) -> "Cloud":
         """The same line with another mounting."""
@@ -167,6 +174,10 @@ class CloudInMemory:
         """See `Cloud`."""
         return self.scan.intensity
 
+    def sample_lidar(self, numbers: Numbers) -> tuple[Array, Array]:
+        """See `Cloud`."""
+        return self.scan.take(numbers)
+
     def placed_with(self, mounting: Mounting) -> "CloudInMemory":
         """See `Cloud`."""
         place = Georeferencer.of(self.place.trajectory, mounting)
@@ -230,6 +241,12 @@ class CloudOnDisk:
         """See `Cloud`."""
         intensity = self.stored.coarse.intensity
         return None if intensity is None else np.asarray(intensity, dtype=np.float64)
+
+    def sample_lidar(self, numbers: Numbers) -> tuple[Array, Array]:
+        """See `Cloud`."""
+        coarse = self.stored.coarse
+        points = np.asarray(coarse.points_lidar[numbers], dtype=np.float64)
+        return points, np.asarray(coarse.time[numbers], dtype=np.float64)
 
     def placed_with(self, mounting: Mounting) -> "CloudOnDisk":
         """See `Cloud`."""

@@ -11,7 +11,7 @@ from scipy.stats import f as f_distribution
 from lispac.geometry.planes import Plane, extent_in_plane, in_plane_axes, rms_distance
 from lispac.geometry.spheres import Sphere, rms_from_sphere, share_seen
 from lispac.targets import outline
-from lispac.targets.smear import smear_taken_off
+from lispac.targets.smear import PRIOR_OFF, smear_taken_off
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -111,6 +111,7 @@ def plane_quality(
     *,
     scanner_local: Array | None = None,
     turns_local: Array | None = None,
+    boresight_off: float = PRIOR_OFF,
 ) -> SightingQuality:
     """Judge a plane as one line saw it.
 
@@ -128,6 +129,8 @@ def plane_quality(
     turns_local : ndarray of shape (3, m, 3), metres per radian, optional
         How the sighting's points move as roll, pitch and yaw of the boresight change. Given where
         the boresight is not estimated yet: what its error can explain does not count then.
+    boresight_off : float, radians
+        Sigma of that error in each angle.
     """
     points = points_local[indices]
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
@@ -138,7 +141,7 @@ def plane_quality(
     coverage = _coverage(placed, cell)
     own = off
     if turns_local is not None:
-        own = smear_taken_off(placed, off, (turns_local @ plane.normal).T, noise)
+        own = smear_taken_off(placed, off, (turns_local @ plane.normal).T, noise, boresight_off)
     sagitta, curved, uneven = _shape(placed, own, cell)
     incidence = None
     if scanner_local is not None:

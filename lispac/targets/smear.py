@@ -7,16 +7,17 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-PRIOR_OFF = radians(2.0)
-"""Sigma of each angle of a boresight that nothing has been estimated for, radians."""
+PRIOR_OFF, ROUGHLY_OFF = radians(2.0), radians(0.2)
+"""Sigma of each angle of a boresight that nothing has been estimated for, and of one that makes the
+lines nearly meet, radians."""
 
 
-def smear_taken_off(placed: Array, off: Array, moves: Array, noise: float) -> Array:
+def smear_taken_off(placed: Array, off: Array, moves: Array, noise: float, off_by: float) -> Array:
     """Distances without what an error of the boresight can explain in them.
 
     A turn of the LiDAR moves the points of a board along its normal. Where the platform turns or
     travels meanwhile they do not move alike, and a flat board is placed bent. The turn that
-    explains most is sought by least squares together with a plane; it is held to what a prior
+    explains most is sought by least squares together with a plane; it is held to what the
     boresight may be off by, so that a board crossed in no time keeps its own bend.
 
     Parameters
@@ -27,6 +28,8 @@ def smear_taken_off(placed: Array, off: Array, moves: Array, noise: float) -> Ar
         Along the normal, as each angle turns.
     noise : float, metres
         Of a point.
+    off_by : float, radians
+        Sigma of each angle of the boresight: `PRIOR_OFF` or `ROUGHLY_OFF`.
 
     Returns
     -------
@@ -34,7 +37,7 @@ def smear_taken_off(placed: Array, off: Array, moves: Array, noise: float) -> Ar
         From the plane that is left.
     """
     scale = max(float(np.abs(placed).max()), 1e-6)
-    design = np.column_stack([np.ones(len(off)), placed / scale, moves * PRIOR_OFF])
+    design = np.column_stack([np.ones(len(off)), placed / scale, moves * off_by])
     normal = np.einsum("ni,nj->ij", design, design) / noise**2
     normal[[3, 4, 5], [3, 4, 5]] += 1.0  # the angles in units of their sigma
     right = np.einsum("ni,n->i", design, off) / noise**2

@@ -14,7 +14,7 @@ from lispac.targets.expected import ExpectedTarget
 from lispac.targets.finder import FinderSettings
 from lispac.targets.sphere_finder import RadiusSought, SpherePatch, patch_on_sphere
 from lispac.workflow.seeking import DEFAULT_RADII as DEFAULT_RADII
-from lispac.workflow.seeking import Patch, Sought
+from lispac.workflow.seeking import Patch, Place, Sought
 from lispac.workflow.survey import Survey
 
 
@@ -65,9 +65,9 @@ def find(
         threshold = sought.threshold(project.settings.threshold)
     settings = FinderSettings(threshold=threshold, radius=radii[0])
     centre = np.asarray(seed, dtype=float)
-    place: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
+    at: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
     target = Target(
-        name, role, place, threshold, radii[0], (), shape=shape, sphere_radius=sphere_radius,
+        name, role, at, threshold, radii[0], (), shape=shape, sphere_radius=sphere_radius,
         expected=expected if shape == "plane" else None,
     )  # fmt: skip
     require_target(target)
@@ -79,7 +79,8 @@ def find(
         known = next((target for target in project.targets if target.name == name), None)
         if known is not None:
             _require_same(project, known, target)
-        patch = sought.at(survey.clouds[line], centre, settings)
+        place = Place.of(survey.aligned, centre, line, settings.radius)
+        patch = sought.at(place.clouds[line], place.seed, settings)
         if known is not None and expected is not None:
             known = replace(known, expected=target.expected)
         return _with_sighting(project, known or target, _sighting(survey, line, patch))
@@ -173,13 +174,11 @@ def _in_lines(
     best: tuple[Mapping[str, Patch], dict[str, str], float] | None = None
     refusal: TargetNotFound | None = None
     for radius in radii:
+        place = Place.of(survey.aligned, seed, first_line, radius)
+        tried = replace(settings, radius=radius, max_shift=place.max_shift)
         try:
             found, missing = sought.in_lines(
-                survey.clouds,
-                seed,
-                replace(settings, radius=radius),
-                first_line=first_line,
-                progress=progress,
+                place.clouds, place.seed, tried, first_line=place.line, progress=progress
             )
         except TargetNotFound as error:
             refusal = refusal or error

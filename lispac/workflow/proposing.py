@@ -1,5 +1,6 @@
 """Targets and validation planes proposed without a click: the user accepts, edits or rejects."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -7,17 +8,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
+from lispac.adjustment.observability import one_facing
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError, TargetNotFound
+from lispac.geometry.planes import fit_plane
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Role, Target, Triple
+from lispac.survey.cloud import Cloud, placed_with
 from lispac.targets.detection import DetectedPlane, Found, detect_planes
 from lispac.targets.finder import FinderSettings
 from lispac.validation.comparison import reciprocal
 from lispac.workflow.calibration import observations_of
-from lispac.workflow.seeking import planes_in_lines
+from lispac.workflow.seeking import MET_SHIFT, planes_in_lines
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
@@ -63,19 +67,23 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     """
     threshold = project.settings.threshold
     noise = threshold / PLANAR
+    progress(0.0, "Laying the lines roughly onto each other")
+    aligned = survey.aligned
     settings = FinderSettings(threshold=threshold)
+    if aligned.nearly_meets:
+        settings = replace(settings, max_shift=MET_SHIFT)
 
     def find(seed: Array, line: str, step: Progress) -> Found:
-        return planes_in_lines(survey.clouds, seed, settings, first_line=line, progress=step)
+        return planes_in_lines(aligned.clouds, seed, settings, first_line=line, progress=step)
 
     planes = [
         plane
         for plane in detect_planes(
-            {name: cloud.sample for name, cloud in survey.clouds.items()},
+            {name: cloud.sample for name, cloud in aligned.clouds.items()},
             settings,
-            lines=survey.clouds,
+            lines=aligned.clouds,
             find=find,
-            progress=part(progress, 0.0, 0.9),
+            progress=part(progress, 0.1, 0.9),
         )
         if np.median([patch.rms for patch in plane.found.values()]) <= PLANAR * noise
     ]
@@ -94,7 +102,10 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     )
     progress(0.9, "Weighing what each plane tells of the boresight")
     linearised = _linearised(everything, survey)
-    chosen, reasons, sigma = _chosen(linearised, names, _is_whole(planes, names))
+    uneven = _unevenness(everything, placed_with(survey.clouds, linearised.state.mounting))
+    linearised = _with_unevenness(linearised, uneven)
+    one_way = _facing_one_way(project, planes, names)
+    chosen, reasons, sigma = _chosen(linearised, names, _is_whole(planes, names), one_way)
     left = [k for k, name in enumerate(names) if name not in chosen]
     validation = _validation([planes[k] for k in left], survey)
     proposed: list[Target] = []
@@ -117,7 +128,12 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
 def _target(
     survey: Survey, plane: DetectedPlane, name: str, role: Role, threshold: float
 ) -> Target:
-    seed: Triple = (float(plane.seed[0]), float(plane.seed[1]), float(plane.seed[2]))
+    # Where the prior boresight puts it, as if it had been clicked.
+    line = plane.line if plane.line in plane.found else next(iter(plane.found))
+    indices, aligned = plane.found[line].indices, survey.aligned
+    apart = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
+    clicked = survey.clouds[line][indices[np.argmin(apart)][None]][0]
+    seed: Triple = (float(clicked[0]), float(clicked[1]), float(clicked[2]))
     sightings = tuple(
         PickedSighting(
             line,
@@ -147,6 +163,53 @@ def _linearised(project: Project, survey: Survey) -> Linearised:
         return problem.linearised(problem.start(result.mounting, shapes))
 
 
+def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, float]:
+    """By how much the planes that lines show of one surface differ within it, metres, rms.
+
+    A board is the same from everywhere. A tarpaulin or a bonnet shows each line another part of
+    itself, or is no plane at all, and that is the most it can tell the adjustment.
+    """
+    uneven: dict[str, float] = {}
+    for target in project.targets:
+        placed = [clouds[sighting.line][sighting.indices] for sighting in target.sightings]
+        everywhere = np.concatenate([points[:: 1 + len(points) // 1000] for points in placed])
+        everywhere -= everywhere.mean(axis=0)
+        normals = np.stack([fit_plane(points).normal for points in placed])
+        normals *= np.sign(normals @ normals[0])[:, None]
+        departed = everywhere @ (normals - normals.mean(axis=0)).T
+        uneven[target.name] = float(np.sqrt((departed**2).mean() * len(placed) / (len(placed) - 1)))
+    return uneven
+
+
+def _with_unevenness(linearised: Linearised, uneven: dict[str, float]) -> Linearised:
+    """The same with no surface said to be evener than it is."""
+    problem = linearised.problem
+    if not problem.model.correlated:
+        return linearised
+    for k, sighting in enumerate(problem.observations.sightings):
+        sigma = np.maximum(problem.surface_sigma[k], uneven[sighting.target])
+        problem = problem.with_surface_of([k], slice(0, 3), sigma)
+    return problem.linearised(linearised.state)
+
+
+def _facing_one_way(
+    project: Project, planes: list[DetectedPlane], names: list[str]
+) -> set[tuple[str, str]]:
+    """Pairs of planes that face one way, which the adjustment would refuse."""
+    if project.settings.accept_one_facing:
+        return set()
+    normals = {
+        name: next(iter(plane.found.values())).plane.normal
+        for name, plane in zip(names, planes, strict=True)
+    }
+    free = np.zeros(2, dtype=bool)
+    return {
+        (a, b)
+        for a, b in combinations(names, 2)
+        if one_facing(np.stack([normals[a], normals[b]]), free)
+    }
+
+
 def _sigma(linearised: Linearised, names: tuple[str, ...]) -> Array:
     """Sigmas (radians) of roll, pitch, yaw from some of the planes."""
     sightings = linearised.problem.observations.sightings
@@ -168,14 +231,20 @@ def _is_whole(planes: list[DetectedPlane], names: list[str]) -> set[str]:
 
 
 def _chosen(
-    linearised: Linearised, names: list[str], whole: set[str]
+    linearised: Linearised, names: list[str], whole: set[str], one_way: set[tuple[str, str]]
 ) -> tuple[list[str], dict[str, str], Array]:
     """The planes to adjust with, the reason of each, and the sigmas they give."""
     with one_thread():
         # Boards rather than walls, where there are enough: walls are wanted for validation.
         pool = [name for name in names if name in whole]
-        pool = pool if len(pool) >= 2 else names
-        pairs = {pair: _sigma(linearised, pair) for pair in combinations(pool, 2)}
+        pool = names if set(combinations(pool, 2)) <= one_way else pool
+        allowed = [pair for pair in combinations(pool, 2) if pair not in one_way]
+        if not allowed:
+            raise AdjustmentError(
+                "All flat surfaces found face one way, and that leaves the boresight open; put up "
+                "a board of another inclination, or set seeds by hand."
+            )
+        pairs = {pair: _sigma(linearised, pair) for pair in allowed}
         best = min(pairs, key=lambda pair: float(pairs[pair].max()))
         sigma, chosen = pairs[best], list(best)
         if not np.isfinite(sigma).all():

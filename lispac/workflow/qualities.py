@@ -20,6 +20,7 @@ from lispac.targets.quality import (
     undetermined,
     with_remarks,
 )
+from lispac.targets.smear import PRIOR_OFF, ROUGHLY_OFF
 from lispac.workflow.reselection import selected_again
 from lispac.workflow.survey import Survey
 
@@ -52,7 +53,7 @@ def judge(
 ) -> dict[Key, Judged]:
     """Judge every sighting of a project; what is ``known`` and still holds is taken over.
 
-    Before the calibration the points are those that were picked, and what an error of the prior
+    Before the calibration the points are those that were picked, and what an error of the rough
     boresight can explain in them does not count. After it they are selected once more in the lines
     as they lie then, with the threshold of the pick: the adjustment too leaves the picked ones. Of
     validation planes, which nothing selects again, the picked points are judged before and after.
@@ -112,18 +113,20 @@ def qualities(
 class _Placing:
     """Where points and scanner are, and where points go as each angle turns.
 
-    With the estimated mounting where there is one. Before, with the prior one, whose error bends a
-    plane that is seen from a moving vessel: what such an error can explain does not count.
+    With the estimated mounting where there is one. Before, with the one that makes the lines nearly
+    meet, whose error bends a plane that is seen from a moving vessel: what such an error can
+    explain does not count.
     """
 
     points: Georeferencer
     scanner: Georeferencer
     turned: tuple[Georeferencer, ...]
+    boresight_off: float
 
     @classmethod
     def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_Placing":
-        """With the estimated mounting or the prior one."""
-        mounting = project.mounting("estimated" if estimated else "prior")
+        """With the estimated mounting or the rough one."""
+        mounting = project.mounting("estimated") if estimated else survey.aligned.mounting
         # A range offset has nothing to say about where the scanner was.
         scanner = Mounting(mounting.lever_arm, mounting.boresight, latency=mounting.latency)
         turned = (mounting.with_boresight(mounting.boresight + step) for step in STEP * np.eye(3))
@@ -133,6 +136,7 @@ class _Placing:
             tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
             if not estimated
             else (),
+            ROUGHLY_OFF if estimated or survey.aligned.nearly_meets else PRIOR_OFF,
         )
 
 
@@ -157,6 +161,7 @@ def _quality(
     quality = plane_quality(
         points_lidar, points_local, every, plane, noise,
         scanner_local=placing.scanner(np.zeros_like(points_lidar), time), turns_local=turns,
+        boresight_off=placing.boresight_off,
     )  # fmt: skip
     if target.expected is None or quality.extent is None:
         return quality

@@ -11,7 +11,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
 from lispac.targets.finder import FinderSettings
-from lispac.workflow.seeking import Sought
+from lispac.workflow.seeking import MET_SHIFT, Sought
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
@@ -58,7 +58,9 @@ def selected_again(
     """
     line, seed = _moved_seed(target, before, after)
     narrowed = narrowed if target.shape == "plane" else 1.0
-    settings = FinderSettings(threshold=narrowed * target.threshold, radius=target.radius)
+    settings = FinderSettings(
+        threshold=narrowed * target.threshold, radius=target.radius, max_shift=MET_SHIFT
+    )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:
         found, _ = Sought.of(target).in_lines(lines, seed, settings, first_line=line)

@@ -12,7 +12,9 @@ from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
 from lispac.survey.cloud import MOST, Cloud, Region
 from lispac.targets.across_lines import find_in_lines
+from lispac.targets.alignment import Alignment
 from lispac.targets.finder import FinderSettings, PlanePatch, checked_seed, find_plane
+from lispac.targets.lines import CLICK
 from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
@@ -39,6 +41,10 @@ ball for its surface.
 SURROUNDED = 3.0
 """Search radius about the seed in radii of a known sphere, where that is more than usual: the seed
 may lie on the far side, and what is around the ball tells where it is in the other lines."""
+
+MET_SHIFT = 0.5
+"""Metres that a target may be from one line to another where the lines nearly meet: what is left is
+the error of the POS, and what the rough boresight is off by."""
 
 
 @dataclass(frozen=True)
@@ -148,6 +154,67 @@ def planes_in_lines(
     regions, points = _regions(clouds, seed, settings)
     found, missing = find_in_lines(points, seed, settings, first_line=first_line, progress=progress)
     return {name: _numbered(patch, regions[name]) for name, patch in found.items()}, missing
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """Where a target is sought: in lines that nearly meet.
+
+    Attributes
+    ----------
+    clouds : mapping of line name to Cloud
+    seed : ndarray of shape (3,), metres, local frame
+        Moved as the line was that it was taken from.
+    line : str or None
+        The line that is.
+    max_shift : float, metres
+        Farthest the target may be from one line to another.
+    """
+
+    clouds: Mapping[str, Cloud]
+    seed: Array
+    line: str | None
+    max_shift: float
+
+    @classmethod
+    def of(cls, aligned: Alignment, seed: Array, line: str | None, radius: float) -> "Place":
+        """A seed as it was clicked or typed, with the lines as the prior boresight places them.
+
+        Parameters
+        ----------
+        aligned : Alignment
+        seed : ndarray of shape (3,), metres, local frame
+        line : str or None
+            The line it was taken from. Where that is not known, a line with a point at the seed.
+        radius : float, metres
+            Search radius about the seed.
+        """
+        seed = checked_seed(seed)
+        reach = MET_SHIFT if aligned.nearly_meets else FinderSettings().max_shift
+        reaches = (CLICK,) if line is None else (CLICK, 0.1, radius)
+        nearest: list[tuple[float, str, Array]] = []
+        for name in aligned.before if line is None else (line,):
+            nearest += _nearest(aligned, name, seed, reaches)
+        if not nearest:
+            return cls(aligned.clouds, seed, line, reach)
+        _, line, move = min(nearest, key=lambda found: found[:2])
+        return cls(aligned.clouds, seed + move, line, reach)
+
+
+def _nearest(
+    aligned: Alignment, line: str, seed: Array, reaches: tuple[float, ...]
+) -> list[tuple[float, str, Array]]:
+    """The line's point nearest to the seed: how far off, the line, how the point was moved."""
+    before = aligned.before.get(line)
+    if before is None:
+        return []
+    for reach in reaches:
+        region = before.within(seed, reach)
+        if len(region.points):
+            apart = np.linalg.norm(region.points - seed, axis=1)
+            own = region.numbers[np.argmin(apart)][None]
+            return [(float(apart.min()), line, (aligned.clouds[line][own] - before[own])[0])]
+    return []
 
 
 def thinned_words(target: Target) -> tuple[str, ...]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Literal
 
@@ -19,6 +20,7 @@ from lispac.survey.store.layout import is_import
 from lispac.survey.time_base import matches, sentence
 from lispac.survey.time_quality import coverage, left_out, short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
+from lispac.targets.alignment import Alignment, align
 from lispac.workflow.importing import import_line, line_folder
 from lispac.workflow.offers import offered
 from lispac.workflow.reading import LAS_ENDINGS, local_trajectory, read_accuracy, read_line
@@ -74,6 +76,11 @@ class Survey:
             progress(k / len(clouds), f"Placing {name}")
             assert len(cloud.sample)
         return clouds
+
+    @cached_property
+    def aligned(self) -> Alignment:
+        """The lines where targets are sought; worked out when first asked for, in some seconds."""
+        return align(self.clouds)
 
     def with_prior(self, mounting: Mounting) -> "Survey":
         """The same readings placed with another prior mounting."""

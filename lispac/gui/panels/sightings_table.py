@@ -281,7 +281,7 @@ def quality_words(quality: SightingQuality) -> str:
     lines = [f"Quality: {quality.light}", *quality.reasons, ", ".join(figures)]
     if quality.smear is not None:
         lines.append(
-            f"Up to {quality.smear * 1000:.1f} mm (RMS) may be the error of the prior boresight; "
+            f"Up to {quality.smear * 1000:.1f} mm (RMS) may be the error of the rough boresight; "
             "it does not count before the calibration"
         )
     return "\n".join(lines)

@@ -1,0 +1,258 @@
+"""A rough boresight from the whole scene, so that targets are sought in lines that nearly meet.
+
+With the prior boresight a target stands up to a metre and more elsewhere in each line, and where
+the platform turns or the range changes along it, it is bent as well. Both are the work of three
+angles, which the scene as a whole tells to a tenth of a degree before anything has been picked:
+nearest points that face alike are drawn together along their normals (iterative closest point,
+point to plane), with a reach that shrinks.
+
+What comes out is no calibration: it has no sigma, and nothing but the search for targets uses it.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import combinations, product
+from math import radians
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.knn import build_tree, local_planes
+from lispac.geometry.neighbours import bounds, cell_keys
+from lispac.survey.cloud import Cloud, placed_with
+from lispac.survey.georeferencing import Georeferencer, Mounting
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+LOOKED_AT, MOST_POINTS = 200_000, 3_000
+"""Points of a line that are looked at, and of these the most that speak: spread evenly over the
+scene, a few tell as much as all."""
+FINEST = 0.1
+"""Least spacing of these points, metres."""
+NEIGHBOURS = 10
+"""Points whose plane is a point's own."""
+UNEVEN, ROUGH = 0.25, 0.08
+"""Most that a neighbourhood may depart from its plane: a share of the spacing, or metres where that
+is more. A wall smeared by the boresight still speaks, a shrub does not."""
+FACING = 0.94
+"""Least cosine between the normals of two points that belong together."""
+REACHES = (2.5, 1.5, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.15)
+"""Farthest that two such points may be apart, metres, from stage to stage."""
+ROUNDS, SETTLED = 2, radians(0.02)
+"""Steps of a stage, and how small a step ends it."""
+STEP = radians(0.01)
+"""By which the boresight is turned to see how points move; over so little they move straight."""
+LIKELY, SPREAD = radians(1.0), 0.05
+"""What a boresight is usually off by, and surfaces apart (metres) where it is right: an angle that
+the scene leaves open stays near its prior value."""
+STARTS, REFINED = radians(1.2), 3
+"""Where the lines do not meet from the prior boresight on, each angle is also tried so much larger
+and smaller; so many of these starts, the likeliest, are followed."""
+MEET, FAR = 0.15, 1.0
+"""Two lines meet at a point where their surfaces are this near to each other, metres, and it is not
+farther than that from a point of the other line."""
+ENOUGH = 0.75
+"""Share of the points that must meet another line."""
+
+
+@dataclass(frozen=True, eq=False)
+class Alignment:
+    """Lines placed so that they nearly meet.
+
+    Attributes
+    ----------
+    clouds : mapping of line name to Cloud
+        With the rough boresight; with the prior one where no other does better.
+    before : mapping of line name to Cloud
+        With the prior boresight.
+    met, met_before : float, in [0, 1]
+        Of the points with something alike in another line nearby, the share that meets it.
+    """
+
+    clouds: Mapping[str, Cloud]
+    before: Mapping[str, Cloud]
+    met: float
+    met_before: float
+
+    @property
+    def mounting(self) -> Mounting:
+        """With the rough boresight."""
+        return next(iter(self.clouds.values())).place.mounting
+
+    @property
+    def nearly_meets(self) -> bool:
+        """Whether a target is to be expected in about the same place on every line."""
+        return self.met >= ENOUGH
+
+
+def align(clouds: Mapping[str, Cloud]) -> Alignment:
+    """Find the boresight with which lines nearly meet.
+
+    The search starts from the prior boresight; where the lines do not meet then, from the likeliest
+    of others about it.
+
+    Parameters
+    ----------
+    clouds : mapping of line name to Cloud
+        All with the same mounting, the prior one.
+    """
+    if len(clouds) < 2:
+        return Alignment(clouds, clouds, 0.0, 0.0)
+    scene = _Scene.of(clouds)
+    prior = scene.boresight
+    best, met_before = prior, scene.met(prior)
+    met = met_before
+    for start in scene.starts():
+        boresight = scene.refined(start)
+        share = scene.met(boresight)
+        if share > met:
+            best, met = boresight, share
+        if met >= ENOUGH:
+            break
+    if best is prior:
+        return Alignment(clouds, clouds, met, met_before)
+    nearer = scene.place.mounting.with_boresight(best)
+    return Alignment(placed_with(clouds, nearer), clouds, met, met_before)
+
+
+@dataclass(frozen=True, eq=False)
+class _Line:
+    """Some points of a line, as the scanner saw them, and what tells their normals."""
+
+    points_lidar: Array
+    time: Array
+    neighbours: Indices
+    rough: float
+
+    @classmethod
+    def of(cls, cloud: Cloud) -> "_Line":
+        numbers = np.arange(0, len(cloud.sample), -(-len(cloud.sample) // LOOKED_AT) or 1)
+        numbers = numbers[_spread(cloud.sample[numbers])]
+        points = cloud.sample[numbers]
+        # Points keep their neighbours, whatever the boresight.
+        apart, neighbours = build_tree(points).query(points, min(NEIGHBOURS, len(points)))
+        rough = max(UNEVEN * float(np.median(apart[:, 1])), ROUGH)
+        return cls(
+            *cloud.sample_lidar(numbers), np.ascontiguousarray(neighbours, dtype=np.int64), rough
+        )
+
+    def faces(self, placed: Array) -> tuple[Array, Flags]:
+        """The normal at each point, and whether its surroundings are flat enough to have one."""
+        centroids, normals = local_planes(placed, self.neighbours)
+        off = np.einsum("nmk,nk->nm", placed[self.neighbours] - centroids[:, None], normals)
+        return normals, np.sqrt((off * off).mean(axis=1)) < self.rough
+
+
+@dataclass(frozen=True, eq=False)
+class _Pair:
+    """Points of two lines, shape (n,), that may belong together; normals (n, 3) of the second."""
+
+    first: int
+    second: int
+    here: Indices
+    there: Indices
+    normals: Array
+
+
+@dataclass(frozen=True, eq=False)
+class _Scene:
+    """All lines, to be placed with one boresight after another."""
+
+    lines: tuple[_Line, ...]
+    place: Georeferencer
+
+    @classmethod
+    def of(cls, clouds: Mapping[str, Cloud]) -> "_Scene":
+        lines = [_Line.of(cloud) for cloud in clouds.values() if len(cloud.sample) >= NEIGHBOURS]
+        return cls(tuple(lines), next(iter(clouds.values())).place)
+
+    @property
+    def boresight(self) -> Array:
+        """The prior one, shape (3,), radians."""
+        return self.place.mounting.boresight
+
+    def placed(self, boresight: Array) -> list[Array]:
+        """The points of each line."""
+        mounting = self.place.mounting.with_boresight(boresight)
+        place = Georeferencer.of(self.place.trajectory, mounting)
+        return [place(line.points_lidar, line.time) for line in self.lines]
+
+    def starts(self) -> Iterator[Array]:
+        """The prior boresight; then those about it that bring the lines nearest to each other."""
+        yield self.boresight
+        turns = [STARTS * np.array(turn) for turn in product((-1, 0, 1), repeat=3) if any(turn)]
+        stepped = [self.stepped(self.boresight + turn, REACHES[0]) for turn in turns]
+        shares = np.array([self.met(boresight) for boresight in stepped])
+        for k in np.argsort(-shares, kind="stable")[:REFINED]:
+            yield stepped[k]
+
+    def refined(self, boresight: Array) -> Array:
+        """Where the search ends that starts from a boresight."""
+        for reach in REACHES:
+            for _ in range(ROUNDS):
+                before, boresight = boresight, self.stepped(boresight, reach)
+                if np.abs(boresight - before).max() < SETTLED:
+                    break
+        return boresight
+
+    def stepped(self, boresight: Array, reach: float) -> Array:
+        """One step of Gauss and Newton, with weights that fall off within the reach."""
+        placed = self.placed(boresight)
+        turned = [self.placed(boresight + STEP * axis) for axis in np.eye(3)]
+        moves = [
+            np.stack([(other[k] - points) / STEP for other in turned], axis=-1)
+            for k, points in enumerate(placed)
+        ]
+        information = np.eye(3) * (SPREAD / LIKELY) ** 2
+        gradient = information @ (boresight - self.boresight)
+        for pair in self._pairs(placed, reach):
+            off = _off(placed, pair)
+            moved = moves[pair.first][pair.here] - moves[pair.second][pair.there]
+            rows = np.einsum("nk,nkb->nb", pair.normals, moved)
+            weighted = rows / (1.0 + (4.0 * off[:, None] / reach) ** 2) ** 2
+            information = information + weighted.T @ rows
+            gradient = gradient + weighted.T @ off
+        return np.asarray(boresight - np.linalg.solve(information, gradient))
+
+    def met(self, boresight: Array) -> float:
+        """See `Alignment`."""
+        placed = self.placed(boresight)
+        meet = seen = 0
+        for pair in self._pairs(placed, REACHES[0]):
+            apart = placed[pair.first][pair.here] - placed[pair.second][pair.there]
+            near = np.linalg.norm(apart, axis=1) < FAR
+            meet += int(np.count_nonzero(near & (np.abs(_off(placed, pair)) < MEET)))
+            seen += len(pair.here)
+        return meet / max(seen, 1)
+
+    def _pairs(self, placed: list[Array], reach: float) -> Iterator[_Pair]:
+        faces = [line.faces(points) for line, points in zip(self.lines, placed, strict=True)]
+        trees = [build_tree(points) for points in placed]
+        for first, second in combinations(range(len(placed)), 2):
+            apart, nearest = trees[second].query(placed[first], distance_upper_bound=reach)
+            here = np.flatnonzero(np.isfinite(apart))
+            there = nearest[here]
+            (own, own_flat), (normals, flat) = faces[first], faces[second]
+            facing = np.abs((own[here] * normals[there]).sum(axis=1)) > FACING
+            alike = facing & own_flat[here] & flat[there]
+            yield _Pair(first, second, here[alike], there[alike], normals[there[alike]])
+
+
+def _off(placed: list[Array], pair: _Pair) -> Array:
+    """Distance of the first points from the surface at the second, shape (n,), metres."""
+    apart = placed[pair.first][pair.here] - placed[pair.second][pair.there]
+    return np.asarray((apart * pair.normals).sum(axis=1))
+
+
+def _spread(points: Array) -> Indices:
+    """Indices of few points (n, 3), evenly spread: one of each voxel."""
+    kept = np.flatnonzero(np.isfinite(points).all(axis=1))
+    low, voxel = bounds(points[kept])[0], FINEST
+    while True:
+        _, first = np.unique(cell_keys(points[kept], low, voxel)[0], return_index=True)
+        kept = kept[np.sort(first)]
+        if len(kept) <= MOST_POINTS:
+            return kept
+        voxel *= 1.25

@@ -1,0 +1,95 @@
+"""Lines laid roughly onto each other before anything has been picked."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.survey.cloud import Cloud, CloudInMemory, placed_with
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.scan import Scan
+from lispac.targets.alignment import Alignment, align
+from lispac.workflow.seeking import Place
+from lispac.workflow.survey import Survey
+from tests.test_finder import SharedSurvey
+
+OFF_DEG = [(0, 0, 0), (2, 2, 2), (-2, 2, -2), (2, -2, 2), (-2, -2, -2), (1, -2, 0.5)]
+
+
+def lines_of(folder: Path) -> tuple[dict[str, Cloud], np.ndarray, np.ndarray]:
+    """The lines of a reference survey as its user has them, lever arm, and the right angles."""
+    survey = SharedSurvey(folder)
+    answer = folder / ("truth.json" if (folder / "truth.json").exists() else "reference.json")
+    mounting = Mounting(np.array(survey.site["lever_arm_m"]), np.zeros(3))
+    clouds = {
+        name: CloudInMemory.of(scan, survey.trajectory, mounting)
+        for name, scan in survey.scans.items()
+    }
+    return clouds, mounting.lever_arm, np.array(json.loads(answer.read_text())["boresight_deg"])
+
+
+def off_deg(alignment: Alignment, truth: np.ndarray) -> np.ndarray:
+    return np.degrees(alignment.mounting.boresight) - truth
+
+
+def test_six_lines_of_a_harbour_meet_from_wherever_the_prior_is(shared_data: Path) -> None:
+    clouds, arm, truth = lines_of(shared_data / "harbour")
+    for off in [-truth, *OFF_DEG]:
+        found = align(placed_with(clouds, Mounting(arm, np.radians(truth + off))))
+        assert found.nearly_meets
+        assert np.abs(off_deg(found, truth)).max() < 0.05, off
+
+
+@pytest.mark.parametrize(("name", "most"), [("lanl_truck", 0.1), ("lanl_tent", 0.3)])
+def test_two_lines_of_a_drone_meet(shared_data: Path, name: str, most: float) -> None:
+    """One vehicle, one tent, seen from opposite lines, half a metre apart and more.
+
+    The lines lie over each other so that one direction of the three angles moves the tent by three
+    centimetres for a quarter of a degree: there they cannot tell more.
+    """
+    clouds, _, truth = lines_of(shared_data / name)
+    found = align(clouds)
+    assert found.nearly_meets
+    assert found.met_before < 0.75
+    assert np.abs(off_deg(found, truth)).max() < most
+
+
+def test_the_demo_meets_and_a_click_moves_with_its_line(calibrated: tuple) -> None:
+    project, survey = calibrated
+    assert survey.aligned.nearly_meets
+    assert np.abs(off_deg(survey.aligned, project.truth_deg)).max() < 0.05
+    sighting = project.target("T1").sightings[2]
+    number = sighting.indices[len(sighting.indices) // 2][None]
+    clicked = survey.clouds[sighting.line][number][0]
+    moved = survey.aligned.clouds[sighting.line][number][0]
+    assert np.linalg.norm(moved - clicked) > 0.1
+    for line in (sighting.line, None):
+        place = Place.of(survey.aligned, clicked, line, 2.0)
+        assert place.line == sighting.line
+        np.testing.assert_allclose(place.seed, moved, atol=1e-9)
+    # Coordinates that are no point of a line are where the target truly is.
+    typed = Place.of(survey.aligned, clicked + [0.0, 0.0, 50.0], None, 2.0)
+    assert typed.line is None
+    np.testing.assert_array_equal(typed.seed, clicked + [0.0, 0.0, 50.0])
+
+
+def test_lines_with_nothing_in_common_stay_where_they_are(calibrated: tuple) -> None:
+    _, survey = calibrated
+    first, second = list(survey.clouds.values())[:2]
+    assert isinstance(first, CloudInMemory)
+    assert isinstance(second, CloudInMemory)
+    rng = np.random.default_rng(0)
+    shrubs = Scan(rng.uniform(-20.0, 20.0, (20_000, 3)), second.scan.time[:20_000])
+    apart = CloudInMemory.of(shrubs, second.place.trajectory, second.place.mounting)
+    found = align({"L1": first, "L2": apart})
+    assert not found.nearly_meets
+    assert align({"L1": first}).clouds == {"L1": first}
+
+
+def test_a_survey_is_aligned_once(calibrated: tuple, monkeypatch: pytest.MonkeyPatch) -> None:
+    survey: Survey = calibrated[1]
+    assert survey.aligned is survey.aligned
+    other = survey.with_prior(survey.aligned.mounting)
+    assert other.aligned is not survey.aligned
+    assert other.aligned.met_before > 0.9
