@@ -19,6 +19,8 @@ __all__ = ["FinderSettings", "PlanePatch", "find_plane"]
 
 # The distance from the seed within which a point counts fully when planes compete for it, metres.
 NEAR = 0.25
+# Points whose middle is the place that was clicked.
+CLICKED = 15
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +90,7 @@ def find_plane(
     # The far field still votes, but its many points cannot outvote the few around the seed.
     votes = 1.0 / (1.0 + (reach / NEAR) ** 2) ** 2
     # A seed on a point is a click on a surface, and only a plane through it is meant.
-    clicked = points[0] if float(np.linalg.norm(points[0] - seed)) <= settings.threshold else None
+    clicked = float(np.linalg.norm(points[0] - seed)) <= settings.threshold
     return extract(
         points,
         near,
@@ -96,8 +98,17 @@ def find_plane(
         settings,
         describe_seed(seed),
         expected_normal=expected_normal,
-        through=clicked,
+        through=_middle_of_click(points, reach) if clicked else None,
     )
+
+
+def _middle_of_click(points: Array, reach: Array) -> Array:
+    """Where the surface is that was clicked: a single point of a noisy line may be off it.
+
+    Of a board that stands three sigma before a wall the outermost points would also suit the wall.
+    """
+    beside = points[: min(CLICKED, max(1, np.count_nonzero(reach <= NEAR)))]
+    return points[0] if len(beside) < CLICKED // 2 else np.median(beside, axis=0)
 
 
 def checked_seed(seed: Array) -> Array:
