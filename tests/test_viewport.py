@@ -193,6 +193,33 @@ def test_over_budget_the_moving_picture_is_coarse_and_the_resting_one_whole_agai
     assert count(near, BLUE) > 0.95 * 4 * len(part)
 
 
+def test_where_frames_take_long_fewer_points_move_and_never_more_than_the_budget(shown):
+    view = shown(Budget(resting=4000, moving=2000))
+    view.show_clouds({"blue": wall(25.0, (-9.0, 9.0), (0.0, 9.0))}, {"blue": BLUE})
+
+    def drawn():
+        view.canvas.grabFramebuffer()
+        actors = view._renderer.GetActors()
+        return sum(
+            actor.GetMapper().GetInput().GetNumberOfPoints()
+            for actor in actors
+            if actor.GetVisibility()
+        )
+
+    def move():
+        view._navigator.mouse.rotated.emit(1.0, 0.0)
+        return drawn()
+
+    assert move() == 2000
+    view._show_detail()
+    assert drawn() == 2 * 4000  # with their rims
+    view._pace.slice = 1
+    view._detail_s = 1.0
+    assert move() == 250
+    view._show_detail()
+    assert drawn() == 2 * 4000
+
+
 def test_empty_view_says_what_to_do_and_comes_back_after_clear(viewport, tmp_path):
     empty = picture(viewport, tmp_path)
     ink = int((empty.max(axis=2) < 120).sum())

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from lispac.gui.viewport.camera import Camera, Size
-from lispac.gui.viewport.decimation import in_view, robust_sample, sample_order, shares
+from lispac.gui.viewport.decimation import foremost, in_view, ranks, robust_sample, shares
 from lispac.gui.viewport.overlay import length_text, scale_length
 from lispac.gui.viewport.picking import pick
 from tests.view_scenes import SIZE, scene
@@ -124,12 +124,17 @@ def test_shares_follow_the_sizes_and_small_lines_still_show():
 
 
 def test_sample_is_the_same_each_time_and_even():
-    order = sample_order(100_000, 10_000)
-    np.testing.assert_array_equal(order, sample_order(100_000, 10_000))
-    np.testing.assert_array_equal(order[:100], sample_order(100_000, 100))
-    assert len(np.unique(order)) == 10_000
-    counts = np.histogram(order, bins=10, range=(0, 100_000))[0]
+    places = ranks(100_000)
+    np.testing.assert_array_equal(places, ranks(100_000))
+    chosen = foremost(places, 10_000)
+    assert len(np.unique(chosen)) == 10_000
+    assert places[chosen].max() <= np.delete(places, chosen).min()
+    assert set(foremost(places, 100)) <= set(chosen)
+    counts = np.histogram(chosen, bins=10, range=(0, 100_000))[0]
     assert counts.min() > 850
+    for wanted in (1, 99_999, 100_000, 200_000):
+        assert len(foremost(places, wanted)) == min(wanted, 100_000)
+    np.testing.assert_array_equal(foremost(np.full(5, 0.9, np.float32), 2), [0, 1])
 
 
 def test_robust_sample_leaves_out_stray_echoes_only():

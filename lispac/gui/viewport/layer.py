@@ -21,7 +21,8 @@ from lispac.gui.viewport.actors import (
 from lispac.gui.viewport.base import Array, Colour, Shading
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.clipping import Box
-from lispac.gui.viewport.decimation import in_view, sample_order, shares
+from lispac.gui.viewport.decimation import foremost, in_view, ranks, shares
+from lispac.gui.viewport.pace import SLICES
 
 FAR = 1e4
 """Coordinates beyond it (metres) have a common origin removed: float32 steps by a millimetre."""
@@ -51,7 +52,8 @@ class Layer:
         self._clouds: dict[str, Array] = {}
         self._kept: dict[str, NDArray[np.int64] | None] = {}
         self.half: Any = None
-        self._coarse: list[Any] = []
+        self._coarse: list[tuple[int, Any]] = []
+        self._ranks: dict[str, NDArray[np.float32]] = {}
         self._fine: list[Any] = []
         self._rims: list[Any] = []
         self._fine_camera: Camera | None = None
@@ -74,6 +76,7 @@ class Layer:
         """Take over lines; nothing is drawn yet."""
         self._clouds = {line: points for line, points in clouds.items() if len(points)}
         self.colours, self.shading = dict(colours), shading
+        self._ranks = {line: ranks(len(points)) for line, points in self._clouds.items()}
 
     def draw(self, hidden: set[str], budget: int, box: Box | None = None) -> None:
         """Draw what is in the box of the lines that are not hidden coarsely.
@@ -90,12 +93,22 @@ class Layer:
         shaded = self.shading is not None
         self.sparse, self._coarse = {}, []
         for line, points in self.seen.items():
-            chosen = sample_order(len(points), share[line])
+            places = self._places(line)
+            chosen = foremost(places, share[line])
+            chosen = chosen[np.argsort(places[chosen])]
             self.sparse[line] = points[chosen]
-            data = point_data(self.sparse[line] - self.origin, self._shades(line, chosen))
-            self._coarse.append(point_actor(data, self.colours[line], shaded=shaded))
-        confine(self._coarse, self.half)
-        for actor in self._coarse:
+            start = 0
+            for k, part in enumerate(SLICES):
+                end = -int(-part * len(chosen) // 1)
+                some = chosen[start:end]
+                start = end
+                if len(some):
+                    data = point_data(points[some] - self.origin, self._shades(line, some))
+                    actor = point_actor(data, self.colours[line], shaded=shaded)
+                    self._coarse.append((k, actor))
+        actors = [actor for _, actor in self._coarse]
+        confine(actors, self.half)
+        for actor in actors:
             self._renderer.AddActor(actor)
 
     def refine(self, camera: Camera, size: Size, budget: int) -> bool:
@@ -108,7 +121,9 @@ class Layer:
         share = shares({line: len(indices) for line, indices in found.items()}, budget)
         shaded = self.shading is not None
         for line, indices in found.items():
-            chosen = indices[sample_order(len(indices), share[line])]
+            if share[line] < len(indices):
+                indices = indices[foremost(self._places(line)[indices], share[line])]
+            chosen = indices
             self.detail[line] = self.seen[line][chosen]
             data = point_data(self.detail[line] - self.origin, self._shades(line, chosen))
             self._fine.append(point_actor(data, self.colours[line], shaded=shaded))
@@ -120,17 +135,22 @@ class Layer:
             self._renderer.AddActor(actor)
         return True
 
-    def show_detail(self, *, fine: bool, coarse: bool) -> None:
-        """Show the detail where the camera rested, the coarse points, or both."""
-        for actor in self._coarse:
-            actor.SetVisibility(coarse)
+    def show_detail(self, *, fine: bool, coarse: int | None) -> None:
+        """Show the detail where the camera rested, slices of the coarse points, or both.
+
+        Parameters
+        ----------
+        coarse : the last of `SLICES` that is shown; None for none
+        """
+        for k, actor in self._coarse:
+            actor.SetVisibility(coarse is not None and k <= coarse)
         for actor in (*self._fine, *self._rims):
             actor.SetVisibility(fine)
 
     def style(self, pixels: int, scale: float) -> None:
         """Size of the points; those drawn while the camera moves are fewer, so larger."""
         size_points(self._fine, pixels * scale)
-        size_points(self._coarse, (pixels + 1) * scale)
+        size_points((actor for _, actor in self._coarse), (pixels + 1) * scale)
         size_points(self._rims, (pixels + 2) * scale)
 
     def move(self, camera: Camera) -> None:
@@ -140,7 +160,7 @@ class Layer:
 
     def remove(self) -> None:
         """Take what is drawn away."""
-        self._remove(self._coarse)
+        self._remove([actor for _, actor in self._coarse])
         self._remove_fine()
         self._coarse = []
 
@@ -148,6 +168,7 @@ class Layer:
         """Let go of everything, after the renderer has."""
         self._coarse, self._fine, self._rims = [], [], []
         self._clouds, self.seen, self.sparse, self.detail = {}, {}, {}, {}
+        self._ranks = {}
 
     def _remove_fine(self) -> None:
         self._remove(self._fine)
@@ -157,6 +178,11 @@ class Layer:
     def _remove(self, actors: list[Any]) -> None:
         for actor in actors:
             self._renderer.RemoveActor(actor)
+
+    def _places(self, line: str) -> NDArray[np.float32]:
+        """Ranks of the points that are seen of a line."""
+        kept = self._kept[line]
+        return self._ranks[line] if kept is None else self._ranks[line][kept]
 
     def _shades(self, line: str, chosen: NDArray[np.int64]) -> NDArray[np.uint8] | None:
         if self.shading is None:

@@ -4,7 +4,8 @@ Every change asks Qt for a repaint (`QWidget.update`), never VTK for a rendering
 and a picture rendered outside of Qt's painting would be rendered a second time by it.
 """
 
-from collections.abc import Mapping, Sequence
+import time
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,23 +13,10 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
-from vtkmodules.vtkRenderingCore import vtkActor
 
 from lispac.errors import InputError
 from lispac.geometry.neighbours import points_within
-from lispac.gui.viewport.actors import (
-    EDGE,
-    aim,
-    confine,
-    dark,
-    half_space,
-    paint,
-    place_half,
-    point_actor,
-    point_data,
-    shift_depth,
-    size_points,
-)
+from lispac.gui.viewport.actors import aim, half_space, place_half
 from lispac.gui.viewport.base import (
     Array,
     Colour,
@@ -38,27 +26,25 @@ from lispac.gui.viewport.base import (
     Shading,
     Sketch,
     ViewportSignals,
-    emphasis,
 )
 from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.clipping import Box, right_of
 from lispac.gui.viewport.decimation import Budget
+from lispac.gui.viewport.highlighting import Highlighting
 from lispac.gui.viewport.layer import Layer, common_origin
 from lispac.gui.viewport.navigation import Navigator
 from lispac.gui.viewport.overlay import Stage
+from lispac.gui.viewport.pace import SLICES, Pace
 from lispac.gui.viewport.sketching import Sketching
 
 SKY = (0.99, 0.995, 1.0)
 GROUND = (0.86, 0.885, 0.905)
 
-LIFT = 0.004
-"""How far a sighting is moved towards the eye, as part of its distance, to lie over its line."""
-
 REST_MS = 180
 """Stillness after which the detail is drawn."""
 
 QUICK_S = 0.03
-"""A rendering of everything in less than this is drawn in full while the camera moves, too."""
+"""A rendering of all the detail in less than this is shown while the camera moves, too."""
 
 
 class VtkViewport:
@@ -72,6 +58,7 @@ class VtkViewport:
     def __init__(self, parent: QWidget | None = None, budget: Budget | None = None) -> None:
         self.signals = ViewportSignals()
         self._budget = budget or Budget()
+        self._pace = Pace(self._budget)
         self._stage = Stage(parent)
         # No multisampling: it says nothing for single pixels and costs software OpenGL dearly.
         self.canvas = QtInteractor(self._stage, auto_update=False, multi_samples=0)
@@ -87,15 +74,17 @@ class VtkViewport:
         self._beside: Layer | None = None
         self._box: Box | None = None
         self._hidden: set[str] = set()
-        self._highlights: list[Highlight] = []
-        self._highlight_actors: list[tuple[Highlight, vtkActor, vtkActor]] = []
-        self._selected: tuple[str, str] | None = None
+        self._highlighting = Highlighting(self._renderer)
         self._point_size = 2
         self._closed = False
         self._detailed = False
         self._detail_s = np.inf
+        self._began = 0.0
 
-        self.canvas.aboutToCompose.connect(self._on_painted)
+        self._observers = [
+            self.canvas.ren_win.AddObserver(event, slot)
+            for event, slot in (("StartEvent", self._on_frame), ("EndEvent", self._on_framed))
+        ]
         self._rest = QTimer(self._stage, singleShot=True, interval=REST_MS)
         self._rest.timeout.connect(self._show_detail)
         self._stage.resized.connect(self._on_resized)
@@ -138,7 +127,7 @@ class VtkViewport:
         if first:
             self._layer.origin = common_origin(self._layer.clouds)
         self._draw_clouds()
-        self.show_highlights(self._highlights)
+        self.show_highlights(self._highlighting.highlights)
         if first:
             self.view("isometric")
 
@@ -155,22 +144,8 @@ class VtkViewport:
 
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
         """Draw sightings over the clouds; replaces those shown."""
-        for _, *actors in self._highlight_actors:
-            self._remove(actors)
-        self._highlights = list(highlights)
-        self._highlight_actors = []
-        for highlight in self._highlights:
-            points, shades = highlight.points, highlight.shades
-            if self._box is not None:
-                inside = self._box.inside(points)
-                points, shades = points[inside], None if shades is None else shades[inside]
-            data = point_data(points - self._layer.origin, shades)
-            actor = point_actor(data, highlight.colour, shaded=shades is not None)
-            outline = point_actor(data, highlight.colour)
-            confine([actor, outline], self._layer.half)
-            self._highlight_actors.append((highlight, actor, outline))
-            self._renderer.AddActor(outline)
-            self._renderer.AddActor(actor)
+        layer = self._layer
+        self._highlighting.put(highlights, layer.origin, self._box, layer.half)
         self._style_points()
 
     def show_markers(self, markers: Sequence[Marker]) -> None:
@@ -182,7 +157,7 @@ class VtkViewport:
         """Draw only what lies in a box, or everything."""
         self._box = box
         self._draw_clouds()
-        self.show_highlights(self._highlights)
+        self.show_highlights(self._highlighting.highlights)
 
     def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
         """Draw the lines as they lie otherwise on the left of a line that the mouse moves.
@@ -200,11 +175,11 @@ class VtkViewport:
             self._layer.half, self._beside.half = half_space(), half_space()
             self._beside.put(clouds, self._layer.colours, self._layer.shading)
         self._draw_clouds()
-        self.show_highlights(self._highlights)
+        self.show_highlights(self._highlighting.highlights)
 
     def select(self, key: tuple[str, str] | None) -> None:
         """Emphasise one sighting, (target, line), and grey the others of its target."""
-        self._selected = key
+        self._highlighting.selected = key
         self._style_points()
 
     def set_station(self, position: tuple[float, float, float]) -> None:
@@ -280,9 +255,8 @@ class VtkViewport:
         self._box = None
         self.show_beside(None)
         self._hidden.clear()
-        self._selected = None
+        self._highlighting.selected = None
         self._overlay.markers = ()
-        self._highlights = []
         self._overlay.shading = None
         self._layer.put({}, {})
         self.show_highlights([])
@@ -293,13 +267,15 @@ class VtkViewport:
         if self._closed:
             return
         self._closed = True
+        for observer in self._observers:
+            self.canvas.ren_win.RemoveObserver(observer)
         self._rest.stop()
         self._sketching.clear()
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
         for layer in self._layers:
             layer.forget()
-        self._highlights, self._highlight_actors = [], []
+        self._highlighting.forget()
         self.canvas.close()
 
     # Drawing
@@ -308,37 +284,22 @@ class VtkViewport:
         """Draw the visible lines coarsely; their detail follows."""
         for layer in self._layers:
             layer.draw(self._hidden, self._budget.moving // len(self._layers), self._box)
+            layer.show_detail(fine=False, coarse=self._pace.slice)
         self._navigator.clouds, self._navigator.coarse = self._layer.seen, self._layer.sparse
         self._detailed = False
         self._style_points()
         self._rest.start()
 
-    def _remove(self, actors: Sequence[vtkActor]) -> None:
-        for actor in actors:
-            self._renderer.RemoveActor(actor)
-
     def _style_points(self) -> None:
         scale = self.canvas.devicePixelRatioF()
         for layer in self._layers:
             layer.style(self._point_size, scale)
-        for highlight, actor, outline in self._highlight_actors:
-            drawn = emphasis(highlight, self._selected)
-            size = self._point_size + drawn.larger
-            size_points([actor], size * scale)
-            size_points([outline], (size + 3) * scale)
-            paint(actor, drawn.colour)
-            paint(outline, dark(drawn.colour) if highlight.shades is None else EDGE)
-            shown = highlight.key[1] not in self._hidden
-            actor.SetVisibility(shown)
-            outline.SetVisibility(shown and drawn.outlined)
+        self._highlighting.style(self._point_size, scale, self._hidden)
         self._camera_moved()
 
     def _camera_moved(self) -> None:
         camera, origin = self.camera, self._layer.origin
-        for highlight, actor, outline in self._highlight_actors:
-            lift = LIFT * (2 if emphasis(highlight, self._selected).above else 1)
-            shift_depth(actor, camera, origin, -lift)
-            shift_depth(outline, camera, origin, 0.3 * LIFT - lift)
+        self._highlighting.move(camera, origin)
         for layer in self._layers:
             layer.move(camera)
         self._part()
@@ -350,19 +311,29 @@ class VtkViewport:
         self.canvas.update()
         self._overlay.update()
 
-    def _on_painted(self) -> None:
-        if self._detailed and not self._closed:
-            self._detail_s = self._renderer.GetLastRenderTimeInSeconds()
+    def _on_frame(self, *_: object) -> None:
+        self._began = time.perf_counter()
+
+    def _on_framed(self, *_: object) -> None:
+        """A frame is drawn to its end, by software too; the renderer's own time is less."""
+        took = time.perf_counter() - self._began
+        if self._detailed:
+            self._detail_s = took
+            self._pace.took("resting", _count(layer.detail for layer in self._layers), took)
+        else:
+            whole = _count(layer.sparse for layer in self._layers)
+            drawn = int(SLICES[self._pace.slice] * whole)
+            self._pace.took("moving", drawn, took, whole)
 
     def _show_detail(self) -> None:
         self._rest.stop()
-        budget = self._budget.resting // len(self._layers)
+        budget = self._pace.resting // len(self._layers)
         size = self._navigator.size
         if any([layer.refine(self.camera, size, budget) for layer in self._layers]):
             self._style_points()
         self._detailed = True
         for layer in self._layers:
-            layer.show_detail(fine=True, coarse=False)
+            layer.show_detail(fine=True, coarse=None)
         self._update()
 
     def _on_moved(self) -> None:
@@ -370,7 +341,7 @@ class VtkViewport:
             self._detailed = False
         for layer in self._layers:
             # The detail is only that of where the camera rested.
-            layer.show_detail(fine=self._detailed, coarse=True)
+            layer.show_detail(fine=self._detailed, coarse=self._pace.slice)
         self._camera_moved()
 
     @property
@@ -395,3 +366,7 @@ class VtkViewport:
         """Show a coarse picture at once and the detail in a moment."""
         self._on_moved()
         self._rest.start()
+
+
+def _count(drawn: Iterable[Mapping[str, Array]]) -> int:
+    return sum(len(points) for lines in drawn for points in lines.values())
