@@ -23,6 +23,7 @@ Role = Qt.ItemDataRole
 Index = QModelIndex | QPersistentModelIndex
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+EDITED = "\N{LOWER RIGHT PENCIL}"
 _EMPTY = "No targets yet. Hold Ctrl and click a target in the view: one row for each appears here."
 _NAME_TIP = "Tick to let the whole target take part"
 
@@ -178,7 +179,8 @@ class SightingsModel(QAbstractTableModel):
         quality = self._qualities.get((target.name, sighting.line))
         if role == Role.DisplayRole:
             light = "   poor" if quality is not None and quality.light == "poor" else ""
-            return f"{len(sighting.indices):,}   {sighting.rms * 1000:.1f} mm{light}"
+            edited = f" {EDITED}" if sighting.by_hand else ""
+            return f"{len(sighting.indices):,}   {sighting.rms * 1000:.1f} mm{light}{edited}"
         if role == Role.DecorationRole and quality is not None:
             return theme.light(quality.light)
         if role == Role.CheckStateRole:
@@ -196,6 +198,8 @@ class SightingsModel(QAbstractTableModel):
         ]
         if (quality := self._qualities.get((target.name, sighting.line))) is not None:
             lines += [quality_words(quality)]
+        if sighting.by_hand:
+            lines.append(f"{EDITED} Points edited with the lasso; they stay as they were chosen")
         if sighting.one_in > 1:
             lines.append(f"Drawn from one in {sighting.one_in} of the many points about the seed")
         result = None if self._project is None else self._project.result
