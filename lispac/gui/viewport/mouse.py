@@ -3,7 +3,8 @@
 Left drag rotates, middle or Shift+left or right drag moves, the wheel zooms, Ctrl+click picks and a
 double click looks at a point. A Ctrl+drag does nothing, so that a slip of the hand picks nothing.
 While pointing a click points and a drag still rotates; while outlining a left drag draws. A press
-on what `grabs` says yes to moves that.
+on what `grabs` says yes to moves that. Arrows rotate, Shift+arrows move, Page up and Page down
+zoom at the middle.
 """
 
 from collections.abc import Callable
@@ -17,6 +18,18 @@ from lispac.gui.viewport.base import MouseMode
 
 WHEEL_STEP = 120.0
 """Units of one notch of a wheel; touch pads send less at a time."""
+
+
+KEY_STEP = 24.0
+"""Pixels of a drag that an arrow key stands for."""
+
+_ARROWS = {
+    Qt.Key.Key_Left: (-KEY_STEP, 0.0),
+    Qt.Key.Key_Right: (KEY_STEP, 0.0),
+    Qt.Key.Key_Up: (0.0, -KEY_STEP),
+    Qt.Key.Key_Down: (0.0, KEY_STEP),
+}
+_PAGES = {Qt.Key.Key_PageUp: 1.0, Qt.Key.Key_PageDown: -1.0}
 
 
 class _Drag(Enum):
@@ -45,6 +58,7 @@ class Mouse(QObject):
     let_go = Signal()
     rested_at = Signal(float, float)  # moved there without a button
     left = Signal()
+    nudged = Signal(float)  # pixels to the right, by Ctrl and an arrow
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -88,6 +102,9 @@ class Mouse(QObject):
         ):
             if event.key() == Qt.Key.Key_Control:
                 self._show_cursor(kind == QEvent.Type.KeyPress)
+            elif kind == QEvent.Type.KeyPress and self._keyed(event):
+                event.accept()
+                return True
             # VTK's own keys (q ends, w draws wires) would surprise; the window may have the key.
             event.ignore()
             return True
@@ -99,6 +116,27 @@ class Mouse(QObject):
             )
             return kind != QEvent.Type.FocusOut
         return False
+
+    def _keyed(self, event: QKeyEvent) -> bool:
+        """Move the view by a key, where it does and no button is down."""
+        if self._drag is not _Drag.NONE:
+            return False
+        key = Qt.Key(event.key())
+        x, y = 0.5 * self._widget.width(), 0.5 * self._widget.height()
+        if key in _PAGES:
+            self.zoomed.emit(_PAGES[key], x, y)
+            return True
+        if key not in _ARROWS:
+            return False
+        right, down = _ARROWS[key]
+        if _control(event.modifiers()):
+            self.nudged.emit(right)
+            return True
+        self.drag_started.emit(x, y)
+        shifted = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        (self.panned if shifted else self.rotated).emit(right, down)
+        self.drag_ended.emit()
+        return True
 
     def _pressed(self, event: QMouseEvent) -> None:
         if self._drag is not _Drag.NONE:

@@ -111,11 +111,18 @@ class Overlay(QWidget):
         painter.setFont(font)
         metrics = QFontMetricsF(font)
         spots = camera.project(np.array([m.position for m in self.markers]), size)
-        # Far ones first, so that the label of a near one lies on top.
-        for k in np.argsort(-spots[:, 2]):
+        # Near ones choose their place first, and are painted last.
+        placed: list[tuple[QPointF, QRectF, Marker]] = []
+        taken: list[QRectF] = []
+        for k in np.argsort(spots[:, 2]):
             x, y, depth = spots[k]
             if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
-                _paint_marker(painter, metrics, QPointF(x, y), self.markers[k])
+                spot = QPointF(x, y)
+                box = free_place(spot, metrics, self.markers[k].label, taken)
+                taken.append(box)
+                placed.append((spot, box, self.markers[k]))
+        for spot, box, marker in reversed(placed):
+            _paint_marker(painter, spot, box, marker)
 
     def _paint_axes(self, painter: QPainter, camera: Camera) -> None:
         centre = QPointF(MARGIN + 42.0, self.height() - MARGIN - 42.0)
@@ -228,9 +235,24 @@ class Stage(QWidget):
         self.resized.emit()
 
 
-def _paint_marker(painter: QPainter, metrics: QFontMetricsF, spot: QPointF, marker: Marker) -> None:
+def free_place(
+    spot: QPointF, metrics: QFontMetricsF, label: str, taken: Sequence[QRectF]
+) -> QRectF:
+    """Where a label stands beside its spot: at the upper right, unless another stands there."""
+    width, height = metrics.horizontalAdvance(label) + 14.0, metrics.height() + 4.0
+    right, left = spot.x() + 12.0, spot.x() - 12.0 - width
+    above, below = spot.y() - 18.0 - height, spot.y() + 18.0
+    places = [QRectF(x, y, width, height) for y in (above, below) for x in (right, left)]
+    free = (box for box in places if not any(box.intersects(other) for other in taken))
+    return next(free, places[0])
+
+
+def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker) -> None:
     colour = QColor(*marker.colour)
-    label = spot + QPointF(14.0, -18.0)
+    label = QPointF(
+        box.left() + 2.0 if box.left() > spot.x() else box.right() - 2.0,
+        box.bottom() if box.bottom() < spot.y() else box.top(),
+    )
     painter.setPen(QPen(QColor(255, 255, 255, 220), 3.5))
     painter.drawLine(spot, label)
     painter.setPen(QPen(colour.darker(130), 1.5))
@@ -243,10 +265,6 @@ def _paint_marker(painter: QPainter, metrics: QFontMetricsF, spot: QPointF, mark
     painter.drawEllipse(spot, 5.0, 5.0)
     if not marker.label:
         return
-    height = metrics.height() + 4.0
-    box = QRectF(
-        label.x() - 2.0, label.y() - height, metrics.horizontalAdvance(marker.label) + 14.0, height
-    )
     painter.setPen(QPen(colour.darker(115), 1.3))
     painter.setBrush(PAPER)
     painter.drawRoundedRect(box, 4.0, 4.0)

@@ -16,6 +16,8 @@ REACH = 9.0
 """Pixels about a handle within which it is taken."""
 HOVER_MS = 40
 """Stillness of the mouse after which what is under it is looked at."""
+BELOW_HINT = 42.0
+"""Pixels from the top below which words are not hidden by what the mouse does now."""
 END_ON = 0.25
 """Sine between a handle's axis and the view below which the mouse cannot say how far to move it."""
 
@@ -63,6 +65,7 @@ class Sketching(QObject):
         mouse.outlined.connect(self._close)
         mouse.rested_at.connect(self._rest)
         mouse.left.connect(self.rest)
+        mouse.nudged.connect(self._nudge)
         overlay.sheets.append(self._paint)
 
     def show(self, name: str, sketch: Sketch | None) -> None:
@@ -120,8 +123,7 @@ class Sketching(QObject):
 
     def _move(self, x: float, y: float) -> None:
         if self._dividing:
-            self.share = min(max(x / self._navigator.size.width, 0.02), 0.98)
-            self.divided.emit()
+            self._divide_at(x)
             return
         held = self._held
         if held is None:
@@ -130,6 +132,14 @@ class Sketching(QObject):
         if now is not None:
             moved, held.at = now - held.at, now
             self._signals.handle_moved.emit(held.sketch, held.handle, moved)
+
+    def _divide_at(self, x: float) -> None:
+        self.share = min(max(x / self._navigator.size.width, 0.02), 0.98)
+        self.divided.emit()
+
+    def _nudge(self, right: float) -> None:
+        if self._divides:
+            self._divide_at(self.share * self._navigator.size.width + right)
 
     def _along(self, place: Array, axis: Array, x: float, y: float) -> float | None:
         """How far along an axis through a place the mouse is, metres; None where it cannot tell."""
@@ -243,7 +253,7 @@ def _paint_words(painter: QPainter, words: str, spot: QPointF, colour: QColor, s
     height = metrics.lineSpacing() * len(lines) + 8.0
     # Beside the spot, inside the picture.
     x = min(max(spot.x() + 14.0, 4.0), max(size.width - width - 4.0, 4.0))
-    y = min(max(spot.y() - height - 10.0, 4.0), max(size.height - height - 4.0, 4.0))
+    y = min(max(spot.y() - height - 10.0, BELOW_HINT), max(size.height - height - 4.0, 4.0))
     painter.setPen(QPen(colour.darker(115), 1.3))
     painter.setBrush(PAPER)
     painter.drawRoundedRect(QRectF(x, y, width, height), 4.0, 4.0)
