@@ -12,6 +12,7 @@ from lispac.gui.lasso import Lasso
 from lispac.gui.measuring import Measuring
 from lispac.gui.panels.clipping import TITLE as CLIPPING
 from lispac.gui.panels.section import TITLE as SECTION
+from lispac.gui.pictures import Pictures
 from lispac.gui.pointing import Pointing
 from lispac.gui.roles import Roles
 from lispac.gui.sections import Sections
@@ -41,6 +42,10 @@ class Tools(QObject):
             window.controller.refused.emit,
         )  # fmt: skip
         self.hovering = Hovering(window.document, window.runner, view, actions, self._wanted)
+        self.pictures = Pictures(
+            window.document, view, self.sections.panel, actions, window.dialogs, note,
+            window.controller.refused.emit,
+        )  # fmt: skip
         self.roles = Roles(
             window.document, window.scene, actions, note, window.controller.refused.emit
         )

@@ -67,6 +67,10 @@ class ScriptedDialogs(Dialogs):
     def report_file(self, start: Path) -> Path | None:
         return self.path
 
+    def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
+        self.asked.append(start.name)
+        return self.path
+
     def export(
         self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
     ) -> ExportRequest | None:

@@ -2,10 +2,11 @@
 
 import platform
 
-from PySide6.QtCore import qVersion
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtCore import Qt, qVersion
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QMessageBox, QWidget
 
 import lispac
+from lispac.gui.panels import widgets
 from lispac.gui.panels.results import CONVENTION
 from lispac.gui.viewing_actions import KEYS
 
@@ -26,22 +27,29 @@ def about_box(parent: QWidget | None) -> QMessageBox:
     return box
 
 
-def shortcuts_box(parent: QWidget | None) -> QMessageBox:
-    """Mouse and keys, not yet shown."""
-    rows = (
-        ("Ctrl + click", "set a seed on a target"),
-        ("Enter, Esc", "accept or reject the plane just found"),
-        ("F6, F7", "next seed is an adjustment target, a validation plane"),
-        ("F9, F10", "estimate, validate"),
-        ("B", "switch the view between before and after"),
-        *KEYS,
-        ("Ctrl + E, Ctrl + Shift + E", "export the report, the georeferenced lines"),
-        ("Ctrl + Z, Ctrl + Y", "undo, redo"),
-    )
-    table = "".join(f"<tr><td><b>{a}</b>&nbsp;&nbsp;</td><td>{b}</td></tr>" for a, b in rows)
-    box = QMessageBox(parent)
+def shortcuts_box(parent: QWidget | None) -> QDialog:
+    """Mouse and keys in two columns, not yet shown; a message box would cut them off."""
+    box = QDialog(parent)
     box.setObjectName("shortcuts_dialog")
     box.setWindowTitle("Mouse and keys")
-    box.setText(f"<table cellspacing='6'>{table}</table>")
-    box.setStandardButtons(QMessageBox.StandardButton.Close)
+    layout = widgets.column(box, 16)
+    columns = QHBoxLayout()
+    columns.setSpacing(32)
+    # The first heading has about as many rows as the others together.
+    for parts in (KEYS[:1], KEYS[1:]):
+        column = widgets.label("".join(map(_keys, parts)))
+        columns.addWidget(column, 0, Qt.AlignmentFlag.AlignTop)
+    layout.addLayout(columns)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons.rejected.connect(box.reject)
+    layout.addWidget(buttons)
     return box
+
+
+def _keys(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
+    rows = "".join(
+        f"<tr><td style='white-space: nowrap'><b>{keys}</b>&nbsp;&nbsp;&nbsp;</td>"
+        f"<td style='white-space: nowrap'>{what}</td></tr>"
+        for keys, what in part[1]
+    )
+    return f"<h4>{part[0]}</h4><table cellspacing='3'>{rows}</table>"

@@ -118,6 +118,18 @@ class Dialogs:
         endings = {"PDF": ".pdf", "HTML": ".html", "Numbers": ".json"}
         return path if path.suffix else path.with_suffix(endings[kind.split(" ")[0]])
 
+    def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
+        """Where a picture goes; the ending chooses its kind, else the filter does."""
+        filters = ";;".join(f"{kind} (*.{kind.lower()})" for kind in kinds)
+        name, chosen = QFileDialog.getSaveFileName(
+            self.parent, "Save the picture", str(start), filters
+        )
+        if not name:
+            return None
+        path, ending = Path(name), f".{chosen.split(' ')[0].lower()}"
+        known = path.suffix.lower() in {f".{kind.lower()}" for kind in kinds}
+        return path if known else path.with_name(path.name + ending)
+
     def export(
         self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
     ) -> ExportRequest | None:

@@ -1,12 +1,16 @@
 """A section of all lines: what is cut, how thick and how large, and its picture."""
 
 from collections.abc import Mapping, Sequence
+from io import BytesIO
+from pathlib import Path
 
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
+from lispac.io.files import written_whole
 from lispac.workflow.sections import Cut
 
 TITLE = "Section"
@@ -17,6 +21,7 @@ EMPTY = (
 )
 ZOOM = "Wheel: zoom. Drag: move. Double click: all of it."
 AHEAD, HEIGHT, RIGHT = "Away from the vessel, m", "Height, m", "To the right, m"
+PRINT_DPI = 200
 ALONG = "From the first point to the second, m"
 
 
@@ -26,6 +31,8 @@ class SectionPanel(QWidget):
     changed = Signal()
     """Something is set otherwise."""
     points_asked = Signal()
+    picture_asked = Signal()
+    copy_asked = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -48,6 +55,15 @@ class SectionPanel(QWidget):
         self.points = widgets.button(
             "Between two points", "section_points", tip="Cut from one clicked point to another"
         )
+        self.save_picture = widgets.button(
+            "Save…", "section_save", tip="Write the section as it is shown, as PNG, SVG or PDF"
+        )
+        self.copy_picture = widgets.button(
+            "Copy", "section_copy", tip="Copy the section as it is shown, to be pasted elsewhere"
+        )
+        pictures = QHBoxLayout()
+        pictures.addWidget(self.save_picture, 1)
+        pictures.addWidget(self.copy_picture, 1)
         self.words = widgets.label(EMPTY, "muted", wrap=True, name="section_words")
         form = QFormLayout()
         form.addRow(self.through)
@@ -57,6 +73,7 @@ class SectionPanel(QWidget):
         self._left = QVBoxLayout()
         self._left.addLayout(form)
         self._left.addWidget(self.points)
+        self._left.addLayout(pictures)
         self._left.addWidget(self.words)
         self._left.addStretch(1)
         side = QWidget()
@@ -72,17 +89,57 @@ class SectionPanel(QWidget):
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
         self.size.valueChanged.connect(lambda _value: self.changed.emit())
         self.points.clicked.connect(lambda _on: self.points_asked.emit())
+        self.save_picture.clicked.connect(lambda _on: self.picture_asked.emit())
+        self.copy_picture.clicked.connect(lambda _on: self.copy_asked.emit())
+        self._allow_pictures(False)
 
     @property
     def level(self) -> bool:
         """Whether the strip lies level."""
         return self.laid.currentIndex() == 1
 
+    @property
+    def shows(self) -> bool:
+        """Whether there is a section."""
+        return bool(self.through.text())
+
+    def save(self, path: Path) -> None:
+        """Write the section as it is shown, under what it cuts; the ending says as what.
+
+        Raises
+        ------
+        InputError
+            Where the file cannot be written.
+        """
+        with written_whole(path) as part:
+            self._print(part, path.suffix[1:].lower())
+
+    def picture(self) -> QImage:
+        """The section as it is shown, under what it cuts."""
+        stream = BytesIO()
+        self._print(stream, "png")
+        return QImage.fromData(stream.getvalue())
+
+    def _print(self, target: Path | BytesIO, kind: str) -> None:
+        figure = self.canvas.figure
+        title = figure.suptitle(self.through.text(), fontsize=11, parse_math=False)
+        try:
+            figure.savefig(target, format=kind, dpi=PRINT_DPI)
+        finally:
+            title.remove()
+            figure._suptitle = None
+            self.canvas.draw_idle()
+
+    def _allow_pictures(self, allowed: bool) -> None:
+        self.save_picture.allow(allowed)
+        self.copy_picture.allow(allowed)
+
     def show_nothing(self, words: str = EMPTY) -> None:
         """Say why there is no section."""
         self.through.setText("")
         self.words.setText(words)
         self.words.show()
+        self._allow_pictures(False)
         if self.canvas is not None:
             self.canvas.hide()
 
@@ -109,6 +166,7 @@ class SectionPanel(QWidget):
         self._zooming.keep()
         self.canvas.draw_idle()
         self.canvas.show()
+        self._allow_pictures(True)
         self.canvas.setAccessibleName(f"Section of the lines: {through}")
 
     def _make_canvas(self) -> None:

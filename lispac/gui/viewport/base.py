@@ -8,6 +8,7 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.viewport.clipping import Box
@@ -229,6 +230,9 @@ class Viewport(Protocol):
 
     def set_point_size(self, pixels: int) -> None:
         """Size of the drawn points."""
+
+    def picture(self) -> QImage:
+        """What is shown, with all its detail and what is written over it."""
 
     def screenshot(self, path: Path) -> None:
         """Write what is shown as PNG."""

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtGui import QPixmap
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
 from lispac.errors import InputError
@@ -181,11 +181,15 @@ class RecordingViewport:
         self._record("set_point_size", pixels)
         self.point_size = pixels
 
+    def picture(self) -> QImage:
+        """Show the plain widget."""
+        self._record("picture")
+        return self._widget.grab().toImage()
+
     def screenshot(self, path: Path) -> None:
         """Write the plain widget as PNG."""
         self._record("screenshot", path)
-        picture: QPixmap = self._widget.grab()
-        if not picture.save(str(path), "PNG"):
+        if not self._widget.grab().save(str(path), "PNG"):
             raise InputError(f"{path}: the picture cannot be written there; choose another folder.")
 
     def clear(self) -> None:

@@ -232,6 +232,15 @@ class VtkViewport:
         self._point_size = pixels
         self._style_points()
 
+    def picture(self) -> QImage:
+        """What is shown, with all its detail and what is written over it."""
+        self._show_detail()
+        image: QImage = self.canvas.grabFramebuffer()
+        painter = QPainter(image)
+        self._overlay.paint(painter)
+        painter.end()
+        return image
+
     def screenshot(self, path: Path) -> None:
         """Write what is shown as PNG, with all its detail.
 
@@ -240,12 +249,7 @@ class VtkViewport:
         InputError
             Where the file cannot be written.
         """
-        self._show_detail()
-        image: QImage = self.canvas.grabFramebuffer()
-        painter = QPainter(image)
-        self._overlay.paint(painter)
-        painter.end()
-        if not image.save(str(path), "PNG"):
+        if not self.picture().save(str(path), "PNG"):
             raise InputError(f"{path}: the picture cannot be written there; choose another folder.")
 
     def clear(self) -> None:

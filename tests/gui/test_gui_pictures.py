@@ -1,0 +1,146 @@
+"""Pictures of the view and of the section, by keys and buttons; sightings edited by hand."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QFontMetricsF, QGuiApplication, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
+
+from lispac.gui.dialogs.about import shortcuts_box
+from lispac.gui.panels.sightings_table import EDITED
+from lispac.gui.pictures import NO_SECTION
+from lispac.gui.viewport.overlay import free_place
+from tests.gui.support import Control, Driver, Key, click, press, settle
+from tests.view_scenes import scene
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+def section(driver: Driver):
+    press(driver, Key.Key_S)
+    driver.window._select("T1", "")
+    settle(driver)
+    return driver.window.tools.sections.panel
+
+
+def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) -> None:
+    window = picked.window
+    picked.dialogs.path = tmp_path / "view.png"
+    press(picked, Key.Key_P)
+    assert picked.dialogs.asked[-1] == f"{picked.project.name}-view.png"
+    assert not QImage(str(tmp_path / "view.png")).isNull()
+    assert f"Wrote {tmp_path / 'view.png'}" in window.log.toPlainText()
+    QGuiApplication.clipboard().clear()
+    press(picked, Key.Key_P, SHIFT)
+    assert QGuiApplication.clipboard().image().size() == picked.viewport.widget.size()
+    picked.dialogs.path = tmp_path / "no" / "folder" / "view.png"
+    press(picked, Key.Key_P)
+    assert "cannot be written" in str(picked.dialogs.errors[-1])
+
+
+def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path: Path) -> None:
+    press(picked, Key.Key_S)
+    panel = picked.window.tools.sections.panel
+    assert not panel.save_picture.isEnabled()
+    assert not panel.copy_picture.isEnabled()
+    picked.dialogs.path = tmp_path / "section.png"
+    press(picked, Key.Key_P, Control)
+    press(picked, Key.Key_P, Control | SHIFT)
+    assert picked.window.log.toPlainText().count(NO_SECTION) == 2
+    assert not (tmp_path / "section.png").exists()
+    panel = section(picked)
+    shown = panel.canvas.figure.axes[0].get_xlim()
+    click(picked, panel.save_picture)
+    assert picked.dialogs.asked[-1] == f"{picked.project.name}-section-across-t1.png"
+    saved = QImage(str(tmp_path / "section.png"))
+    inches = panel.canvas.figure.get_size_inches()
+    assert saved.width() == pytest.approx(200 * inches[0], abs=2)
+    for kind, begins in (("svg", b"<?xml"), ("pdf", b"%PDF")):
+        picked.dialogs.path = tmp_path / f"section.{kind}"
+        press(picked, Key.Key_P, Control)
+        assert picked.dialogs.path.read_bytes().startswith(begins)
+    QGuiApplication.clipboard().clear()
+    click(picked, panel.copy_picture)
+    assert QGuiApplication.clipboard().image().size() == saved.size()
+    # Nothing of the panel is changed by it.
+    assert panel.canvas.figure.axes[0].get_xlim() == shown
+    assert panel.canvas.figure.get_suptitle() == ""
+    picked.dialogs.path = Path("/dev/null/section.png")
+    press(picked, Key.Key_P, Control)
+    assert len(picked.dialogs.errors) == 1
+
+
+def test_a_sighting_edited_by_hand_is_marked_in_the_table(picked: Driver) -> None:
+    table, project = picked.window.table.sightings, picked.project
+    target = project.target("T1")
+    index = table.index(0, 2)
+    assert EDITED not in index.data()
+    second = replace(target.sightings[1], by_hand=True)
+    edited = replace(target, sightings=(target.sightings[0], second, *target.sightings[2:]))
+    picked.window.document.edit("a change", project.with_target(edited))
+    assert index.data().endswith(EDITED)
+    assert "lasso" in index.data(Qt.ItemDataRole.ToolTipRole)
+    assert EDITED not in table.index(0, 1).data()
+
+
+def test_the_list_of_keys_fits_on_a_small_screen(opened: Driver) -> None:
+    box = shortcuts_box(opened.window)
+    box.show()
+    assert box.height() < 700
+    assert box.width() < 1280
+    for column in box.findChildren(QLabel):
+        assert column.width() >= column.sizeHint().width(), "nothing is cut off"
+    box.close()
+    box.deleteLater()
+
+
+def test_arrows_and_pages_move_the_view(viewport) -> None:
+    viewport.show_clouds(*scene())
+    canvas = viewport.canvas
+    canvas.setFocus()
+    before = viewport.camera
+    QTest.keyClick(canvas, Key.Key_Right)
+    turned = viewport.camera
+    assert np.degrees(turned.azimuth - before.azimuth) % 360 == pytest.approx(24 * 0.35)
+    QTest.keyClick(canvas, Key.Key_Left)
+    assert np.cos(viewport.camera.azimuth - before.azimuth) == pytest.approx(1.0)
+    point = viewport._navigator.coarse["red"][0]
+    x, y = viewport.to_pixels(point[None])[0]
+    QTest.keyClick(canvas, Key.Key_Up, SHIFT)
+    moved = viewport.to_pixels(point[None])[0]
+    assert moved[0] == pytest.approx(x, abs=1.0)
+    assert moved[1] < y - 10
+    far = viewport.camera.distance
+    QTest.keyClick(canvas, Key.Key_PageUp)
+    assert viewport.camera.distance == pytest.approx(0.85 * far, rel=0.3)
+    assert viewport.camera.distance < far
+    QTest.keyClick(canvas, Key.Key_PageDown)
+    assert viewport._rest.isActive(), "the detail follows"
+
+
+def test_control_and_arrows_move_the_line_between_before_and_after(viewport) -> None:
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    QTest.keyClick(viewport.canvas, Key.Key_Left, Control)
+    assert viewport._sketching.share == 0.5
+    viewport.show_beside(clouds)
+    QTest.keyClick(viewport.canvas, Key.Key_Left, Control)
+    assert viewport._sketching.share == pytest.approx(0.5 - 24 / viewport.canvas.width())
+
+
+def test_labels_of_targets_beside_each_other_can_both_be_read(qapp) -> None:
+    metrics = QFontMetricsF(qapp.font())
+    taken: list[QRectF] = []
+    for step in range(4):
+        taken.append(free_place(QPointF(300.0 + step, 200.0), metrics, f"T{step}", taken))
+    assert taken[0].left() > 300.0
+    assert taken[0].bottom() < 200.0
+    for k, box in enumerate(taken):
+        assert not any(box.intersects(other) for other in taken[:k])
+    # Where all places are taken, the usual one will do.
+    fifth = free_place(QPointF(300.0, 200.0), metrics, "T0", taken)
+    assert fifth == taken[0]
