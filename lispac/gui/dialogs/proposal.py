@@ -43,7 +43,9 @@ class ProposalDialog(QDialog):
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(3, QHeaderView.ResizeMode.Stretch)
-        self.table.resizeRowsToContents()
+        # Rows follow the width the reasons get in the end.
+        self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.table.setStyleSheet("QTableWidget::item { padding: 4px 6px; }")
         self.table.itemChanged.connect(lambda _item: self._count())
         layout.addWidget(self.table, 1)
         self.accept_button = widgets.button(
