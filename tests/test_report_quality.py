@@ -15,11 +15,12 @@ from lispac.adjustment.stochastic import StochasticModel
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.blocks import Bullets, Document, Paragraph, Table
-from lispac.report.content import ReportContent
+from lispac.report.content import ReportContent, report_content
 from lispac.report.document import document_of
 from lispac.report.json_report import json_text
 from lispac.report.pdf import write_pdf
-from tests.report_sample import sample_content, sample_project
+from tests.report_sample import MADE, sample_content, sample_project
+from tests.test_quality import board, judged
 
 Changed = Callable[..., ReportContent]
 
@@ -329,3 +330,21 @@ def test_accepting_one_facing_is_shown_where_it_is_on(project: Project) -> None:
         shown = dict(_tables(document_of(content, {}))["System and points"].rows)  # type: ignore[arg-type]
         assert ("Targets that all face one way" in shown) == accepted
         assert json.loads(json_text(content))["settings"]["accept_one_facing"] == accepted
+
+
+def test_sightings_edited_by_hand_are_named(project: Project) -> None:
+    target = project.targets[0]
+    first, second, *others = target.sightings
+    edited = replace(target, sightings=(first, replace(second, by_hand=True), *others))
+    quality = judged(board())
+    content = report_content(
+        project.with_target(edited), headings_deg={}, counts={}, track_local={}, notes=(),
+        qualities={(target.name, line): quality for line in (first.line, second.line)},
+        generated=MADE,
+    )  # fmt: skip
+    table = _tables(document_of(content, {}))["Quality of each sighting"]
+    assert [row[-1].endswith("Its points were edited by hand.") for row in table.rows] == [
+        False, True,
+    ]  # fmt: skip
+    said = json.loads(json_text(content))["qualities"]
+    assert [each["edited_by_hand"] for each in said] == [False, True]

@@ -96,6 +96,7 @@ def report_content(
         )
         for line in project.lines
     )
+    edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
     content = ReportContent(
         program=f"LISPAC {lispac.__version__}",
         generated=stamp.isoformat(timespec="seconds"),
@@ -113,7 +114,9 @@ def report_content(
         settings=settings_used(project),
         files=_files(project, progress),
         notes=tuple(notes),
-        qualities=tuple(_judged(*key, each) for key, each in (qualities or {}).items()),
+        qualities=tuple(
+            _judged(*key, each, by_hand=key in edited) for key, each in (qualities or {}).items()
+        ),
     )
     found = doubts(project.result, project.cross_checks) if project.result else ()
     return replace(content, cautions=cautions_of(content, found))
@@ -222,7 +225,7 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
     )
 
 
-def _judged(target: str, line: str, quality: SightingQuality) -> SightingJudged:
+def _judged(target: str, line: str, quality: SightingQuality, *, by_hand: bool) -> SightingJudged:
     incidence = quality.incidence
     return SightingJudged(
         target,
@@ -235,6 +238,7 @@ def _judged(target: str, line: str, quality: SightingQuality) -> SightingJudged:
         quality.density,
         None if incidence is None else float(np.degrees(incidence)),
         quality.coverage,
+        by_hand,
     )
 
 

@@ -1,7 +1,7 @@
 """The table of how good each sighting is."""
 
 from lispac.report.blocks import Block, Column, Paragraph, Table, rows
-from lispac.report.values import ReportContent
+from lispac.report.values import ReportContent, SightingJudged
 from lispac.report.wording import known, mm
 
 
@@ -17,7 +17,7 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
             Column("Points"),
             Column("RMS\n(mm)"),
             Column("Range\n(m)"),
-            Column("Points\nper m2"),
+            Column("Points\nper m²"),
             Column("Incidence\n(deg)"),
             Column("Covered\n(%)"),
             Column("Quality", "left", wide=True),
@@ -32,7 +32,7 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
                 known(each.density_per_m2, lambda value: f"{value:,.0f}"),
                 known(each.incidence_deg, lambda value: f"{value:.0f}"),
                 f"{100 * each.coverage:.0f}",
-                " ".join((f"{each.light.capitalize()}.", *each.reasons)),
+                " ".join((f"{each.light.capitalize()}.", *each.reasons, *_edited(each))),
             ]
             for each in content.qualities
         ),
@@ -44,3 +44,7 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
             " flatness: it bends what is seen from a moving vessel."
         )
     return [table, Paragraph(told)]
+
+
+def _edited(sighting: SightingJudged) -> tuple[str, ...]:
+    return ("Its points were edited by hand.",) if sighting.edited_by_hand else ()

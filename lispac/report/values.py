@@ -333,6 +333,7 @@ class SightingJudged:
     density_per_m2: float | None
     incidence_deg: float | None
     coverage: float
+    edited_by_hand: bool = False
 
 
 @dataclass(frozen=True)
