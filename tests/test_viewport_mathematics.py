@@ -174,3 +174,18 @@ def test_scale_bar_has_a_round_length(scale, text):
     metres = scale_length(scale)
     assert length_text(metres) == text
     assert 50.0 <= metres / scale <= 150.001
+
+
+@pytest.mark.parametrize("parallel", [False, True])
+def test_what_is_fitted_touches_the_edges_of_the_picture(parallel):
+    points = np.random.default_rng(3).normal(size=(5000, 3)) * [20.0, 5.0, 2.0]
+    camera = random_camera(2, parallel=parallel).fitted(points, SIZE, margin=1.0)
+    pixels = camera.project(points, SIZE)[:, :2]
+    low, high = pixels.min(axis=0), pixels.max(axis=0)
+    whole = np.array([SIZE.width, SIZE.height])
+    assert (low > -1.0).all()
+    assert (high < whole + 1.0).all()
+    assert np.minimum(low, whole - high).min() < 1.0
+    # Where it touches, it does so on both sides.
+    tight = int(np.argmin(np.minimum(low, whole - high)))
+    assert low[tight] == pytest.approx(whole[tight] - high[tight], abs=1.0)

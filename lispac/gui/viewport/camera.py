@@ -176,13 +176,16 @@ class Camera:
         seen = points @ self.axes.T
         # Perspective shifts the middle of the picture, so the centre is sought in a few steps.
         centre = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
+        # What limits it is linear in the points, so that they are gone through only once.
+        ahead = 0.0 if self.parallel else seen[:, 2]
+        most = [
+            [float((sign * seen[:, k] / tangent[k] - ahead).max()) for k in (0, 1)]
+            for sign in (-1, 1)
+        ]
         distance = CLOSEST
         for _ in range(6):
-            offset = seen - centre
-            ahead = 0.0 * offset[:, 2] if self.parallel else offset[:, 2]
-            low, high = (
-                (sign * offset[:, :2] / tangent - ahead[:, None]).max(axis=0) for sign in (-1, 1)
-            )
+            aside, depth = centre[:2] / tangent, 0.0 if self.parallel else centre[2]
+            low, high = most[0] + aside + depth, most[1] - aside + depth
             distance = float(max(low.max(), high.max(), CLOSEST))
             centre[:2] += 0.5 * (high - low) * tangent
         return replace(

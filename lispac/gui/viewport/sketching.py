@@ -16,6 +16,8 @@ REACH = 9.0
 """Pixels about a handle within which it is taken."""
 HOVER_MS = 40
 """Stillness of the mouse after which what is under it is looked at."""
+LOOKED_AT = 250_000
+"""Points drawn among which the one under the resting mouse is sought; it is only to be near."""
 BELOW_HINT = 42.0
 """Pixels from the top below which words are not hidden by what the mouse does now."""
 END_ON = 0.25
@@ -176,7 +178,9 @@ class Sketching(QObject):
             self._still.start()
 
     def _look(self) -> None:
-        clouds = self._navigator.drawn()
+        drawn = self._navigator.drawn()
+        step = -(-sum(map(len, drawn.values())) // LOOKED_AT) or 1
+        clouds = {line: points[::step] for line, points in drawn.items()}
         hit = pick(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP)
         if hit is None:
             self._signals.hovered.emit(None)

@@ -164,6 +164,8 @@ class VtkViewport:
 
         They are the same points in the same order, and have the same colours; None ends it.
         """
+        if self._beside is None and clouds is None:
+            return
         if self._beside is not None:
             self._beside.remove()
         self._beside = None
