@@ -19,6 +19,9 @@ WHEEL_FACTOR = 0.85
 SNAP = (3.0, 8.0, 20.0)
 """Pixels within which a drag or the wheel finds the surface it turns about or comes closer to."""
 
+FITTED = 60_000
+"""Points that say where everything is; of the coarse ones any first part is a fair sample."""
+
 VIEWS_DEG = {
     "front": (0.0, 0.0),
     "back": (180.0, 0.0),
@@ -114,7 +117,9 @@ class Navigator(QObject):
         self.refit()
 
     def _everything(self) -> Array:
-        parts = list(self.coarse.values())
+        total = sum(map(len, self.coarse.values()))
+        share = min(1.0, FITTED / total) if total else 1.0
+        parts = [points[: int(np.ceil(share * len(points)))] for points in self.coarse.values()]
         return robust_sample(np.concatenate(parts)) if parts else np.empty((0, 3))
 
     def _front_azimuth(self) -> float:
