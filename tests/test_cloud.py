@@ -14,6 +14,7 @@ from lispac.project import LineSource, Project
 from lispac.survey import cloud as cloud_module
 from lispac.survey.cloud import CloudInMemory, CloudOnDisk
 from lispac.survey.store import reading as reading_module
+from lispac.workflow import seeking as seeking_module
 from lispac.workflow import survey as survey_module
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
@@ -121,7 +122,8 @@ def test_a_thinned_sighting_says_so_and_keeps_saying_it(
     project, survey = calibrated
     role, seed = demo_seeds()["T1"]
     assert thinned_words(find(project, survey, seed, name="T1", role=role)) == ()
-    monkeypatch.setattr(cloud_module, "MOST", 2000)
+    monkeypatch.setattr(cloud_module, "MOST", 500)
+    monkeypatch.setattr(seeking_module, "SOUGHT", 2000)
     target = find(project, survey, seed, name="T1", role=role)
     words = thinned_words(target)
     thinned = [s for s in target.sightings if s.one_in > 1]

@@ -26,6 +26,12 @@ MOST = 4_000_000
 """Points of a region; where a line has more of them there, a fair sample stands for all: a half, a
 quarter and so on of its points, the same ones for a line in memory and on disk."""
 
+PROBES, FEWEST_PROBES, BESIDE = 50_000, 50, 1.0
+"""Points of a line that tell how far another mounting moves it, how many of them must lie near a
+place or within so many metres beside it."""
+SPARE, MARGIN_LEAST = 1.25, 0.05
+"""By which their farthest move is enlarged: a factor, and metres."""
+
 
 @dataclass(frozen=True, eq=False)
 class Region:
@@ -78,8 +84,9 @@ class Cloud(Protocol):
     def __getitem__(self, numbers: Numbers) -> Array:
         """Points by their numbers, shape (n, 3), metres."""
 
-    def within(self, centre: Array, radius: float) -> Region:
-        """The points within a sphere, metres; at most `MOST`."""
+    def within(self, centre: Array, radius: float, *, most: int | None = None) -> Region:
+        """The points within a sphere, metres; a fair sample where there are more than ``most``,
+        which is `MOST` where it is not given."""
 
     @property
     def sample(self) -> Array:
@@ -138,15 +145,16 @@ class CloudInMemory:
             return self.ordered[numbers]
         return self.place(*self.scan.take(numbers))
 
-    def within(self, centre: Array, radius: float) -> Region:
+    def within(self, centre: Array, radius: float, *, most: int | None = None) -> Region:
         """See `Cloud`."""
-        numbers = points_within(self.ordered, centre, radius + self._margin)
+        margin = self._margin and _margin_near(*self._probes, centre, radius, self._margin)
+        numbers = points_within(self.ordered, centre, radius + margin)
         points = self[numbers]
-        if self._margin:
+        if margin:
             inside = points_within(points, centre, radius)
             numbers, points = numbers[inside], points[inside]
         halvings = 0
-        while len(numbers) > MOST and halvings < MOST_HALVINGS:
+        while len(numbers) > (most or MOST) and halvings < MOST_HALVINGS:
             halvings += 1
             kept = in_sample(numbers, halvings)
             numbers, points = numbers[kept], points[kept]
@@ -187,6 +195,11 @@ class CloudInMemory:
     def _margin(self) -> float:
         return self.place.farthest_move(self.ordered_with, self.scan.reach)
 
+    @cached_property
+    def _probes(self) -> tuple[Array, Array]:
+        numbers = np.arange(0, len(self), 1 + len(self) // PROBES)
+        return self.ordered[numbers], self[numbers]
+
 
 @dataclass(frozen=True, eq=False)
 class CloudOnDisk:
@@ -208,10 +221,11 @@ class CloudOnDisk:
     def __getitem__(self, numbers: Numbers) -> Array:
         return self.place(*self.stored.take(numbers))
 
-    def within(self, centre: Array, radius: float) -> Region:
+    def within(self, centre: Array, radius: float, *, most: int | None = None) -> Region:
         """See `Cloud`."""
+        margin = self._margin and _margin_near(*self._probes, centre, radius, self._margin)
         rows, points, halvings = self.stored.sampled_within(
-            centre, radius, self.place, margin=self._margin, most=MOST
+            centre, radius, self.place, margin=margin, most=most or MOST
         )
         numbers = self.stored.numbers(rows)
         order = np.argsort(numbers)
@@ -256,6 +270,26 @@ class CloudOnDisk:
     def _margin(self) -> float:
         then = Mounting.of_values(np.array(self.stored.manifest.placed_with["mounting"]))
         return self.place.farthest_move(then, self.stored.manifest.reach)
+
+    @cached_property
+    def _probes(self) -> tuple[Array, Array]:
+        coarse = self.stored.coarse
+        numbers = np.arange(0, len(coarse.time), 1 + len(coarse.time) // PROBES)
+        before = np.asarray(coarse.points_local[numbers], dtype=np.float64)
+        return before, self.place(*self.sample_lidar(numbers))
+
+
+def _margin_near(before: Array, after: Array, centre: Array, radius: float, most: float) -> float:
+    """How far points near a place have moved at most, metres.
+
+    Less by far than ``most``, which the farthest point of the line may have: those about the place
+    are told by some of the line's points, shape (n, 3), as they were placed and as they are.
+    """
+    near = ((after - centre) ** 2).sum(axis=1) <= (radius + BESIDE) ** 2
+    if np.count_nonzero(near) < FEWEST_PROBES:
+        return most
+    moved = float(np.sqrt(((after[near] - before[near]) ** 2).sum(axis=1).max()))
+    return min(most, SPARE * moved + MARGIN_LEAST)
 
 
 def placed_with(clouds: Mapping[str, Cloud], mounting: Mounting) -> dict[str, Cloud]:

@@ -7,7 +7,15 @@ from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
-from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, plane_through, rms_distance
+from lispac.geometry.planes import (
+    Plane,
+    extent_in_plane,
+    fit_plane,
+    in_plane_axes,
+    plane_through,
+    rms_distance,
+)
+from lispac.targets import outline
 from lispac.targets.growing import grow, strongest, trimmed
 from lispac.targets.ransac import draw
 from lispac.targets.settings import FinderSettings
@@ -158,7 +166,9 @@ def neighbourhood(
         )
     points = points_local[near]
     squared = ((points - centre) ** 2).sum(axis=1)
-    order = np.lexsort((points[:, 2], points[:, 1], points[:, 0], squared))
+    order = np.argsort(squared)
+    if (np.diff(squared[order]) == 0.0).any():  # ties are rare, and to order them takes long
+        order = np.lexsort((points[:, 2], points[:, 1], points[:, 0], squared))
     ordered: Indices = near[order]
     return ordered
 
@@ -221,6 +231,26 @@ def patch_of(points_local: Array, indices: Indices, direction: Array) -> PlanePa
     """The patch that chosen points of a cloud form, its normal on the side of ``direction``."""
     points = points_local[indices]
     return _patch(points, indices, fit_plane(points).facing(direction))
+
+
+def patch_among(points_local: Array, some: Array, plane: Plane) -> PlanePatch:
+    """The patch that all points of a cloud form where some of them do.
+
+    Parameters
+    ----------
+    points_local : ndarray of shape (n, 3), metres
+    some : ndarray of shape (m, 3), metres
+        A sample of the patch, trimmed.
+    plane : Plane
+        Through that sample.
+    """
+    near = np.abs(plane.distances(points_local)) <= np.abs(plane.distances(some)).max()
+    indices = np.flatnonzero(near)
+    axes = in_plane_axes(plane.normal)
+    placed, shown = points_local[indices] @ axes.T, some @ axes.T
+    # Cells as wide as the sample is spaced: what is beyond its outline stays out.
+    spacing = outline.cell_size(shown, np.ones(len(shown))) / 3.0
+    return patch_of(points_local, indices[outline.covered(placed, shown, spacing)], plane.normal)
 
 
 def _patch(points: Array, indices: Indices, plane: Plane) -> PlanePatch:

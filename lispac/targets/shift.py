@@ -102,8 +102,9 @@ def rated(
 
 
 def _scores(first: Array, weights: Array, second: Array, tried: Array, voxel: float) -> Array:
-    low = np.minimum(first.min(axis=0) + tried.min(axis=0), second.min(axis=0)) - 3.0 * voxel
-    high = np.maximum(first.max(axis=0) + tried.max(axis=0), second.max(axis=0)) + 3.0 * voxel
+    (own, own_high), (other, other_high), (step, step_high) = map(bounds, (first, second, tried))
+    low = np.minimum(own + step, other) - 3.0 * voxel
+    high = np.maximum(own_high + step_high, other_high) + 3.0 * voxel
     shape = np.ceil((high - low) / voxel).astype(np.int64) + 1
     field = _splat(second, low, voxel, shape)
     heap, mass = _means(first, weights, voxel)

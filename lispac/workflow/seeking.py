@@ -1,6 +1,8 @@
 """Seeking a target of either shape, in one line or in all."""
 
+import os
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -13,7 +15,7 @@ from lispac.project import Role, Shape, Target
 from lispac.survey.cloud import MOST, Cloud, Region
 from lispac.targets.across_lines import find_in_lines
 from lispac.targets.alignment import Alignment
-from lispac.targets.finder import FinderSettings, PlanePatch, checked_seed, find_plane
+from lispac.targets.finder import FinderSettings, PlanePatch, checked_seed, find_plane, patch_among
 from lispac.targets.lines import CLICK
 from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
@@ -41,6 +43,10 @@ ball for its surface.
 SURROUNDED = 3.0
 """Search radius about the seed in radii of a known sphere, where that is more than usual: the seed
 may lie on the far side, and what is around the ball tells where it is in the other lines."""
+
+SOUGHT = 50_000
+"""Points about a seed among which a plane is sought; where a line has more there, a fair sample
+shows where the plane is, and then all points that lie on it are taken."""
 
 MET_SHIFT = 0.5
 """Metres that a target may be from one line to another where the lines nearly meet: what is left is
@@ -111,10 +117,11 @@ class Sought:
         ------
         TargetNotFound
         """
-        region = cloud.within(checked_seed(seed), settings.radius)
         if self.shape == "sphere":
+            region = cloud.within(checked_seed(seed), settings.radius)
             return _numbered(find_sphere(region.points, seed, self.radii, settings), region)
-        return _numbered(find_plane(region.points, seed, settings), region)
+        region = cloud.within(checked_seed(seed), settings.radius, most=SOUGHT)
+        return _whole(find_plane(region.points, seed, settings), region, cloud)
 
     def in_lines(
         self,
@@ -151,9 +158,11 @@ def planes_in_lines(
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, str]]:
     """As `Sought.in_lines`, for a plane."""
-    regions, points = _regions(clouds, seed, settings)
+    regions, points = _regions(clouds, seed, settings, most=SOUGHT)
     found, missing = find_in_lines(points, seed, settings, first_line=first_line, progress=progress)
-    return {name: _numbered(patch, regions[name]) for name, patch in found.items()}, missing
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        whole = pool.map(lambda name: _whole(found[name], regions[name], clouds[name]), found)
+        return dict(zip(found, whole, strict=True)), missing
 
 
 @dataclass(frozen=True, eq=False)
@@ -228,17 +237,30 @@ def thinned_words(target: Target) -> tuple[str, ...]:
 
 
 def _regions(
-    clouds: Mapping[str, Cloud], seed: Array, settings: FinderSettings
+    clouds: Mapping[str, Cloud], seed: Array, settings: FinderSettings, *, most: int | None = None
 ) -> tuple[dict[str, Region], dict[str, Array]]:
     """Of each line what the target may be in, and its points."""
     seed, reach = checked_seed(seed), settings.radius + settings.max_shift
-    regions = {name: cloud.within(seed, reach) for name, cloud in clouds.items()}
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        read = pool.map(lambda cloud: cloud.within(seed, reach, most=most), clouds.values())
+        regions = dict(zip(clouds, read, strict=True))
     return regions, {name: region.points for name, region in regions.items()}
 
 
 def _numbered(patch: OnePatch, region: Region) -> OnePatch:
     """The patch with the numbers of its points in the line, not in the region it was found in."""
     return replace(patch, indices=region.numbers[patch.indices], one_in=region.one_in)
+
+
+def _whole(patch: PlanePatch, region: Region, cloud: Cloud) -> PlanePatch:
+    """All of the line's points on a plane that was found among some of them."""
+    if region.one_in == 1:
+        return _numbered(patch, region)
+    some = region.points[patch.indices]
+    reach = float(np.linalg.norm(some - patch.centre, axis=1).max())
+    there = cloud.within(patch.centre, reach)
+    complete = patch_among(there.points, some, patch.plane)
+    return replace(complete, indices=there.numbers[complete.indices], one_in=there.one_in)
 
 
 def _radius_in_words(radius: float | None) -> str:

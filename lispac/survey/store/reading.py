@@ -28,6 +28,8 @@ from lispac.survey.store.stamps import remember, stamped
 
 Array = NDArray[np.float64]
 
+CROWDED = 4
+"""Times as many points in the cells about a sphere as are wanted: too many are in it, too, then."""
 AT_ONCE = 1 << 20
 """Points placed at once; of those outside the sphere no more than this are ever in memory."""
 ROUNDING = 2.0**-23
@@ -231,23 +233,38 @@ class StoredLine:
         halvings : int
             Of the points: the fewest that leave no more than ``most``; 0 where all of them come.
         """
-        middle = np.asarray(centre, dtype=np.float64)
-        for halvings in range(MOST_HALVINGS + 1):
+        halvings = 0
+        while most and halvings < MOST_HALVINGS:
             runs = self.near(centre, radius, margin=margin, halvings=halvings)
-            found = [(np.zeros(0, np.int64), np.zeros((0, 3)))]
-            count = 0
-            for some in in_pieces(runs, AT_ONCE):
-                placed = place(
-                    gathered(self.points_lidar, some).astype(np.float64), gathered(self.time, some)
-                )
-                found.append(kept_within(placed, some, middle, float(radius)))
-                count += len(found[-1][0])
-                if most is not None and count > most and halvings < MOST_HALVINGS:
-                    break
-            else:
+            if (runs[:, 1] - runs[:, 0]).sum() <= CROWDED * most:
                 break
+            halvings += 1
+        rows, points = self._placed_within(centre, radius, place, margin, halvings)
+        if most is None:
+            return rows, points, halvings
+        while len(rows) > most and halvings < MOST_HALVINGS:
+            halvings += 1
+            rows, points = self._placed_within(centre, radius, place, margin, halvings)
+        while halvings > 0:
+            more = self._placed_within(centre, radius, place, margin, halvings - 1)
+            if len(more[0]) > most:
+                break
+            (rows, points), halvings = more, halvings - 1
+        return rows, points, halvings
+
+    def _placed_within(
+        self, centre: Array, radius: float, place: Place, margin: float, halvings: int
+    ) -> tuple[NDArray[np.int64], Array]:
+        """Of such a part of the points, those in the sphere."""
+        middle = np.asarray(centre, dtype=np.float64)
+        found = [(np.zeros(0, np.int64), np.zeros((0, 3)))]
+        for some in in_pieces(self.near(centre, radius, margin=margin, halvings=halvings), AT_ONCE):
+            placed = place(
+                gathered(self.points_lidar, some).astype(np.float64), gathered(self.time, some)
+            )
+            found.append(kept_within(placed, some, middle, float(radius)))
         rows = np.concatenate([rows for rows, _ in found])
-        return rows, np.concatenate([points for _, points in found]), halvings
+        return rows, np.concatenate([points for _, points in found])
 
     def require_sound(self, progress: Callable[[float], None] = lambda done: None) -> None:
         """Read all of it and compare the checksums.
