@@ -45,6 +45,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                     "The next Ctrl+click picks an adjustment target"),
     "seed_validation": ("Seed a &validation plane", "Validation", "shield-check-outline", "F7",
                         "The next Ctrl+click picks a validation plane"),
+    "seed_at": ("Seed at &coordinates…", "Coordinates", "crosshairs-gps", "F3",
+                "Type the coordinates of a seed, in the local frame or on the map"),
     "propose": ("&Propose targets", "Propose", "auto-fix", "F5",
                 "Find flat surfaces on all lines and propose targets and validation planes"),
     "find_again": ("&Find again with other settings…", "Find again", "refresh", "Shift+F5",
@@ -98,6 +100,8 @@ _MENUS: dict[str, Menu] = {
     "&Targets": (
         "seed_target",
         "seed_validation",
+        "seed_at",
+        "",
         "propose",
         "",
         "accept",

@@ -13,9 +13,9 @@ from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
+from lispac.gui.wishes import Wishes
 from lispac.progress import Progress, part
-from lispac.project import LineSource, Project, Role, Settings, Shape, Target
-from lispac.targets.expected import ExpectedTarget
+from lispac.project import LineSource, Project, Settings, Target, Triple
 from lispac.workflow.intake import ImportRequest
 from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import Survey, load_survey
@@ -199,49 +199,53 @@ class Controller(QObject):
 
     # -- seeds -------------------------------------------------------------------------------
 
-    def seed(
-        self,
-        point: PickedPoint,
-        *,
-        role: Role,
-        line: str | None,
-        selected: str | None,
-        threshold: float | None,
-        radius: float | None,
-        shape: Shape = "plane",
-        sphere_radius: float | None = None,
-        expected: ExpectedTarget | None = None,
-    ) -> None:
+    def seed(self, point: PickedPoint, wishes: Wishes) -> None:
         """Find the target under a click and offer it.
 
-        With ``line`` it is sought there only, for the ``selected`` target where there is one, in
-        that target's role and shape.
+        On one line it is sought for the selected target, where there is one, in that target's role
+        and shape.
+        """
+        if self._may_seed():
+            self.seek(self._scene.prior_position(point), wishes, first_line=point.line)
+
+    def seek(
+        self, position: Triple, wishes: Wishes, *, name: str = "", first_line: str | None = None
+    ) -> None:
+        """Find the target at a place and offer it; with no ``name`` it gets the next free one.
+
+        Parameters
+        ----------
+        position : metres, local frame
+        first_line : the line it was clicked on; None for a place that was typed
         """
         project, survey = self._document.project, self._document.survey
-        if project is None or survey is None:
-            return
-        if self._runner.busy or not self._document.survey_is_current:
-            self.noted.emit("Wait until the running task has ended, then seed again")
+        if project is None or survey is None or not self._may_seed():
             return
         from lispac.workflow import picking
 
-        name = picking.next_name(project, role)
-        if line is not None and selected is not None:
-            known = project.target(selected)
-            name, role = selected, known.role
-            shape, sphere_radius = known.shape, known.sphere_radius
-
-        position = self._scene.prior_position(point)
+        role, line, how = wishes.role, wishes.line, wishes.how
+        if line is not None and wishes.selected is not None and not name:
+            known = project.target(wishes.selected)
+            name, role = known.name, known.role
+            how |= {"shape": known.shape, "sphere_radius": known.sphere_radius}
+        name = name or picking.next_name(project, role)
 
         def work(progress: Progress) -> Target:
             return picking.find(
-                project, survey, position, name=name, role=role, shape=shape,
-                sphere_radius=sphere_radius, line=line, first_line=point.line,
-                threshold=threshold, radius=radius, expected=expected, progress=progress,
+                project, survey, position, name=name, role=role, line=line, first_line=first_line,
+                progress=progress, **how,
             )  # fmt: skip
 
         task = self._runner.run(f"Seeking {name} on {line or 'every line'}", work, self.offer)
         self.based_on_project(task)
+
+    def _may_seed(self) -> bool:
+        if self._document.project is None:
+            return False
+        if self._runner.busy or not self._document.survey_is_current:
+            self.noted.emit("Wait until the running task has ended, then seed again")
+            return False
+        return True
 
     def accept(self) -> None:
         """Keep the candidate: one undo step."""

@@ -31,6 +31,7 @@ from lispac.gui.panels.targets import TargetsPanel
 from lispac.gui.panels.validate import ValidatePanel
 from lispac.gui.panels.workflow import WorkflowPanel
 from lispac.gui.scene import Scene
+from lispac.gui.seeding import Seeding
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.target_work import TargetWork
@@ -88,6 +89,7 @@ class MainWindow(QMainWindow):
         self._join_actions()
         self._join_work()
         TargetWork(self)
+        Seeding(self)
         FileDrops(self).dropped.connect(self.life.take_in)
         self._refresh()
 
@@ -367,12 +369,7 @@ class MainWindow(QMainWindow):
         self.workflow.open(TARGETS)
 
     def _seeded(self, point: PickedPoint) -> None:
-        targets = self.targets
-        self.controller.seed(
-            point, role=targets.role, line=targets.line, selected=targets.current,
-            threshold=targets.threshold, radius=targets.radius, shape=targets.shape,
-            sphere_radius=targets.sphere_radius, expected=targets.expected,
-        )  # fmt: skip
+        self.controller.seed(point, self.targets.wishes)
 
     def _select(self, name: str, line: str) -> None:
         self.scene.look_at(name, line)

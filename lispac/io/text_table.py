@@ -1,6 +1,7 @@
 """Rows of text as columns of numbers: separators, angles in degrees and minutes, clock and date."""
 
 import csv
+import math
 import os
 import re
 from calendar import timegm
@@ -182,6 +183,37 @@ def degrees_minutes_seconds(field: str) -> float:
     if any(value < 0 for value in values) or any(value >= 60 for value in values[1:]):
         raise ValueError(f"{field!r} is not degrees, minutes and seconds")
     return sign * sum(value / 60**k for k, value in enumerate(values))
+
+
+def coordinate(field: str, *, degrees: bool = False) -> float | None:
+    """One coordinate that somebody wrote: of decimal point or comma, with any minus sign.
+
+    Parameters
+    ----------
+    degrees : bool
+        Whether degrees, minutes and seconds are understood as well.
+
+    Returns
+    -------
+    float, or None where it is not a finite number
+
+    """
+    text = field.strip().replace("\N{MINUS SIGN}", "-")
+    try:
+        value = number(text) if is_number(text) else None
+        if value is None and degrees:
+            value = degrees_minutes_seconds(text)
+    except (ValueError, OverflowError):
+        return None
+    return value if value is not None and math.isfinite(value) else None
+
+
+def coordinates_in(text: str) -> tuple[str, str, str] | None:
+    """Three numbers in one text, as copied from a list; None where it holds anything else."""
+    fields = fields_of(text.replace("\N{MINUS SIGN}", "-"))
+    if len(fields) != 3 or not all(is_number(field) for field in fields):
+        return None
+    return fields[0], fields[1], fields[2]
 
 
 def clock(field: str) -> float:

@@ -56,6 +56,7 @@ def report(folder: Path) -> None:
     from lispac.gui.settings import AppSettings
     from lispac.gui.viewport.base import PickedPoint
     from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.wishes import Wishes
 
     viewport = VtkViewport()
     settings = AppSettings(Path(tempfile.mkdtemp()) / "settings.ini")
@@ -109,9 +110,7 @@ def report(folder: Path) -> None:
     middle = sample[np.argmin(np.linalg.norm(sample - np.median(sample, axis=0), axis=1))]
     for state in ("first", "second"):
         point = PickedPoint(name, (float(middle[0]), float(middle[1]), float(middle[2])))
-        window.controller.seed(
-            point, role="target", line=name, selected=None, threshold=None, radius=None
-        )
+        window.controller.seed(point, Wishes(line=name))
         took = until(lambda: not window.runner.active)
         found = window.controller.candidate
         points = 0 if found is None else len(found.sightings[0].indices)

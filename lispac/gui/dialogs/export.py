@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import cast
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QIcon
@@ -20,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError, LispacError
 from lispac.gui import theme
+from lispac.gui.dialogs.system_choice import HEIGHTS, REST_MS, system_box, system_text
 from lispac.gui.panels import widgets
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
@@ -31,7 +31,7 @@ from lispac.workflow.export_request import (
 )
 from lispac.workflow.exporting import EPOCH_WORDS, trajectory_datum_words
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.target_systems import DOUBT, LOCAL, common_system, own_datum, utm_zone
+from lispac.workflow.target_systems import DOUBT, LOCAL, own_datum
 
 THINGS: dict[What, str] = {
     "lines": "Georeferenced lines, all attributes kept",
@@ -44,7 +44,6 @@ FORMS = {
     "text": "Text (.txt)",
 }  # fmt: skip
 BORESIGHTS: dict[Which, str] = {"estimated": "Estimated", "prior": "Prior"}
-REST_MS = 300
 
 
 class ExportDialog(QDialog):
@@ -66,10 +65,10 @@ class ExportDialog(QDialog):
         self.boresight = widgets.Choice(
             "export_boresight", list(BORESIGHTS.values()), "Boresight the points are placed with"
         )
-        self.system = self._systems()
+        self.system = system_box("export_system", project, trajectory)
         self.height = QLineEdit()
         self.height.setObjectName("export_height")
-        self.height.setPlaceholderText("As the coordinate system says, else above the ellipsoid")
+        self.height.setPlaceholderText(HEIGHTS)
         self.height.setToolTip(
             "EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid"
         )
@@ -193,26 +192,7 @@ class ExportDialog(QDialog):
 
     @property
     def _system_text(self) -> str:
-        text = self.system.currentText().strip()
-        index = self.system.findText(text)
-        return cast(str, self.system.itemData(index)) if index >= 0 else text
-
-    def _systems(self) -> QComboBox:
-        found = QComboBox()
-        found.setObjectName("export_system")
-        found.setEditable(True)
-        found.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
-        found.setToolTip("Choose, or type an EPSG code: EPSG:2959, EPSG:6347+5703")
-        zone = utm_zone(self._trajectory)
-        try:
-            own = common_system(self._project)
-        except LispacError:
-            own = None  # they are in different ones
-        if own is not None:
-            found.addItem(f"As the lines' files – {own.name}", "")
-        found.addItem(f"{zone} – UTM zone of the trajectory (WGS 84)", zone)
-        found.addItem("Local frame – North, West, Up", LOCAL)
-        return found
+        return system_text(self.system)
 
     def _show_fields(self) -> None:
         what = self._what

@@ -16,8 +16,10 @@ from lispac.gui.dialogs.find_again import FindAgainDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
+from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.settings import AppSettings
-from lispac.project import LineSource, Project, Target
+from lispac.gui.wishes import Wishes
+from lispac.project import LineSource, Project, Target, Triple
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
@@ -150,6 +152,15 @@ class Dialogs:
         """Threshold and search radius, metres, to find a target again with."""
         dialog = FindAgainDialog(target, self.parent)
         answer = dialog.settings if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def seed_at(
+        self, project: Project, trajectory: LocalTrajectory, wishes: Wishes, name: str
+    ) -> tuple[str, Triple] | None:
+        """Name and place of a seed that is typed; ``name`` is proposed."""
+        dialog = SeedDialog(project, trajectory, wishes, name, self.parent)
+        answer = dialog.seed if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 

@@ -19,6 +19,7 @@ from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.panels.candidate_box import CandidateBox
 from lispac.gui.panels.expected_fields import ExpectedFields
+from lispac.gui.wishes import Wishes
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected import ExpectedTarget
 from lispac.workflow.survey import Survey
@@ -98,6 +99,14 @@ class TargetsPanel(QWidget):
     def expected(self) -> ExpectedTarget | None:
         """What is known of the next plane beforehand, None where nothing is."""
         return self._expected.value if self.shape == "plane" else None
+
+    @property
+    def wishes(self) -> Wishes:
+        """What the next seed is to make, and how it is sought."""
+        return Wishes(
+            self.role, self.line, self.current, self.threshold, self.radius, self.shape,
+            self.sphere_radius, self.expected,
+        )  # fmt: skip
 
     @property
     def current(self) -> str | None:
@@ -292,10 +301,15 @@ class TargetsPanel(QWidget):
             tip="Find flat surfaces on all lines and propose targets and validation planes",
         )  # fmt: skip
         self.propose.clicked.connect(self.propose_asked)
+        self.type_seed = widgets.button(
+            "Coordinates…", "type_seed", icon="crosshairs-gps",
+            tip="Type the coordinates of a seed, in the local frame or on the map (F3)",
+        )  # fmt: skip
         rows = QGridLayout()
-        rows.addWidget(self.propose, 0, 0, 1, 2)
-        rows.addWidget(self.rename, 1, 0)
-        rows.addWidget(self.remove, 1, 1)
+        rows.addWidget(self.type_seed, 0, 0, 1, 2)
+        rows.addWidget(self.propose, 1, 0, 1, 2)
+        rows.addWidget(self.rename, 2, 0)
+        rows.addWidget(self.remove, 2, 1)
         return rows
 
     def _rename(self) -> None:

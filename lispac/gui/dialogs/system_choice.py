@@ -1,0 +1,119 @@
+"""Choosing a coordinate system, with what it means for the survey."""
+
+from typing import cast
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtWidgets import QComboBox, QFormLayout, QLineEdit
+
+from lispac.errors import LispacError
+from lispac.project import Project
+from lispac.survey.crs import CoordinateSystem
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.export_request import system_of
+from lispac.workflow.target_systems import LOCAL, common_system, utm_zone
+
+REST_MS = 300
+LOCAL_WORDS = "Local frame – North, West, Up"
+HEIGHTS = "As the coordinate system says, else above the ellipsoid"
+
+
+def system_box(
+    name: str, project: Project, trajectory: LocalTrajectory, *, local_first: bool = False
+) -> QComboBox:
+    """The coordinate systems at hand, and room to type another; their codes are the items' data."""
+    found = QComboBox()
+    found.setObjectName(name)
+    found.setEditable(True)
+    found.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
+    found.setToolTip("Choose, or type an EPSG code: EPSG:2959, EPSG:6347+5703")
+    zone = utm_zone(trajectory)
+    try:
+        own = common_system(project)
+    except LispacError:
+        own = None  # they are in different ones
+    items = [(f"{zone} – UTM zone of the trajectory (WGS 84)", zone)]
+    if own is not None:
+        items.insert(0, (f"As the lines' files – {own.name}", ""))
+    items.insert(0 if local_first else len(items), (LOCAL_WORDS, LOCAL))
+    for words, code in items:
+        found.addItem(words, code)
+    return found
+
+
+def system_text(box: QComboBox) -> str:
+    """The code that is chosen, or what is typed."""
+    text = box.currentText().strip()
+    index = box.findText(text)
+    return cast(str, box.itemData(index)) if index >= 0 else text
+
+
+class SystemChoice(QObject):
+    """In which system coordinates are given: two fields of a form.
+
+    Attributes
+    ----------
+    system : CoordinateSystem or None
+        None for the local frame.
+    problem : str
+        Why there is no system; empty where there is one.
+    waiting : bool
+        Whether something is being typed that has not been looked at.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self, project: Project, trajectory: LocalTrajectory, prefix: str, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._project, self._trajectory = project, trajectory
+        self.box = system_box(f"{prefix}_system", project, trajectory, local_first=True)
+        self.height = QLineEdit()
+        self.height.setObjectName(f"{prefix}_height")
+        self.height.setPlaceholderText(HEIGHTS)
+        self.height.setToolTip(
+            "EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid"
+        )
+        self.system: CoordinateSystem | None = None
+        self.problem, self.waiting = "", False
+        self._form: QFormLayout | None = None
+        self._settle = QTimer(self)
+        self._settle.setSingleShot(True)
+        self._settle.setInterval(REST_MS)
+        self._settle.timeout.connect(self._judge)
+        self.box.editTextChanged.connect(self._typed)
+        self.height.textChanged.connect(self._typed)
+
+    def add_to(self, form: QFormLayout) -> None:
+        """Put the two fields into a form."""
+        form.addRow("Coordinates", self.box)
+        form.addRow("Heights", self.height)
+        self._form = form
+        self._judge()
+
+    def _typed(self) -> None:
+        if self.box.findText(self.box.currentText()) >= 0 and not self.height.text():
+            self._judge()  # chosen, not typed
+            return
+        self.waiting = True
+        self._settle.start()
+        self.changed.emit()
+
+    def _judge(self) -> None:
+        self._settle.stop()
+        self.waiting, self.problem, self.system = False, "", None
+        text, chosen = system_text(self.box), self.box.findText(self.box.currentText().strip()) >= 0
+        self._show_heights(text != LOCAL)
+        if not text and not chosen:
+            self.problem = "Choose a coordinate system, or type its EPSG code."
+        elif text != LOCAL:
+            height = self.height.text().strip()
+            try:
+                self.system = system_of(self._project, self._trajectory, text, height)
+            except LispacError as error:
+                self.problem = str(error)
+        self.changed.emit()
+
+    def _show_heights(self, shown: bool) -> None:
+        if self._form is not None:
+            self._form.setRowVisible(self.height, shown)
