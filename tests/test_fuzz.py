@@ -18,6 +18,7 @@ from lispac.gui.settings import AppSettings
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.registry import Finding
+from lispac.io.seed_file import looks_like_a_list, read_point_list
 from lispac.survey.store import layout
 from lispac.survey.store.reading import open_store
 from lispac.survey.store.writing import write_store
@@ -171,6 +172,36 @@ def sightings(folder: Path) -> tuple[Sources, Attempt]:
     return [damaged(path.read_bytes()), anything], attempt
 
 
+def coordinate_list(folder: Path) -> tuple[Sources, Attempt]:
+    """A list of target coordinates, read for the local frame and for a map."""
+    path = folder / "targets.txt"
+    sound = [
+        b"# measured\nname;north;west;up;role\nT1;1,5;-2,5;3,5;T\nV1;4,5;5,5;6,5;validation\n",
+        b"101 12.5 -3.25 1e1 board\n102 12.5 -3.5 10\n",
+        'name,lat,lon,h\n"T 1",45\N{DEGREE SIGN}30\'15.5"N,W073:12:08,3\n'.encode(),
+    ]
+
+    def attempt(content: bytes) -> bool:
+        path.write_bytes(content)
+        looks_like_a_list(path)
+        refusals = [
+            said_by(lambda local=local, columns=columns: read_point_list(  # type: ignore[misc]
+                path, columns=columns, local=local, degrees=not local
+            ))
+            for local in (True, False)
+            for columns in ((), ("name", "x", "y", "z"))
+        ]  # fmt: skip
+        assert all(str(path) in told for told in refusals if told)
+        return None in refusals
+
+    word = st.sampled_from(["T1", "V2", "1.5", "-2,5", "1e400", "x", "name", "#", '"', "", "t"])
+    mark = st.sampled_from([",", ";", "\t", " ", "\n", "\r", ", "])
+    made = st.lists(st.tuples(word, mark), max_size=40).map(
+        lambda parts: "".join(text for pair in parts for text in pair).encode()
+    )
+    return [*(damaged(content) for content in sound), made, anything], attempt
+
+
 LINE = Line(2_500)
 
 
@@ -270,6 +301,7 @@ SUBJECTS: dict[str, Subject] = {
     "window settings": remembered,
     "project": project,
     "sightings": sightings,
+    "coordinate list": coordinate_list,
     "store manifest": manifest,
     "store columns": columns,
     "store spool": spool,

@@ -4,14 +4,14 @@ import argparse
 from pathlib import Path
 
 from lispac import __version__
-from lispac.cli import estimate_options
+from lispac.cli import estimate_options, pick_options
 from lispac.cli.values import (
     Commands,
     command,
-    finite,
     json_option,
     named_value,
     positive,
+    system_options,
     triple,
 )
 
@@ -30,7 +30,7 @@ def build_parser() -> argparse.ArgumentParser:
     _look(commands)
     _new(commands)
     _import(commands)
-    _pick(commands)
+    pick_options.add(commands)
     _propose(commands)
     estimate_options.add(commands)
     _validate(commands)
@@ -127,37 +127,6 @@ def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
     json_option(imported)
 
 
-def _pick(commands: "Commands[argparse.ArgumentParser]") -> None:
-    pick = command(commands, "pick", "find the plane or sphere at a seed, in every line")
-    pick.add_argument("project", type=Path, metavar="PROJECT")
-    triple(pick, "--seed", ("X", "Y", "Z"), "local coordinates: north, west, up (m)", required=True)
-    pick.add_argument("--name", required=True, help="name of the target, e.g. T1")
-    pick.add_argument("--role", choices=("target", "validation"), default="target")
-    pick.add_argument("--shape", choices=("plane", "sphere"), default="plane", help="default plane")
-    pick.add_argument(
-        "--sphere-radius",
-        type=positive,
-        metavar="METRES",
-        help="with --shape sphere: the radius of the ball, where it is known (otherwise 0.05 to "
-        "0.5 m are sought)",
-    )
-    pick.add_argument("--line", help="seek in this line only")
-    pick.add_argument(
-        "--threshold",
-        type=positive,
-        metavar="METRES",
-        help="RANSAC distance threshold (default 0.01, or 3 LiDAR sigma where larger; for spheres "
-        "at least 0.03, or 0.3 of a known radius where that is smaller)",
-    )
-    pick.add_argument("--radius", type=positive, metavar="METRES", help="search radius")
-    triple(
-        pick, "--expected", ("WIDTH", "HEIGHT", "TILT"),
-        "size of the plane (m) and its angle from level (deg) to compare with; "
-        "1.23 1.22 90 is the usual board",
-    )  # fmt: skip
-    json_option(pick)
-
-
 def _propose(commands: "Commands[argparse.ArgumentParser]") -> None:
     propose = command(commands, "propose", "propose targets and validation planes, with reasons")
     propose.add_argument("project", type=Path, metavar="PROJECT")
@@ -178,36 +147,12 @@ def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
     georeference.add_argument("project", type=Path, metavar="PROJECT")
     georeference.add_argument("--output", type=Path, required=True, metavar="DIR")
     georeference.add_argument("--boresight", choices=("prior", "estimated"), default="estimated")
-    _system(georeference, "that of the lines where they are georeferenced")
+    system_options(georeference, "that of the lines where they are georeferenced")
     georeference.add_argument(
         "--lines", nargs="+", metavar="NAME", help="these lines only (default all)"
     )
     georeference.add_argument("--format", choices=("laz", "las"), default="laz")
     json_option(georeference)
-
-
-def _system(parser: argparse.ArgumentParser, default: str) -> None:
-    parser.add_argument(
-        "--crs", default="", metavar="CODE",
-        help="coordinate system: EPSG code (EPSG:32619, EPSG:6347+5703) or WKT, or local for "
-        f"North, West, Up (default {default})",
-    )  # fmt: skip
-    parser.add_argument(
-        "--height", default="", metavar="WHAT",
-        help="what heights count from: ellipsoid, EPSG code of a vertical system, or the path of "
-        "a geoid grid (default: as --crs says, else the ellipsoid)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--trajectory-datum", metavar="CODE",
-        help="geographic system of the trajectory where it is not that of --crs, e.g. EPSG:7912 "
-        "(default: as the lines are read; an empty one shifts nothing)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--epoch",
-        type=finite,
-        metavar="YEAR",
-        help="date of the survey where datums drift apart (default: as the lines are read)",
-    )
 
 
 def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -224,7 +169,7 @@ def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
     )  # fmt: skip
     export.add_argument("--boresight", choices=("prior", "estimated"), default="estimated")
     export.add_argument("--targets", nargs="+", metavar="NAME", help="these only (default all)")
-    _system(export, "local")
+    system_options(export, "local")
     json_option(export)
 
 

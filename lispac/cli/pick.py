@@ -5,66 +5,98 @@ from argparse import Namespace
 from math import radians
 from typing import Any
 
+import numpy as np
+
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.pick_list import pick_list
 from lispac.cli.qualities import as_values
 from lispac.project import Target
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.quality import SightingQuality
 from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow import picking, projects
+from lispac.workflow.coordinates import require_near
+from lispac.workflow.export_request import system_of
 from lispac.workflow.qualities import judge_target
 from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import load_survey
+from lispac.workflow.target_systems import LOCAL
 
 
 def pick(arguments: Namespace) -> None:
-    """Find a plane or a sphere in every line and save it."""
-    if arguments.sphere_radius is not None and arguments.shape != "sphere":
-        raise UsageError("--sphere-radius is for spheres; add --shape sphere or leave it out")
-    if arguments.expected is not None and arguments.shape != "plane":
-        raise UsageError("--expected is for planes; leave it out")
-    expected = None
-    if arguments.expected is not None:
-        width, height, tilt_deg = arguments.expected
-        expected = ExpectedTarget(width, height, radians(tilt_deg))
+    """Find planes or spheres in every line and save them."""
+    _require_together(arguments)
+    how = _how(arguments)
     project = projects.open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
+    system = system_of(
+        project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
+        arguments.trajectory_datum, arguments.epoch,
+    )  # fmt: skip
+    if arguments.seeds is not None:
+        pick_list(arguments, project, survey, system, how)
+        return
+    place = require_near(np.array(arguments.seed), system, survey.trajectory, arguments.name)
     with ConsoleProgress() as progress:
         project = picking.pick(
-            project,
-            survey,
-            tuple(arguments.seed),
-            name=arguments.name,
-            role=arguments.role,
-            shape=arguments.shape,
-            sphere_radius=arguments.sphere_radius,
-            line=arguments.line,
-            threshold=arguments.threshold,
-            radius=arguments.radius,
-            expected=expected,
-            progress=progress,
-        )
+            project, survey, place, name=arguments.name, role=arguments.role or "target",
+            line=arguments.line, progress=progress, **how,
+        )  # fmt: skip
     projects.save_project(project)
     target = project.target(arguments.name)
     spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
     found = judge_target(project, survey, target)
-    usual = picking.DEFAULT_RADII[target.role][0]
-    if arguments.radius is None and target.shape == "plane" and target.radius > usual:
-        print(
-            f"note: {target.name}: fewer than two lines have a plane within {usual:g} m of the "
-            f"seed; sought within {target.radius:g} m",
-            file=sys.stderr,
-        )
-    for words in thinned_words(target):
-        print(f"note: {words}", file=sys.stderr)
+    for note in (*(() if system is None else system.assumptions), *notes_on(target, how["radius"])):
+        print(f"note: {note}", file=sys.stderr)
     if arguments.json:
-        print_json(_as_json(target, spheres, found))
+        print_json(as_json(target, spheres, found))
     else:
         _print(target, spheres, found)
 
 
-def _as_json(
+def _require_together(arguments: Namespace) -> None:
+    """Refuse options that do not go together."""
+    if arguments.sphere_radius is not None and arguments.shape != "sphere":
+        raise UsageError("--sphere-radius is for spheres; add --shape sphere or leave it out")
+    if arguments.expected is not None and arguments.shape != "plane":
+        raise UsageError("--expected is for planes; leave it out")
+    one = arguments.seeds is None
+    if one and not arguments.name:
+        raise UsageError("--seed needs --name, the name of the target")
+    for option, given, needed in (
+        ("--name", arguments.name, not one), ("--line", arguments.line, not one),
+        ("--columns", arguments.columns, one), ("--replace", arguments.replace, one),
+    ):  # fmt: skip
+        if given and needed:
+            raise UsageError(f"{option} goes with --{'seeds' if one else 'seed'}; leave it out")
+
+
+def _how(arguments: Namespace) -> dict[str, Any]:
+    """How targets are sought: further arguments of `lispac.workflow.picking.find`."""
+    expected = None
+    if arguments.expected is not None:
+        width, height, tilt_deg = arguments.expected
+        expected = ExpectedTarget(width, height, radians(tilt_deg))
+    return {
+        "shape": arguments.shape, "sphere_radius": arguments.sphere_radius,
+        "threshold": arguments.threshold, "radius": arguments.radius, "expected": expected,
+    }  # fmt: skip
+
+
+def notes_on(target: Target, radius: float | None) -> tuple[str, ...]:
+    """What there is to say of how a target was sought; ``radius`` is the one asked for, if any."""
+    usual = picking.DEFAULT_RADII[target.role][0]
+    widened: tuple[str, ...] = ()
+    if radius is None and target.shape == "plane" and target.radius > usual:
+        widened = (
+            f"{target.name}: fewer than two lines have a plane within {usual:g} m of the "
+            f"seed; sought within {target.radius:g} m",
+        )
+    return (*widened, *thinned_words(target))
+
+
+def as_json(
     target: Target, spheres: dict[str, SpherePatch], found: dict[str, SightingQuality]
 ) -> dict[str, Any]:
     lines: dict[str, dict[str, Any]] = {

@@ -54,6 +54,31 @@ def triple(
     parser.add_argument(name, type=finite, nargs=3, metavar=parts, help=text, required=required)
 
 
+def system_options(parser: argparse.ArgumentParser, default: str) -> None:
+    """Let a command take a coordinate system, with heights, datum and epoch."""
+    parser.add_argument(
+        "--crs", default="", metavar="CODE",
+        help="coordinate system: EPSG code (EPSG:32619, EPSG:6347+5703) or WKT, or local for "
+        f"North, West, Up (default {default})",
+    )  # fmt: skip
+    parser.add_argument(
+        "--height", default="", metavar="WHAT",
+        help="what heights count from: ellipsoid, EPSG code of a vertical system, or the path of "
+        "a geoid grid (default: as --crs says, else the ellipsoid)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--trajectory-datum", metavar="CODE",
+        help="geographic system of the trajectory where it is not that of --crs, e.g. EPSG:7912 "
+        "(default: as the lines are read; an empty one shifts nothing)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--epoch",
+        type=finite,
+        metavar="YEAR",
+        help="date of the survey where datums drift apart (default: as the lines are read)",
+    )
+
+
 def finite(text: str) -> float:
     """A number."""
     try:

@@ -5,7 +5,7 @@ import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QMenu
 
 from lispac.gui.computing import Computing
@@ -15,6 +15,7 @@ from lispac.gui.document import Document
 from lispac.gui.estimating import Estimating
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
+from lispac.io.seed_file import looks_like_a_list
 from lispac.project import Settings
 from lispac.workflow.export_request import What
 from lispac.workflow.intake import project_among
@@ -22,6 +23,9 @@ from lispac.workflow.intake import project_among
 
 class ProjectLife(QObject):
     """Asks for files and folders, and for leave where there is something to lose."""
+
+    list_dropped = Signal(object)
+    """Path of a list of target coordinates."""
 
     def __init__(
         self,
@@ -77,8 +81,8 @@ class ProjectLife(QObject):
             self._controller.add_lines(answer)
 
     def take_in(self, paths: Sequence[Path]) -> None:
-        """Files were dropped on the window: a project is opened; others become lines of the open
-        project, or a new one."""
+        """Files were dropped on the window: a project is opened; a list of target coordinates gives
+        seeds to the open one; others become lines of it, or a new project."""
         if self._controller.busy:
             self._controller.noted.emit(
                 "Wait until the running task has ended, then drop the files again"
@@ -90,6 +94,8 @@ class ProjectLife(QObject):
             self.open_project(project)
         elif current is None:
             self.new(paths)
+        elif len(paths) == 1 and looks_like_a_list(paths[0]):
+            self.list_dropped.emit(paths[0])
         else:
             answer = self._dialogs.add_or_new(current.name)
             if answer == "add":

@@ -1,14 +1,20 @@
-"""Seeds that are not clicked: typed coordinates."""
+"""Seeds that are not clicked: typed coordinates, and lists of them."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from lispac.gui.wishes import Wishes
+from lispac.progress import Progress
 from lispac.project import Project
 from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
+    from lispac.workflow.seed_lists import Outcome
+
+Picked = tuple[Project, tuple["Outcome", ...]]
 
 
 class Seeding(QObject):
@@ -20,7 +26,10 @@ class Seeding(QObject):
         self._controller, self._dialogs = window.controller, window.dialogs
         self._targets, self._actions = window.targets, window.actions_
         window.actions_["seed_at"].triggered.connect(lambda _=False: self.type_seed())
+        window.actions_["seed_list"].triggered.connect(lambda _=False: self.list_seeds())
         window.targets.type_seed.clicked.connect(lambda: self.type_seed())
+        window.targets.list_seeds.clicked.connect(lambda: self.list_seeds())
+        window.life.list_dropped.connect(self.list_seeds)
         for changed in (
             window.document.changed, window.document.survey_changed, window.runner.changed,
         ):  # fmt: skip
@@ -43,11 +52,71 @@ class Seeding(QObject):
             named, place = answer
             self._controller.seek(place, wishes, name="" if added else named)
 
+    def list_seeds(self, path: Path | None = None) -> None:
+        """Show what a list of coordinates holds, and seek what is ticked: one undo step.
+
+        Parameters
+        ----------
+        path : Path, optional
+            Asked for where it is not given.
+        """
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        path = path or self._dialogs.seed_list_file(project.folder)
+        if path is None:
+            return
+        wishes = self._targets.wishes
+        seeds = self._dialogs.seed_list(path, project, survey.trajectory, _in_words(wishes))
+        if not seeds or self._document.project is not project:
+            return
+
+        def work(progress: Progress) -> Picked:
+            from lispac.workflow.seed_lists import pick_seeds
+
+            return pick_seeds(project, survey, seeds, wishes.how, progress=progress)
+
+        def done(picked: Picked) -> None:
+            edited, outcomes = picked
+            self._take_over(path, edited, outcomes)
+
+        what = "1 seed" if len(seeds) == 1 else f"{len(seeds)} seeds"
+        task = self._runner.run(f"Picking {what} of {path.name}", work, done)
+        self._controller.based_on_project(task)
+
+    def _take_over(self, path: Path, edited: Project, outcomes: "tuple[Outcome, ...]") -> None:
+        from lispac.workflow.seeking import thinned_words
+
+        names = [outcome.seed.name for outcome in outcomes if outcome.target is not None]
+        candidate = self._controller.candidate
+        if candidate is not None and candidate.name in names:
+            self._controller.reject()  # its name is taken now
+        for outcome in outcomes:
+            for words in thinned_words(outcome.target) if outcome.target else ():
+                self._controller.noted.emit(words)
+        if names:
+            self._document.edit(f"seeds of {path.name}", edited)
+        self._controller.noted.emit(
+            f"{len(names)} of {len(outcomes)} seeds of {path.name} led to a target"
+        )
+        self._dialogs.seeds_found(outcomes, len(edited.lines))
+
     def _ready(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current and not self._runner.busy
         return self._document.project, self._document.survey if current else None
 
     def _enable(self) -> None:
         ready = self._ready()[1] is not None
-        self._targets.type_seed.setEnabled(ready)
-        self._actions["seed_at"].setEnabled(ready)
+        for button in (self._targets.type_seed, self._targets.list_seeds):
+            button.setEnabled(ready)
+        for name in ("seed_at", "seed_list"):
+            self._actions[name].setEnabled(ready)
+
+
+def _in_words(wishes: Wishes) -> str:
+    """How the seeds of a list are sought."""
+    things = "planes" if wishes.shape == "plane" else "spheres, validation planes"
+    return (
+        f"All are sought as {things} on every line, with search radius, threshold and the rest as "
+        "set in step 2."
+    )

@@ -140,7 +140,7 @@ KEYS = (
     )),
     ("Targets", (
         ("Ctrl + click", "set a seed on a target"),
-        ("F3", "type the coordinates of a seed"),
+        ("F3, Shift + F3", "type the coordinates of a seed, read a list of them"),
         ("Enter, Esc", "accept or reject the plane just found"),
         ("F5, Shift + F5", "propose targets, find the selected one again"),
         ("F6, F7", "next seed is an adjustment target, a validation plane"),

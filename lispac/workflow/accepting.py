@@ -18,7 +18,7 @@ def not_picked(project: Project, proposal: Proposal) -> Proposal:
     kept = tuple(
         target
         for target in proposal.targets
-        if not any(_same(target, picked) for picked in project.targets)
+        if not any(same_surface(target, picked) for picked in project.targets)
     )
     return replace(
         proposal,
@@ -45,7 +45,8 @@ def with_accepted(
     return project, tuple(given)
 
 
-def _same(one: Target, other: Target) -> bool:
+def same_surface(one: Target, other: Target) -> bool:
+    """Whether two targets have a good part of their points in common on some line."""
     for sighting in one.sightings:
         seen = other.sighting(sighting.line)
         if seen is None or not len(seen.indices) or not len(sighting.indices):

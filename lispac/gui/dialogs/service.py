@@ -17,6 +17,7 @@ from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.project import LineSource, Project, Target, Triple
@@ -25,6 +26,7 @@ from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.intake import ImportRequest
 from lispac.workflow.proposing import Proposal
+from lispac.workflow.seed_lists import ListedSeed, Outcome
 
 Answer = Literal["save", "discard", "cancel"]
 DropAnswer = Literal["add", "new", "cancel"]
@@ -163,6 +165,29 @@ class Dialogs:
         answer = dialog.seed if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
+
+    def seed_list_file(self, start: Path) -> Path | None:
+        """A list of target coordinates."""
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent, "Seeds from a file", str(start),
+            "Lists of coordinates (*.txt *.csv *.asc *.xyz *.pts *.dat);;All files (*)",
+        )  # fmt: skip
+        return Path(name) if name else None
+
+    def seed_list(
+        self, path: Path, project: Project, trajectory: LocalTrajectory, how: str
+    ) -> tuple[ListedSeed, ...]:
+        """Seeds of a list that are to be picked; ``how`` says how they are sought."""
+        dialog = SeedListDialog(path, project, trajectory, how, self.parent)
+        answer = dialog.ticked if dialog.exec() == QDialog.DialogCode.Accepted else ()
+        dialog.deleteLater()
+        return answer
+
+    def seeds_found(self, outcomes: Sequence[Outcome], lines: int) -> None:
+        """Say what came of the seeds of a list."""
+        dialog = SeedsFoundDialog(outcomes, lines, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
 
     def save_changes(self, name: str) -> Answer:
         """What to do with a changed project that is to be closed."""

@@ -305,8 +305,13 @@ class TargetsPanel(QWidget):
             "Coordinates…", "type_seed", icon="crosshairs-gps",
             tip="Type the coordinates of a seed, in the local frame or on the map (F3)",
         )  # fmt: skip
+        self.list_seeds = widgets.button(
+            "From a file…", "list_seeds", icon="format-list-bulleted",
+            tip="Pick all targets of a list of coordinates (Shift+F3)",
+        )  # fmt: skip
         rows = QGridLayout()
-        rows.addWidget(self.type_seed, 0, 0, 1, 2)
+        rows.addWidget(self.type_seed, 0, 0)
+        rows.addWidget(self.list_seeds, 0, 1)
         rows.addWidget(self.propose, 1, 0, 1, 2)
         rows.addWidget(self.rename, 2, 0)
         rows.addWidget(self.remove, 2, 1)

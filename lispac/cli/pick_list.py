@@ -1,0 +1,88 @@
+"""Many targets picked from a list of coordinates."""
+
+import sys
+from argparse import Namespace
+from typing import Any
+
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.qualities import as_values
+from lispac.project import Project
+from lispac.survey.crs import CoordinateSystem
+from lispac.workflow import projects
+from lispac.workflow.qualities import judge_target
+from lispac.workflow.seed_lists import (
+    Outcome,
+    pick_seeds,
+    read_seeds,
+    require_found,
+    require_free,
+)
+from lispac.workflow.seeking import thinned_words
+from lispac.workflow.survey import Survey
+
+
+def pick_list(
+    arguments: Namespace,
+    project: Project,
+    survey: Survey,
+    system: CoordinateSystem | None,
+    how: dict[str, Any],
+) -> None:
+    """Pick all seeds of a list, save what was found, and print a table of it."""
+    columns = arguments.columns.replace(",", " ").split() if arguments.columns else ()
+    seeds = read_seeds(
+        arguments.seeds, project, survey.trajectory, system, columns=columns, role=arguments.role
+    )
+    if not arguments.replace:
+        require_free(seeds)
+    with ConsoleProgress() as progress:
+        project, outcomes = pick_seeds(project, survey, seeds.seeds, how, progress=progress)
+    require_found(seeds, outcomes)
+    projects.save_project(project)
+    notes = [*seeds.notes]
+    for outcome in outcomes:
+        notes += thinned_words(outcome.target) if outcome.target is not None else ()
+    for note in notes:
+        print(f"note: {note}", file=sys.stderr)
+    if arguments.json:
+        print_json({"seeds": [_as_json(project, survey, outcome) for outcome in outcomes]})
+        return
+    _print(outcomes, len(survey.lines))
+
+
+def _as_json(project: Project, survey: Survey, outcome: Outcome) -> dict[str, Any]:
+    seed, target = outcome.seed, outcome.target
+    said = {
+        "row": seed.row, "name": seed.name, "role": seed.role, "seed_m": list(seed.place),
+        "found": target is not None, "reason": outcome.reason,
+    }  # fmt: skip
+    if target is None:
+        return said | {"lines": {}, "missing": {}}
+    judged = judge_target(project, survey, target)
+    lines = {
+        s.line: {"points": len(s.indices), "rms_m": s.rms, "quality": as_values(judged[s.line])}
+        for s in target.sightings
+    }
+    return said | {"lines": lines, "missing": dict(target.missing)}
+
+
+def _print(outcomes: tuple[Outcome, ...], lines: int) -> None:
+    """One row a seed: what was found on how many lines, and what not and why."""
+    width = max(len("name"), *(len(outcome.seed.name) for outcome in outcomes))
+    print(f"{'row':>4}  {'name':{width}}  {'role':10}  {'lines':>7}  {'points':>9}  RMS (mm)")
+    for outcome in outcomes:
+        seed, target = outcome.seed, outcome.target
+        head = f"{seed.row:4}  {seed.name:{width}}  {seed.role:10}"
+        if target is None:
+            print(f"{head}  {'none':>7}  {outcome.reason}")
+            continue
+        found = target.sightings
+        points = sum(len(sighting.indices) for sighting in found)
+        rms = 1000 * max(sighting.rms for sighting in found)
+        print(f"{head}  {f'{len(found)} of {lines}':>7}  {points:9,}  {rms:8.1f}")
+        if outcome.reason:
+            print(f"      {outcome.reason}")
+        for line, reason in target.missing.items():
+            print(f"      not on {line}: {reason}")
+    count = sum(outcome.target is not None for outcome in outcomes)
+    print(f"{count} of {len(outcomes)} seeds led to a target")

@@ -1,0 +1,287 @@
+"""Lists of target coordinates, as a total station or a spreadsheet writes them.
+
+A row is a point: its name, where it has one, three coordinates, and perhaps its role. What columns
+mean is taken from a row of names above them, else from their order.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from lispac.errors import InputError, ProjectError
+from lispac.io.text_layout import MEANINGS, REMARKS
+from lispac.io.text_table import SEPARATORS, coordinate, fields_of, is_number, lines_of
+from lispac.picks import Role, require_name
+
+WHAT = "coordinate list"
+MOST = 1_000
+"""Rows; a longer file is a cloud and not a list of targets."""
+NAME, ROLE, UNUSED = "name", "role", "-"
+COORDINATES = ("x", "y", "z")
+COLUMNS = (NAME, *COORDINATES, ROLE)
+"""What a column may hold, besides what is not used."""
+_NAMES = {
+    **dict.fromkeys(("name", "point", "pointname", "pointid", "pt", "id", "no", "nr", "number",
+                     "target", "pointno", "station", "label"), NAME),
+    **dict.fromkeys(("role", "use", "kind"), ROLE),
+}  # fmt: skip
+LOCAL_NAMES = {"north": "x", "n": "x", "northing": "x", "west": "y", "w": "y"}
+"""What differs in the local frame, whose first axis points north and whose second points west."""
+ROLES: dict[str, Role] = {
+    **dict.fromkeys(("target", "t", "adjustment"), "target"),
+    **dict.fromkeys(("validation", "v", "check", "validation plane"), "validation"),
+}
+_UNIT = re.compile(r"[\s_]*[\[(].*[\])]$|_(m|deg)$")
+
+
+@dataclass(frozen=True)
+class ListedPoint:
+    """One row of a list.
+
+    Attributes
+    ----------
+    row : int
+        Of the file, counted from 1.
+    name : str
+        Empty where the list has no names.
+    role : {"target", "validation"} or None
+        As the list says; None where it does not.
+    coordinates : three of float
+        In the order and unit of the system they are in.
+    """
+
+    row: int
+    name: str
+    role: Role | None
+    coordinates: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class PointList:
+    """What a file holds.
+
+    Attributes
+    ----------
+    columns : tuple of str
+        What its columns were taken for, from the left: of `COLUMNS`, or ``-`` for one not used.
+    stated : bool
+        Whether a row of names, or the caller, said so; otherwise it is their order that did.
+    """
+
+    path: Path
+    points: tuple[ListedPoint, ...]
+    columns: tuple[str, ...]
+    stated: bool
+
+
+def read_point_list(
+    path: Path, *, columns: Sequence[str] = (), local: bool = True, degrees: bool = False
+) -> PointList:
+    """Read a list of target coordinates.
+
+    Parameters
+    ----------
+    columns : sequence of str
+        What the columns hold, where that is not to be taken from the file; of `COLUMNS`, others
+        are not used.
+    local : bool
+        Whether coordinates are in the local frame: x is then north and y west, else x is easting
+        or longitude and y northing or latitude.
+    degrees : bool
+        Whether degrees, minutes and seconds are understood.
+
+    Raises
+    ------
+    InputError
+        With the row where there is one.
+    """
+    path = Path(path)
+    rows = _rows(path)
+    first = next(rows, None)
+    if first is None:
+        raise InputError(f"{path}: no row of coordinates is in it; give rows of name, x, y, z.")
+    separator = _separator(first[1])
+    stated = True
+    if columns:
+        meant = _complete(path, "", tuple(_meaning(word, local) for word in columns))
+        if not _holds_numbers(first[1], separator, meant, degrees):
+            first = None  # its own names
+    elif names := _header(first[1], separator, local):
+        meant, first = _complete(path, f", row {first[0]}", names), None
+    else:
+        meant, stated = _by_order(path, *first, separator), False
+    points: list[ListedPoint] = []
+    for number, row_text in (*((first,) if first else ()), *rows):
+        if first is None and not points:
+            separator = _separator(row_text)  # names may be parted otherwise than numbers
+        fields = fields_of(row_text, separator)
+        points.append(_point(path, number, fields, meant, degrees))
+    if not points:
+        raise InputError(f"{path}: no row of coordinates follows its names; export it again.")
+    _require_apart(path, points)
+    return PointList(path, tuple(points), meant, stated)
+
+
+def looks_like_a_list(path: Path) -> bool:
+    """Whether a file is a list of named points and not a line, a trajectory or anything else."""
+    try:
+        found = read_point_list(path)
+    except (InputError, OSError):
+        return False
+    return NAME in found.columns and any(not is_number(point.name) for point in found.points)
+
+
+def _rows(path: Path) -> Iterator[tuple[int, str]]:
+    """Rows that are neither empty nor remarks; names may stand in a remark of the first rows."""
+    count = 0
+    for number, line in lines_of(path, WHAT):
+        text = line.strip()
+        if not text.strip(' ,;\t"'):
+            continue
+        if text.startswith(REMARKS):
+            bare = text.lstrip("#%/ ")
+            if count or not _header(bare, _separator(bare), local=True):
+                continue
+            text = bare
+        count += 1
+        if count > MOST:
+            raise InputError(
+                f"{path}: more than {MOST:,} rows are in it, so it is no list of targets; leave "
+                "only their rows in it."
+            )
+        yield number, text
+
+
+def _separator(row: str) -> str:
+    """What parts the columns of a row, as `fields_of` finds it, to hold for all rows."""
+    whole = fields_of(row)
+    return next(
+        (name for name in SEPARATORS if name != "auto" and fields_of(row, name) == whole), "auto"
+    )
+
+
+def _meaning(word: str, local: bool) -> str:
+    bare = _UNIT.sub("", word.strip()).strip().lower()
+    joined = re.sub(r"[\s_.#-]+", "", bare)
+    if local and joined in LOCAL_NAMES:
+        return LOCAL_NAMES[joined]
+    if joined in ("e", "east", "easting", "lon", "longitude", "lat", "latitude") and local:
+        return f"{joined}?"
+    found = _NAMES.get(joined) or MEANINGS.get(bare, UNUSED)
+    return found if found in COLUMNS else UNUSED
+
+
+def _header(row: str, separator: str, local: bool) -> tuple[str, ...]:
+    """What the names of columns mean; empty where a row is none of names."""
+    fields = fields_of(row, separator)
+    if any(is_number(field) for field in fields):
+        return ()
+    meant = tuple(_meaning(field, local) for field in fields)
+    return meant if sum(name != UNUSED for name in meant) >= 2 else ()
+
+
+def _complete(path: Path, where: str, meant: tuple[str, ...]) -> tuple[str, ...]:
+    """Refuse columns that are not three coordinates, each once."""
+    if foreign := [name.rstrip("?") for name in meant if name.endswith("?")]:
+        raise InputError(
+            f"{path}{where}: {', '.join(foreign)} is no axis of the local frame (north, west, up); "
+            "say which coordinate system the list is in."
+        )
+    lacking = [name for name in COORDINATES if name not in meant]
+    twice = [name for name in COLUMNS if meant.count(name) > 1]
+    if lacking or twice:
+        said = f"lack {', '.join(lacking)}" if lacking else f"name {', '.join(twice)} twice"
+        raise InputError(
+            f"{path}{where}: the columns {said}; name them from the left: name, x, y, z for "
+            "example, and - for one that is not used."
+        )
+    return meant
+
+
+def _holds_numbers(row: str, separator: str, meant: Sequence[str], degrees: bool) -> bool:
+    fields = fields_of(row, separator)
+    return any(
+        name in COORDINATES and k < len(fields)
+        and coordinate(fields[k], degrees=degrees) is not None
+        for k, name in enumerate(meant)
+    )  # fmt: skip
+
+
+def _by_order(path: Path, row: int, text: str, separator: str) -> tuple[str, ...]:
+    """What the columns of a row of numbers are by their order: name, x, y, z, role."""
+    fields = fields_of(text, separator)
+    numbers = [is_number(field) for field in fields]
+    count = sum(numbers)
+    if numbers[:3] == [True] * 3 and count == 3:
+        start = 0
+    elif numbers[1:4] == [True] * 3 and count - numbers[0] == 3:
+        start = 1
+    else:
+        named = "no name in front" if count < 3 else "which are x, y, z is not clear"
+        raise InputError(
+            f"{path}, row {row}: {count} of its {len(fields)} columns are numbers, and "
+            f"{named if count >= 3 else 'three coordinates are needed'}; put a row of names above "
+            "them (name, x, y, z), or state the columns."
+        )
+    rest = fields[start + 3 :]
+    has_role = bool(rest) and rest[0].lower() in ROLES
+    return (
+        ((NAME,) if start else ())
+        + COORDINATES
+        + (((ROLE,) if has_role else (UNUSED,)) if rest else ())
+    )
+
+
+def _point(
+    path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool
+) -> ListedPoint:
+    where = f"{path}, row {row}"
+    at = {name: k for k, name in enumerate(meant) if name != UNUSED}
+    needed = 1 + max(at[name] for name in at if name != ROLE)
+    if len(fields) < needed:
+        raise InputError(
+            f"{where}: it has {len(fields)} columns where {needed} are needed ("
+            f"{', '.join(meant)}); complete the row or take it out."
+        )
+    values = []
+    for axis in COORDINATES:
+        value = coordinate(fields[at[axis]], degrees=degrees)
+        if value is None:
+            raise InputError(
+                f"{where}: {axis} is {fields[at[axis]][:40]!r}, which is not a number; correct "
+                "the row or take it out."
+            )
+        values.append(value)
+    name = fields[at[NAME]].strip() if NAME in at else ""
+    if NAME in at:
+        try:
+            require_name(name)
+        except ProjectError as error:
+            raise InputError(f"{where}: {error}") from error
+    word = fields[at[ROLE]].strip().lower() if ROLE in at and at[ROLE] < len(fields) else ""
+    if word and word not in ROLES:
+        raise InputError(
+            f"{where}: the role is {word[:40]!r}; give target or validation (T or V), or leave it "
+            "empty."
+        )
+    x, y, z = values
+    return ListedPoint(row, name, ROLES[word] if word else None, (x, y, z))
+
+
+def _require_apart(path: Path, points: Sequence[ListedPoint]) -> None:
+    """No name and no place twice."""
+    names: dict[str, int] = {}
+    places: dict[tuple[float, float, float], int] = {}
+    for point in points:
+        if point.name and point.name in names:
+            raise InputError(
+                f"{path}, row {point.row}: {point.name} stands in row {names[point.name]} already; "
+                "give each target a name of its own."
+            )
+        if point.coordinates in places:
+            raise InputError(
+                f"{path}, row {point.row}: these coordinates stand in row "
+                f"{places[point.coordinates]} already; one target is picked once."
+            )
+        names[point.name], places[point.coordinates] = point.row, point.row

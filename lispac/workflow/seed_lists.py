@@ -1,0 +1,206 @@
+"""Many seeds at once, from a list of target coordinates."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lispac.errors import ProjectError, TargetNotFound
+from lispac.io.seed_file import PointList, read_point_list
+from lispac.progress import Progress, no_progress, part
+from lispac.project import Project, Role, Target, Triple
+from lispac.survey.crs import CoordinateSystem
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.accepting import same_surface
+from lispac.workflow.coordinates import axes_of, require_near
+from lispac.workflow.picking import find, next_name
+from lispac.workflow.survey import Survey
+
+PLANE = {"shape": "plane", "sphere_radius": None, "expected": None}
+
+
+@dataclass(frozen=True)
+class ListedSeed:
+    """A target that is to be sought.
+
+    Attributes
+    ----------
+    row : int
+        Of the list.
+    place : metres, local frame
+    taken : bool
+        Whether the project has a target of that name.
+    """
+
+    row: int
+    name: str
+    role: Role
+    place: Triple
+    taken: bool = False
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a seed: the target, or why there is none."""
+
+    seed: ListedSeed
+    target: Target | None
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class SeedList:
+    """Seeds as they were read.
+
+    Attributes
+    ----------
+    notes : tuple of str
+        What was taken for granted, in words.
+    """
+
+    points: PointList
+    seeds: tuple[ListedSeed, ...]
+    notes: tuple[str, ...]
+
+
+def read_seeds(
+    path: Path,
+    project: Project,
+    trajectory: LocalTrajectory,
+    system: CoordinateSystem | None = None,
+    *,
+    columns: Sequence[str] = (),
+    role: Role | None = None,
+) -> SeedList:
+    """Read a list of target coordinates and say what would be sought.
+
+    Parameters
+    ----------
+    system : CoordinateSystem or None
+        That the coordinates are in; None for the local frame.
+    columns : sequence of str
+        As `lispac.io.seed_file.read_point_list`.
+    role : {"target", "validation"}, optional
+        Of points whose role the list does not say; otherwise by their name: what begins with V is a
+        validation plane.
+
+    Raises
+    ------
+    InputError
+        With the row.
+    """
+    geographic = system is not None and system.is_geographic
+    points = read_point_list(path, columns=columns, local=system is None, degrees=geographic)
+    taken = {target.name for target in project.targets}
+    # Names that the list does not give are the next free ones.
+    numbered = project
+    seeds = []
+    for point in points.points:
+        own = point.role or role or role_by_name(point.name)
+        name = point.name
+        if not name:
+            name = next_name(numbered, own)
+            numbered = replace(numbered, targets=(*numbered.targets, _holder(name, own)))
+        where = f"{points.path}, row {point.row}: {name}"
+        north, west, up = require_near(np.array(point.coordinates), system, trajectory, where)
+        place = (float(north), float(west), float(up))
+        seeds.append(ListedSeed(point.row, name, own, place, name in taken))
+    return SeedList(points, tuple(seeds), tuple(_notes(points, system)))
+
+
+def role_by_name(name: str) -> Role:
+    """What begins with V is a validation plane."""
+    return "validation" if name[:1] in ("V", "v") else "target"
+
+
+def require_free(seeds: SeedList) -> None:
+    """Refuse names that targets of the project have.
+
+    Raises
+    ------
+    ProjectError
+    """
+    for seed in seeds.seeds:
+        if seed.taken:
+            raise ProjectError(
+                f"{seeds.points.path}, row {seed.row}: the project has a {seed.name} already; give "
+                "it another name in the list, or say that it is to be replaced."
+            )
+
+
+def pick_seeds(
+    project: Project,
+    survey: Survey,
+    seeds: Collection[ListedSeed],
+    how: Mapping[str, Any],
+    *,
+    progress: Progress = no_progress,
+) -> tuple[Project, tuple[Outcome, ...]]:
+    """Find the target at every seed, and add those found to the project.
+
+    Parameters
+    ----------
+    how : mapping
+        Further arguments of `lispac.workflow.picking.find`: threshold, radius, shape and the like.
+        Shape and what is expected are for targets; a validation plane is a plane of any size.
+
+    Raises
+    ------
+    InputError, ProjectError
+        Where one cannot be sought at all; then none is picked.
+    """
+    outcomes = []
+    for k, seed in enumerate(seeds):
+        step = part(progress, k / len(seeds), (k + 1) / len(seeds))
+        step(0.0, f"Seeking {seed.name} ({k + 1} of {len(seeds)})")
+        asked = dict(how) if seed.role == "target" else {**how, **PLANE}
+        try:
+            target = find(
+                project, survey, seed.place, name=seed.name, role=seed.role, progress=step, **asked
+            )
+        except TargetNotFound as error:
+            outcomes.append(Outcome(seed, None, str(error)))
+            continue
+        outcomes.append(Outcome(seed, target, _same_surface(target, project)))
+        project = project.with_target(target)
+    return project, tuple(outcomes)
+
+
+def _same_surface(target: Target, project: Project) -> str:
+    """Said of a target whose points another one of the project has."""
+    for other in project.targets:
+        if other.name != target.name and same_surface(target, other):
+            return f"The same surface as {other.name}; keep one of the two."
+    return ""
+
+
+def require_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
+    """Refuse a list none of whose seeds led to a target.
+
+    Raises
+    ------
+    TargetNotFound
+    """
+    if outcomes and all(outcome.target is None for outcome in outcomes):
+        first = outcomes[0]
+        raise TargetNotFound(
+            f"{seeds.points.path}: no target was found at any of the {len(outcomes)} seeds; "
+            f"{first.seed.name} (row {first.seed.row}): {first.reason}"
+        )
+
+
+def _holder(name: str, role: Role) -> Target:
+    return Target(name, role, (0.0, 0.0, 0.0), 1.0, 1.0, ())
+
+
+def _notes(points: PointList, system: CoordinateSystem | None) -> list[str]:
+    axes = dict(zip("xyz", axes_of(system), strict=True))
+    meant = ", ".join(
+        axes.get(name, "not used" if name == "-" else name) for name in points.columns
+    )
+    how = "as named" if points.stated else "by their order"
+    where = "the local frame, metres" if system is None else system.name
+    notes = [f"columns {how}: {meant}", f"coordinates in {where}"]
+    return notes if system is None else [*notes, *system.assumptions]

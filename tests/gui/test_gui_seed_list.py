@@ -1,0 +1,165 @@
+"""Seeds from a list of coordinates: preview, picking, table, and one step back."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QTableWidget,
+)
+
+from lispac.workflow.demo import demo_seeds
+from tests.gui.import_support import drop
+from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
+from tests.gui.test_gui_seed_at import hand
+
+SEEDS = demo_seeds()
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def listed(tmp_path: Path) -> Path:
+    """A list of two targets, a validation plane and a place where nothing is."""
+    path = tmp_path / "quay.csv"
+    rows = [f"{name};{x:.3f};{y:.3f};{z:.3f}" for name, (_, (x, y, z)) in SEEDS.items()]
+    path.write_text("\n".join([*rows[:3], "Lost;20;4;3"]))
+    return path
+
+
+def cells(dialog: QDialog, name: str) -> list[list[str]]:
+    table = dialog.findChild(QTableWidget, name)
+    return [
+        [table.item(row, k).text() for k in range(table.columnCount())]
+        for row in range(table.rowCount())
+    ]
+
+
+def both(driver: Driver, before, after) -> None:
+    """Answer the preview, then the table of what was found."""
+
+    def first(dialog: QDialog) -> None:
+        hand(driver, after)
+        before(dialog)
+
+    hand(driver, first)
+
+
+def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -> None:
+    open_step(opened, 1)
+    before = opened.project
+    opened.dialogs.path = listed
+    seen = []
+
+    def preview(dialog: QDialog) -> None:
+        seen.append(cells(dialog, "seed_list_table"))
+        seen.append(dialog.findChild(QLabel, "list_said").text())
+        opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
+
+    def table(dialog: QDialog) -> None:
+        seen.append(cells(dialog, "seeds_found_table"))
+        seen.append(dialog.findChild(QLabel, "seeds_found").text())
+        opened.bot.keyClick(dialog, Key.Key_Return)
+
+    both(opened, preview, table)
+    click(opened, opened.window.targets.list_seeds)
+    opened.rest()
+    read, said, found, told = seen
+    names = [*list(SEEDS)[:3], "Lost"]
+    assert [row[0] for row in read] == [row[0] for row in found] == names
+    assert read[0][2:5] == [f"{value:.3f}" for value in SEEDS[names[0]][1]]
+    assert "Columns by their order: name, north, west, up." in said
+    assert [row[2] for row in found][3] == "none"
+    assert found[0][2] == "6 of 6"
+    assert found[3][4]
+    assert told == "3 of 4 seeds led to a target. One undo step takes all of them back."
+    assert [target.name for target in opened.project.targets] == names[:3]
+    assert opened.window.document.undo_stack.undoText() == "seeds of quay.csv"
+    opened.window.document.undo_stack.undo()
+    assert opened.project is before
+
+
+def test_taken_names_are_not_ticked_and_columns_can_be_stated(picked: Driver, listed: Path) -> None:
+    picked.dialogs.path = listed
+    ticked = []
+
+    def preview(dialog: QDialog) -> None:
+        pick = dialog.findChild(QPushButton, "pick_list")
+        table = dialog.findChild(QTableWidget, "seed_list_table")
+        ticked.append([seed.name for seed in dialog.ticked])
+        assert "tick to replace" in table.item(0, 6).text()
+        columns = dialog.findChild(QLineEdit, "list_columns")
+        picked.bot.keyClicks(columns, "name,x,y")
+        assert "the columns lack z" in dialog.findChild(QLabel, "list_said").text()
+        assert not pick.isEnabled()
+        assert table.rowCount() == 0
+        picked.bot.keyClicks(columns, ",z")
+        assert "Columns as named" in dialog.findChild(QLabel, "list_said").text()
+        box = dialog.findChild(QComboBox, "list_system")
+        box.setFocus()
+        picked.bot.keyClick(box, Key.Key_Down)
+        assert "EPSG:32618" in box.currentText()
+        picked.bot.waitUntil(
+            lambda: "check the coordinate system" in dialog.findChild(QLabel, "list_said").text(),
+            timeout=WAIT_MS,
+        )
+        picked.bot.keyClick(dialog, Key.Key_Escape)
+
+    seen = hand(picked, preview)
+    before = picked.project
+    press(picked, Key.Key_F3, SHIFT)
+    picked.rest()
+    assert seen
+    taken = {target.name for target in before.targets}
+    assert ticked == [[name for name in [*list(SEEDS)[:3], "Lost"] if name not in taken]]
+    assert picked.project is before
+    assert not picked.window.document.undo_stack.canUndo()
+
+
+def test_dropped_on_the_window_and_cancelled_while_picking(opened: Driver, listed: Path) -> None:
+    before = opened.project
+    titles = []
+
+    def stop() -> None:
+        task = opened.window.runner.current
+        if task is None or not task.fraction:
+            QTimer.singleShot(10, stop)
+            return
+        titles.append(task.title)
+        press(opened, Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
+
+    def preview(dialog: QDialog) -> None:
+        QTimer.singleShot(10, stop)
+        opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
+
+    seen = hand(opened, preview)
+    drop(opened.window, [listed])
+    opened.bot.waitUntil(lambda: bool(titles), timeout=WAIT_MS)
+    opened.rest()
+    assert len(seen) == 1
+    assert titles == ["Picking 4 seeds of quay.csv"]
+    assert opened.project is before
+    assert not opened.dialogs.asked
+    assert "Picking 4 seeds of quay.csv: cancelled" in opened.window.log.toPlainText()
+    assert opened.window.targets.list_seeds.isEnabled()
+
+
+def test_nothing_found_changes_nothing(opened: Driver, tmp_path: Path) -> None:
+    path = tmp_path / "far.txt"
+    path.write_text("A 300 300 300\n")
+    before = opened.project
+    told = []
+
+    def table(dialog: QDialog) -> None:
+        told.append(dialog.findChild(QLabel, "seeds_found").text())
+        opened.bot.keyClick(dialog, Key.Key_Return)
+
+    both(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
+    opened.window.life.list_dropped.emit(path)
+    opened.rest()
+    assert told == ["0 of 1 seeds led to a target."]
+    assert opened.project is before

@@ -1,0 +1,124 @@
+"""Lists of target coordinates as people write them, and what is said of unusable ones."""
+
+from pathlib import Path
+
+import pytest
+
+from lispac.errors import InputError
+from lispac.io.seed_file import PointList, looks_like_a_list, read_point_list
+
+THREE = [("T1", (12.5, -3.25, 1.0)), ("V1", (40.0, 18.5, 22.0)), ("T2", (15.9, -3.0, 1.1))]
+
+
+def written(folder: Path, text: str, *, encoding: str = "utf-8") -> Path:
+    path = folder / "targets.txt"
+    path.write_bytes(text.encode(encoding))
+    return path
+
+
+def named(found: PointList) -> list[tuple[str, tuple[float, float, float]]]:
+    return [(point.name, point.coordinates) for point in found.points]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "T1 12.5 -3.25 1.0\nV1 40 18.5 22\nT2 15.9 -3 1.1\n",
+        "T1,12.5,-3.25,1.0\nV1,40,18.5,22\nT2,15.9,-3,1.1",
+        "T1\t12,5\t-3,25\t1,0\r\nV1\t40\t18,5\t22\r\nT2\t15,9\t-3\t1,1\r\n",
+        "T1;12,5;-3,25;1,0\nV1;40,0;18,5;22\n\n;;;\nT2;15,9;-3;1,1\n",
+        "T1 12,5 -3,25 1,0\nV1 40,0 18,5 22,0\nT2 15,9 -3,0 1,1\n",
+        "# boards of May\n# name x y z\nT1 12.5 -3.25 1.0  \n% a remark\nV1 40 18.5 22\n"
+        "T2 15.9 -3 1.1",
+        "Point;North [m];West [m];Up [m];Code\nT1;12.5;-3.25;1;BOARD\nV1;40;18.5;22;WALL\n"
+        "T2;15.9;-3;1.1;\n",
+        "up,west,north,name\n1,-3.25,12.5,T1\n22,18.5,40,V1\n1.1,-3,15.9,T2\n",
+        '"Name","X","Y","Z"\n"T1","12.5","-3.25","1.0"\n"V1","40","18.5","22"\n'
+        '"T2","15.9","-3","1.1"\n',
+    ],
+)
+def test_read_as_it_was_meant(tmp_path: Path, text: str) -> None:
+    for encoding in ("utf-8", "utf-8-sig", "utf-16"):
+        path = written(tmp_path, text, encoding=encoding)
+        assert named(read_point_list(path)) == THREE
+        assert looks_like_a_list(path)
+
+
+def test_roles_and_points_without_names(tmp_path: Path) -> None:
+    found = read_point_list(written(tmp_path, "A 1 2 3 v\nB 4 5 6 T\nC 7 8 9\n"))
+    assert [point.role for point in found.points] == ["validation", "target", None]
+    found = read_point_list(written(tmp_path, "1.5 2 3\n4 5 6\n"))
+    assert named(found) == [("", (1.5, 2.0, 3.0)), ("", (4.0, 5.0, 6.0))]
+    assert found.columns == ("x", "y", "z")
+    assert not found.stated
+    assert not looks_like_a_list(found.path)
+    found = read_point_list(written(tmp_path, "101 1.5 2 3\n102 4 5 6 note\n"))
+    assert [point.name for point in found.points] == ["101", "102"]
+
+
+def test_columns_named_or_stated_decide_the_order(tmp_path: Path) -> None:
+    text = "pt,northing,easting,elevation,description\n1,5041635.7,614119.5,8.1,board\n"
+    on_map = (614119.5, 5041635.7, 8.1)
+    found = read_point_list(written(tmp_path, text), local=False)
+    assert named(found) == [("1", on_map)]
+    assert found.stated
+    bare = written(tmp_path, text.split("\n")[1])
+    stated = read_point_list(bare, columns=["name", "y", "x", "z"], local=False)
+    assert named(stated) == [("1", on_map)]
+    words = read_point_list(bare, columns=["point", "northing", "easting", "h"], local=False)
+    assert named(words) == [("1", on_map)]
+    # With names of its own above, what is stated goes before them.
+    path = written(tmp_path, text)
+    again = read_point_list(path, columns=["-", "y", "x", "z", "name"], local=False)
+    assert named(again) == [("board", on_map)]
+
+
+def test_degrees_minutes_and_seconds(tmp_path: Path) -> None:
+    text = "name;latitude;longitude;h\nT1;45°31'08.04\"N;W073:32:20.4;-17.5\n"
+    found = read_point_list(written(tmp_path, text), local=False, degrees=True)
+    longitude, latitude, height = found.points[0].coordinates
+    assert (latitude, height) == pytest.approx((45 + 31 / 60 + 8.04 / 3600, -17.5), abs=1e-12)
+    assert longitude == pytest.approx(-(73 + 32 / 60 + 20.4 / 3600), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "row", "said"),
+    [
+        ("", "", "this coordinate list file is empty"),
+        ("# nothing\n\n", "", "no row of coordinates is in it"),
+        ("name x y z\n", "", "no row of coordinates follows its names"),
+        ("T1 1 2\n", "row 1", "three coordinates are needed"),
+        ("T1 1 2 3 4\n", "row 1", "which are x, y, z is not clear"),
+        ("T1,12,5,3,25,1,0\n", "row 1", "which are x, y, z is not clear"),
+        ("T1 1 2 3\nT2 1 2\n", "row 2", "it has 3 columns where 4 are needed"),
+        ("T1 1 2 3\n\nT2 1 two 3\n", "row 3", "y is 'two', which is not a number"),
+        ("T1 1 2 3\nT2 1 nan 3\n", "row 2", "y is 'nan'"),
+        ("T1 1 2 3\nT2 1 1e999 3\n", "row 2", "y is '1e999'"),
+        ("T1 1 2 3\nT1 4 5 6\n", "row 2", "T1 stands in row 1 already"),
+        ("T1 1 2 3\nT2 1 2 3\n", "row 2", "these coordinates stand in row 1 already"),
+        ("T/1 1 2 3\n", "row 1", "cannot hold a slash"),
+        ("name;x;y;z\n;1;2;3\n", "row 2", "needs 1 to 40 printable characters"),
+        ("name x y z role\nT1 1 2 3 wall\n", "row 2", "the role is 'wall'"),
+        ("name x y\nT1 1 2\n", "row 1", "the columns lack z"),
+        ("name x y z x\nT1 1 2 3 4\n", "row 1", "name x twice"),
+        ("name easting northing h\nT1 1 2 3\n", "row 1", "easting is no axis of the local frame"),
+        ("T1 1 2 3\n\0\n", "row 2", "this is not text"),
+    ],
+)  # fmt: skip
+def test_refused_with_file_and_row(tmp_path: Path, text: str, row: str, said: str) -> None:
+    path = written(tmp_path, text)
+    with pytest.raises(InputError) as refused:
+        read_point_list(path)
+    message = str(refused.value)
+    assert message.startswith(f"{path}, {row}: " if row else f"{path}: ")
+    assert said in message
+    assert "\n" not in message
+    assert not looks_like_a_list(path)
+
+
+def test_a_cloud_is_no_list(tmp_path: Path) -> None:
+    path = written(tmp_path, "".join(f"P{k} {k} 2 3\n" for k in range(1001)))
+    with pytest.raises(InputError, match="more than 1,000 rows"):
+        read_point_list(path)
+    with pytest.raises(InputError, match="missing"):
+        read_point_list(tmp_path / "missing.txt")

@@ -1,0 +1,210 @@
+"""Targets picked from a list of coordinates, by the workflow and at the command line."""
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import Cancelled, InputError, ProjectError
+from lispac.io.project_file import FILE_NAME, read_project
+from lispac.project import Project
+from lispac.survey.crs import coordinate_system
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.picking import find
+from lispac.workflow.seed_lists import pick_seeds, read_seeds, role_by_name
+from lispac.workflow.survey import Survey, load_survey
+
+SEEDS = demo_seeds()
+CODE = "EPSG:32618"
+
+
+@pytest.fixture(scope="module")
+def survey(demo_project: Project) -> Survey:
+    """The built-in survey."""
+    return load_survey(demo_project)
+
+
+@pytest.fixture
+def folder(demo_project: Project, tmp_path: Path) -> Path:
+    """A copy of the built-in survey's project with nothing picked."""
+    return Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
+
+
+def rows(*names: str, offset: float = 0.0) -> str:
+    return "".join(
+        f"{name};{x + offset:.4f};{y:.4f};{z:.4f}\n".replace(".", ",")
+        for name, (_, (x, y, z)) in ((name, SEEDS[name]) for name in names)
+    )
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    try:
+        code = main([str(word) for word in words])
+    except SystemExit as stop:
+        code = int(stop.code or 0)
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words: object) -> str:
+    """A list that must be refused: exit 1, one line, and the project as it was."""
+    path = folder.parent / "targets.txt"
+    path.write_text(text)
+    before = (folder / FILE_NAME).read_bytes()
+    code, out, err = run(capsys, "pick", folder, "--seeds", path, *words)
+    assert (code, out) == (1, ""), err
+    assert err.count("\n") == 1
+    assert err.startswith(f"lispac: {path}")
+    assert (folder / FILE_NAME).read_bytes() == before
+    return err
+
+
+def test_a_list_gives_what_single_picks_give(
+    capsys: pytest.CaptureFixture[str], folder: Path, survey: Survey, demo_project: Project
+) -> None:
+    path = folder.parent / "targets.csv"
+    path.write_text("# quay wall\nname;x;y;z\n" + rows("T1", "T2", "V1") + "Lost;20;4;3\n")
+    code, out, err = run(capsys, "pick", folder, "--seeds", path)
+    assert code == 0, err
+    assert "note: columns as named: name, north, west, up" in err
+    table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
+    assert set(table) == {"T1", "T2", "V1", "Lost"}
+    assert "6 of 6" in table["T1"]
+    assert "validation" in table["V1"]
+    assert "none  " in table["Lost"]
+    assert out.endswith("3 of 4 seeds led to a target\n")
+    project = read_project(folder)
+    assert [t.name for t in project.targets] == ["T1", "T2", "V1"]
+    assert [t.role for t in project.targets] == ["target", "target", "validation"]
+    x, y, z = (float(f"{value:.4f}") for value in SEEDS["T2"][1])
+    alone = find(demo_project, survey, (x, y, z), name="T2")
+    for sighting, other in zip(project.target("T2").sightings, alone.sightings, strict=True):
+        np.testing.assert_array_equal(sighting.indices, other.indices)
+
+
+def test_in_a_coordinate_system_as_json(
+    capsys: pytest.CaptureFixture[str], folder: Path, survey: Survey
+) -> None:
+    places = np.array([SEEDS[name][1] for name in ("T1", "T2")])
+    on_map = coordinate_system(CODE).from_local(places, survey.trajectory.frame)
+    path = folder.parent / "targets.txt"
+    path.write_text(
+        "".join(f"B{k} {n:.4f} {e:.4f} {h:.4f}\n" for k, (e, n, h) in enumerate(on_map))
+    )
+    words = ["pick", folder, "--seeds", path, "--crs", CODE]
+    code, _, err = run(capsys, *words)
+    assert code == 1
+    assert "row 1: B0: the coordinates" in err
+    assert "easting comes first, then northing: exchange the two" in err
+    code, out, err = run(capsys, *words, "--columns", "name,y,x,z", "--role", "target", "--json")
+    assert code == 0, err
+    assert "coordinates in WGS 84 / UTM zone 18N (EPSG:32618)" in err
+    found: list[dict[str, Any]] = json.loads(out)["seeds"]
+    np.testing.assert_allclose([seed["seed_m"] for seed in found], places, atol=2e-4)
+    assert all(len(seed["lines"]) == 6 for seed in found)
+    # The same for a seed that is typed.
+    east, north, height = on_map[0]
+    typed = ["--seed", east, north, height, "--crs", CODE, "--name", "S1", "--json"]
+    code, out, err = run(capsys, "pick", folder, *typed)
+    assert code == 0, err
+    assert {k: v["points"] for k, v in json.loads(out)["lines"].items()} == {
+        k: v["points"] for k, v in found[0]["lines"].items()
+    }
+
+
+def test_refused_whole(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
+    good = rows("T1")
+    assert "row 2: it has 2 columns" in refused(capsys, folder, good + "T2;1\n")
+    assert "row 2: T1 stands in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
+    far = refused(capsys, folder, good + "T2;5041234;614000;8\n")
+    assert "row 2: T2: the coordinates" in far
+    assert "km from the trajectory; give metres north, west and up" in far
+    assert "lack z" in refused(capsys, folder, good, "--columns", "name,x,y")
+    none = refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
+    assert "no target was found at any of the 2 seeds; A (row 1): " in none
+
+
+def test_a_name_that_is_taken_is_refused_or_replaced(
+    capsys: pytest.CaptureFixture[str], folder: Path
+) -> None:
+    path = folder.parent / "first.txt"
+    path.write_text(rows("T1", "V1"))
+    assert run(capsys, "pick", folder, "--seeds", path)[0] == 0
+    again = rows("T2", "T1", offset=0.05)
+    assert "row 2: the project has a T1 already" in refused(capsys, folder, again)
+    path.write_text(again)
+    assert run(capsys, "pick", folder, "--seeds", path, "--replace")[0] == 0
+    project = read_project(folder)
+    assert [t.name for t in project.targets] == ["T1", "V1", "T2"]
+    assert project.target("T1").seed[0] == pytest.approx(SEEDS["T1"][1][0] + 0.05, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--seeds", "f", "--seed", 1, 2, 3],
+        ["--seeds", "f", "--name", "T1"],
+        ["--seeds", "f", "--line", "L1"],
+        ["--seed", 1, 2, 3, "--name", "T1", "--columns", "x,y,z"],
+        ["--seed", 1, 2, 3, "--name", "T1", "--replace"],
+        ["--seed", 1, 2, 3],
+        [],
+    ],
+)
+def test_options_that_do_not_go_together(
+    capsys: pytest.CaptureFixture[str], words: list[object]
+) -> None:
+    assert run(capsys, "pick", "nowhere", *words)[0] == 2
+
+
+def test_names_and_roles_where_the_list_has_none(
+    demo_project: Project, survey: Survey, tmp_path: Path
+) -> None:
+    path = tmp_path / "targets.txt"
+    path.write_text("x y z role\n1 -15 8 T\n2 -15 8 V\n3 -15 8\n")
+    read = read_seeds(path, demo_project, survey.trajectory)
+    assert [(seed.name, seed.role) for seed in read.seeds] == [
+        ("T1", "target"), ("V1", "validation"), ("T2", "target")
+    ]  # fmt: skip
+    assert [role_by_name(name) for name in ("V1", "v-2", "T1", "Wall", "7")] == [
+        "validation", "validation", "target", "target", "target"
+    ]  # fmt: skip
+
+
+def test_the_same_surface_twice_is_told(
+    demo_project: Project, survey: Survey, tmp_path: Path
+) -> None:
+    path = tmp_path / "targets.txt"
+    path.write_text(rows("T1") + rows("T1", offset=0.2).replace("T1", "Double"))
+    read = read_seeds(path, demo_project, survey.trajectory)
+    _, outcomes = pick_seeds(demo_project, survey, read.seeds, {})
+    assert outcomes[0].reason == ""
+    assert outcomes[1].reason == "The same surface as T1; keep one of the two."
+
+
+def test_cancelled_half_way_and_what_cannot_be_sought(
+    demo_project: Project, survey: Survey, tmp_path: Path
+) -> None:
+    path = tmp_path / "targets.txt"
+    path.write_text(rows("T1", "T2"))
+    read = read_seeds(path, demo_project, survey.trajectory)
+    told: list[tuple[float, str]] = []
+
+    def stop(fraction: float, message: str = "") -> None:
+        told.append((fraction, message))
+        if "T2" in message:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        pick_seeds(demo_project, survey, read.seeds, {}, progress=stop)
+    assert told[0] == (0.0, "Seeking T1 (1 of 2)")
+    assert told[-1] == (0.5, "Seeking T2 (2 of 2)")
+    assert demo_project.targets == ()
+    with pytest.raises(InputError, match="threshold"):
+        pick_seeds(demo_project, survey, read.seeds, {"threshold": -1.0})
+    with pytest.raises(ProjectError, match="radius above 0"):
+        pick_seeds(demo_project, survey, read.seeds, {"shape": "sphere", "sphere_radius": -1.0})
