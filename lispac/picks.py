@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
 from lispac.targets.expected import ExpectedTarget
+from lispac.targets.settings import USUAL, FinderChoices
 
 Role = Literal["target", "validation"]
 ROLES: tuple[Role, ...] = ("target", "validation")
@@ -57,6 +58,7 @@ class Target:
     seed : metres, local frame, where the user clicked
     missing : for each line without it, the reason in words
     expected : what is known of a plane's size and inclination beforehand
+    choices : what of the finder was chosen; the points are selected again with it
     """
 
     name: str
@@ -70,6 +72,7 @@ class Target:
     shape: Shape = "plane"
     sphere_radius: float | None = None
     expected: ExpectedTarget | None = None
+    choices: FinderChoices = USUAL
 
     def sighting(self, line: str) -> PickedSighting | None:
         """The sighting on ``line``, if there is one."""

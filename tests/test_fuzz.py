@@ -4,6 +4,7 @@ import json
 import shutil
 import warnings
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,7 @@ from lispac.io.seed_file import looks_like_a_list, read_point_list
 from lispac.survey.store import layout
 from lispac.survey.store.reading import open_store
 from lispac.survey.store.writing import write_store
+from lispac.targets.settings import FinderChoices
 from tests import point_files
 from tests.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like
 from tests.report_sample import sample_project
@@ -150,7 +152,9 @@ def remembered(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def project(folder: Path) -> tuple[Sources, Attempt]:
-    write_project(sample_project(folder / "p"))
+    made = sample_project(folder / "p")
+    first = replace(made.targets[0], choices=FinderChoices(min_points=50))
+    write_project(replace(made, targets=(first, *made.targets[1:])))
     path = folder / "p" / FILE_NAME
 
     def attempt(content: bytes) -> bool:

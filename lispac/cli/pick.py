@@ -2,7 +2,7 @@
 
 import sys
 from argparse import Namespace
-from math import radians
+from math import degrees, radians
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from lispac.cli.qualities import as_values
 from lispac.project import Target
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.quality import SightingQuality
+from lispac.targets.settings import FinderChoices
 from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow import picking, projects
 from lispac.workflow.coordinates import require_near
@@ -61,6 +62,10 @@ def _require_together(arguments: Namespace) -> None:
         raise UsageError("--sphere-radius is for spheres; add --shape sphere or leave it out")
     if arguments.expected is not None and arguments.shape != "plane":
         raise UsageError("--expected is for planes; leave it out")
+    if arguments.max_tilt > 90:
+        raise UsageError("--max-tilt is an angle of at most 90 deg")
+    if arguments.stop >= 1:
+        raise UsageError("--stop is a probability between 0 and 1")
     one = arguments.seeds is None
     if one and not arguments.name:
         raise UsageError("--seed needs --name, the name of the target")
@@ -81,6 +86,9 @@ def _how(arguments: Namespace) -> dict[str, Any]:
     return {
         "shape": arguments.shape, "sphere_radius": arguments.sphere_radius,
         "threshold": arguments.threshold, "radius": arguments.radius, "expected": expected,
+        "choices": FinderChoices(
+            arguments.min_points, radians(arguments.max_tilt), arguments.stop, arguments.random_seed
+        ),
     }  # fmt: skip
 
 
@@ -115,6 +123,11 @@ def as_json(
         "shape": target.shape,
         "sphere_radius_m": target.sphere_radius,
         "radius_m": target.radius,
+        "threshold_m": target.threshold,
+        "min_points": target.choices.min_points,
+        "max_tilt_deg": degrees(target.choices.max_tilt),
+        "stop": target.choices.stop,
+        "random_seed": target.choices.seed,
         "lines": lines,
         "missing": dict(target.missing),
     }

@@ -11,6 +11,7 @@ from lispac.cli.values import (
     positive,
     system_options,
     triple,
+    whole,
 )
 
 
@@ -60,6 +61,23 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         "at least 0.03, or 0.3 of a known radius where that is smaller)",
     )
     pick.add_argument("--radius", type=positive, metavar="METRES", help="search radius")
+    pick.add_argument(
+        "--min-points", type=whole(3), metavar="N", default=30,
+        help="fewest points of a plane or sphere in a line (default 30)",
+    )  # fmt: skip
+    pick.add_argument(
+        "--max-tilt", type=positive, metavar="DEG", default=15.0,
+        help="largest angle between a target in one line and in another (default 15)",
+    )  # fmt: skip
+    pick.add_argument(
+        "--stop", type=positive, metavar="P", default=0.98,
+        help="planes are drawn until one free of outliers is among them with this probability "
+        "(default 0.98)",
+    )  # fmt: skip
+    pick.add_argument(
+        "--random-seed", type=whole(0), metavar="N", default=0,
+        help="of the draws: the same seed gives the same points (default 0)",
+    )  # fmt: skip
     triple(
         pick, "--expected", ("WIDTH", "HEIGHT", "TILT"),
         "size of the plane (m) and its angle from level (deg) to compare with; "

@@ -62,7 +62,7 @@ class TargetWork(QObject):
         settings = self._dialogs.find_again(target)
         if settings is None:
             return
-        threshold, radius = settings
+        threshold, radius, choices = settings
 
         def work(progress: Progress) -> Target:
             from lispac.workflow import picking
@@ -70,7 +70,7 @@ class TargetWork(QObject):
             found = picking.find(
                 project, survey, target.seed, name=target.name, role=target.role,
                 shape=target.shape, sphere_radius=target.sphere_radius, threshold=threshold,
-                radius=radius, expected=target.expected, progress=progress,
+                radius=radius, expected=target.expected, choices=choices, progress=progress,
             )  # fmt: skip
             return _used_as_before(found, target)
 

@@ -5,6 +5,7 @@ from typing import Any
 
 from lispac.project import Role, Shape
 from lispac.targets.expected import ExpectedTarget
+from lispac.targets.settings import USUAL, FinderChoices
 
 
 @dataclass(frozen=True)
@@ -26,11 +27,12 @@ class Wishes:
     shape: Shape = "plane"
     sphere_radius: float | None = None
     expected: ExpectedTarget | None = None
+    choices: FinderChoices = USUAL
 
     @property
     def how(self) -> dict[str, Any]:
         """For `lispac.workflow.picking.find`: how targets are sought, whatever their names."""
         return {
             "shape": self.shape, "sphere_radius": self.sphere_radius, "expected": self.expected,
-            "threshold": self.threshold, "radius": self.radius,
+            "threshold": self.threshold, "radius": self.radius, "choices": self.choices,
         }  # fmt: skip

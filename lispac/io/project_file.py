@@ -39,6 +39,7 @@ from lispac.project import (
     require_target,
 )
 from lispac.targets.expected import ExpectedTarget
+from lispac.targets.settings import USUAL, FinderChoices
 from lispac.validation.comparison import PlaneComparison
 
 FILE_NAME = "project.json"
@@ -142,6 +143,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
                 "shape": target.shape,
                 "sphere_radius": target.sphere_radius,
                 "expected": encoded(target.expected),
+                "choices": None if target.choices == USUAL else encoded(target.choices),
                 "indices": index_files[target.name],
                 "sightings": [
                     {
@@ -229,6 +231,7 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
         content["shape"],
         content["sphere_radius"],
         decoded(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
+        decoded(choices, FinderChoices) if (choices := content["choices"]) else USUAL,
     )
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 3
+SCHEMA_VERSION = 4
 
 
 def upgraded(content: Content) -> Content:
@@ -42,4 +42,10 @@ def _from_2(content: Content) -> Content:
     }
 
 
-_UPGRADES: dict[int, Callable[[Content], Content]] = {1: _from_1, 2: _from_2}
+def _from_3(content: Content) -> Content:
+    """Version 4 says what of the finder was chosen for a target; before there was no choice."""
+    targets = [target | {"choices": None} for target in content["targets"]]
+    return content | {"schema_version": 4, "targets": targets}
+
+
+_UPGRADES: dict[int, Callable[[Content], Content]] = {1: _from_1, 2: _from_2, 3: _from_3}

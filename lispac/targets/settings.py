@@ -1,7 +1,8 @@
 """How a plane is sought."""
 
-from dataclasses import dataclass
-from math import radians
+from dataclasses import asdict, dataclass
+from math import degrees, pi, radians
+from typing import Any
 
 from lispac.errors import InputError
 
@@ -23,13 +24,13 @@ class FinderSettings:
         plane so far holds, reaches this value.
     min_points : int
         Smallest patch that counts as found.
-    max_tilt : float, radians
+    max_tilt : float, radians, at most a right angle
         Largest angle between a target in one line and the same target in another, or between
         the plane and an expected normal.
     max_shift : float, metres
         Farthest the prior boresight may displace a target from one line to another.
     seed : int
-        Seed of the random draws: the same points and settings give the same patch.
+        Seed of the random draws, 0 or more: the same points and settings give the same patch.
     """
 
     radius: float = 2.0
@@ -46,10 +47,55 @@ class FinderSettings:
             ("threshold", self.threshold > 0.0),
             ("stop", 0.0 < self.stop < 1.0),
             ("min_points", self.min_points >= 3),
-            ("max_tilt", self.max_tilt > 0.0),
+            ("max_tilt", 0.0 < self.max_tilt <= pi / 2),
             ("max_shift", self.max_shift >= 0.0),
+            ("seed", self.seed >= 0),
         ):
             if not good:  # a NaN fails every comparison, so it ends here too
                 raise InputError(
                     f"The plane finder cannot work with {name} = {getattr(self, name)}."
                 )
+
+
+@dataclass(frozen=True)
+class FinderChoices:
+    """What a user may choose of the finder besides threshold and radius; kept with a target.
+
+    Attributes
+    ----------
+    min_points, max_tilt, stop, seed
+        As of `FinderSettings`.
+    """
+
+    min_points: int = FinderSettings.min_points
+    max_tilt: float = FinderSettings.max_tilt
+    stop: float = FinderSettings.stop
+    seed: int = FinderSettings.seed
+
+    def __post_init__(self) -> None:
+        self.settings()
+
+    def settings(self, **others: Any) -> FinderSettings:
+        """Settings with these choices.
+
+        Raises
+        ------
+        InputError
+            Where the finder cannot work with them.
+        """
+        return FinderSettings(**asdict(self), **others)
+
+    @property
+    def in_words(self) -> str:
+        """What differs from the usual; empty where nothing does."""
+        said = (
+            (self.min_points != USUAL.min_points, f"at least {self.min_points} points"),
+            (self.max_tilt != USUAL.max_tilt, f"at most {degrees(self.max_tilt):g} deg of tilt"),
+            (self.stop != USUAL.stop, f"stop criterion {self.stop:g}"),
+            (self.seed != USUAL.seed, f"random seed {self.seed}"),
+        )
+        return ", ".join(words for differs, words in said if differs)
+
+
+USUAL = FinderChoices()
+"""What is chosen where nobody chooses."""

@@ -12,6 +12,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Shape, Target, Triple, require_target
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.finder import FinderSettings
+from lispac.targets.settings import USUAL, FinderChoices
 from lispac.targets.sphere_finder import RadiusSought, SpherePatch, patch_on_sphere
 from lispac.workflow.seeking import DEFAULT_RADII as DEFAULT_RADII
 from lispac.workflow.seeking import Patch, Place, Sought
@@ -32,6 +33,7 @@ def find(
     threshold: float | None = None,
     radius: float | None = None,
     expected: ExpectedTarget | None = None,
+    choices: FinderChoices = USUAL,
     progress: Progress = no_progress,
 ) -> Target:
     """Find the target at a seed: what `pick` would add.
@@ -51,6 +53,8 @@ def find(
         Search radius about the seed; `DEFAULT_RADII` where not given.
     expected : ExpectedTarget, optional
         What is known of a plane's size and inclination; the planes found are compared with it.
+    choices : FinderChoices
+        Fewest points, largest tilt and the like; kept with the target.
 
     Raises
     ------
@@ -63,12 +67,12 @@ def find(
     radii = sought.search_radii(role) if radius is None else (radius,)
     if threshold is None:
         threshold = sought.threshold(project.settings.threshold)
-    settings = FinderSettings(threshold=threshold, radius=radii[0])
+    settings = choices.settings(threshold=threshold, radius=radii[0])
     centre = np.asarray(seed, dtype=float)
     at: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
     target = Target(
         name, role, at, threshold, radii[0], (), shape=shape, sphere_radius=sphere_radius,
-        expected=expected if shape == "plane" else None,
+        expected=expected if shape == "plane" else None, choices=choices,
     )  # fmt: skip
     require_target(target)
     if line is not None:
@@ -104,6 +108,7 @@ def pick(
     threshold: float | None = None,
     radius: float | None = None,
     expected: ExpectedTarget | None = None,
+    choices: FinderChoices = USUAL,
     progress: Progress = no_progress,
 ) -> Project:
     """Find the target at a seed in every line (or one) and add it to the project.
@@ -117,7 +122,7 @@ def pick(
     target = find(
         project, survey, seed, name=name, role=role, shape=shape,
         sphere_radius=sphere_radius, line=line, threshold=threshold, radius=radius,
-        expected=expected, progress=progress,
+        expected=expected, choices=choices, progress=progress,
     )  # fmt: skip
     return project.with_target(target)
 

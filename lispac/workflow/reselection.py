@@ -10,7 +10,6 @@ from lispac.errors import TargetNotFound
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
-from lispac.targets.finder import FinderSettings
 from lispac.workflow.seeking import MET_SHIFT, Sought
 from lispac.workflow.survey import Survey
 
@@ -58,7 +57,7 @@ def selected_again(
     """
     line, seed = _moved_seed(target, before, after)
     narrowed = narrowed if target.shape == "plane" else 1.0
-    settings = FinderSettings(
+    settings = target.choices.settings(
         threshold=narrowed * target.threshold, radius=target.radius, max_shift=MET_SHIFT
     )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}

@@ -1,9 +1,11 @@
-"""Threshold and search radius with which a target is to be found again."""
+"""Threshold, search radius and the rest with which a target is to be found again."""
 
-from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLayout, QWidget
 
 from lispac.gui.panels import widgets
+from lispac.gui.panels.more_fields import MoreFields
 from lispac.project import Target
+from lispac.targets.settings import FinderChoices
 
 
 class FindAgainDialog(QDialog):
@@ -14,6 +16,7 @@ class FindAgainDialog(QDialog):
         self.setObjectName("find_again_dialog")
         self.setWindowTitle(f"Find {target.name} again")
         layout = widgets.column(self, 16)
+        layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # it follows the fold
         layout.addWidget(
             widgets.label(
                 f"{target.name} is sought at its seed on every line with these settings. What is "
@@ -36,6 +39,9 @@ class FindAgainDialog(QDialog):
         form.addRow("Threshold", self._threshold)
         form.addRow("Search radius", self._radius)
         layout.addLayout(form)
+        self._more = MoreFields("again")
+        self._more.show_value(target.choices)
+        layout.addWidget(self._more)
         find = widgets.button("Find", "again_find", primary=True)
         find.setDefault(True)
         find.clicked.connect(self.accept)
@@ -48,6 +54,6 @@ class FindAgainDialog(QDialog):
         layout.addLayout(row)
 
     @property
-    def settings(self) -> tuple[float, float]:
-        """Threshold and search radius, metres."""
-        return self._threshold.value() / 1000, self._radius.value()
+    def settings(self) -> tuple[float, float, FinderChoices]:
+        """Threshold and search radius, metres, and what else is chosen."""
+        return self._threshold.value() / 1000, self._radius.value(), self._more.value

@@ -22,6 +22,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.project import LineSource, Project, Target, Triple
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.targets.settings import FinderChoices
 from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.intake import ImportRequest
@@ -150,8 +151,8 @@ class Dialogs:
         dialog.deleteLater()
         return answer
 
-    def find_again(self, target: Target) -> tuple[float, float] | None:
-        """Threshold and search radius, metres, to find a target again with."""
+    def find_again(self, target: Target) -> tuple[float, float, FinderChoices] | None:
+        """Threshold and search radius (metres) and the rest, to find a target again with."""
         dialog = FindAgainDialog(target, self.parent)
         answer = dialog.settings if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()

@@ -19,6 +19,7 @@ from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.panels.candidate_box import CandidateBox
 from lispac.gui.panels.expected_fields import ExpectedFields
+from lispac.gui.panels.more_fields import MoreFields
 from lispac.gui.wishes import Wishes
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected import ExpectedTarget
@@ -50,6 +51,8 @@ class TargetsPanel(QWidget):
         layout.addWidget(self.hint)
         layout.addLayout(self._roles())
         layout.addLayout(self._seed_form())
+        self.more = MoreFields("seed")
+        layout.addWidget(self.more)
         self.candidate = CandidateBox()
         self.candidate.accept.clicked.connect(self.accepted)
         self.candidate.reject.clicked.connect(self.rejected)
@@ -105,7 +108,7 @@ class TargetsPanel(QWidget):
         """What the next seed is to make, and how it is sought."""
         return Wishes(
             self.role, self.line, self.current, self.threshold, self.radius, self.shape,
-            self.sphere_radius, self.expected,
+            self.sphere_radius, self.expected, self.more.value,
         )  # fmt: skip
 
     @property

@@ -1,0 +1,66 @@
+"""Fewest points and largest tilt, chosen in step 2 and in the dialogue that finds again."""
+
+from dataclasses import replace
+from math import radians
+
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
+
+from lispac.targets.settings import USUAL, FinderChoices
+from tests.gui.support import Driver, Left, click, open_step, seed, type_into
+from tests.gui.test_gui_seed_at import hand
+
+
+def unfold(driver: Driver, parent: QWidget, name: str) -> None:
+    head = parent.findChild(QToolButton, name)
+    driver.bot.mouseClick(head, Left, pos=QPoint(8, head.height() // 2))
+
+
+def field(parent: QWidget, name: str) -> QDoubleSpinBox:
+    return parent.findChild(QDoubleSpinBox, name)
+
+
+def test_chosen_for_the_next_seeds_and_told_when_folded(opened: Driver) -> None:
+    open_step(opened, 1)
+    panel = opened.window.targets
+    assert not field(panel, "seed_min_points").isVisible()
+    assert panel.more.fold.head.text() == "More"
+    assert panel.wishes.choices == USUAL
+    unfold(opened, panel, "seed_more")
+    type_into(opened, field(panel, "seed_min_points"), "50")
+    type_into(opened, field(panel, "seed_max_tilt"), "8")
+    unfold(opened, panel, "seed_more")
+    assert not field(panel, "seed_min_points").isVisible()
+    assert panel.more.fold.head.text() == "More: at least 50 points, at most 8° of tilt"
+    seed(opened, "T1")
+    click(opened, panel.candidate.accept)
+    chosen = FinderChoices(min_points=50, max_tilt=radians(8.0))
+    assert opened.project.target("T1").choices == chosen
+
+
+def test_found_again_with_other_choices(picked: Driver) -> None:
+    open_step(picked, 1)
+    before = FinderChoices(max_tilt=radians(12.34), seed=5)
+    project = picked.project
+    picked.window.document.edit(
+        "test", project.with_target(replace(project.target("T1"), choices=before))
+    )
+    picked.rest()
+    picked.window.targets.select("T1")
+    picked.bot.waitUntil(picked.window.actions_["find_again"].isEnabled)
+
+    def answer(dialog) -> None:
+        points = field(dialog, "again_min_points")
+        assert points.isVisible()  # unfolded: something else than the usual was chosen
+        assert field(dialog, "again_max_tilt").value() == 12.3
+        type_into(picked, points, "40")
+        picked.bot.mouseClick(dialog.findChild(QPushButton, "again_find"), Left)
+
+    seen = hand(picked, answer)
+    picked.window.actions_["find_again"].trigger()
+    picked.rest()
+    assert seen
+    candidate = picked.window.controller.candidate
+    assert candidate.choices == replace(before, min_points=40)
+    click(picked, picked.window.targets.candidate.accept)
+    assert picked.project.target("T1").choices == replace(before, min_points=40)

@@ -1,0 +1,158 @@
+"""What a user chooses of the finder: used, kept with the target, and used again."""
+
+import json
+import shutil
+from dataclasses import replace
+from math import inf, nan, radians
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import InputError, ProjectError, TargetNotFound
+from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.project import Project
+from lispac.survey.cloud import Cloud
+from lispac.targets.settings import USUAL, FinderChoices, FinderSettings
+from lispac.workflow import reselection
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.picking import find
+from lispac.workflow.seeking import Sought
+from lispac.workflow.survey import Survey, load_survey
+from tests.report_sample import sample_project
+
+SEED = demo_seeds()["T1"][1]
+CHOSEN = FinderChoices(min_points=50, max_tilt=radians(8.0), stop=0.9, seed=7)
+
+
+@pytest.fixture(scope="module")
+def survey(demo_project: Project) -> Survey:
+    """The built-in survey."""
+    return load_survey(demo_project)
+
+
+def test_the_usual_choices_are_those_of_the_finder() -> None:
+    assert USUAL.settings() == FinderSettings()
+    assert USUAL.in_words == ""
+    assert CHOSEN.settings(radius=3.0) == FinderSettings(
+        radius=3.0, min_points=50, max_tilt=radians(8.0), stop=0.9, seed=7
+    )
+    assert CHOSEN.in_words == (
+        "at least 50 points, at most 8 deg of tilt, stop criterion 0.9, random seed 7"
+    )
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"min_points": 2}, {"max_tilt": 0.0}, {"max_tilt": 1.6}, {"max_tilt": nan}, {"stop": 1.0},
+        {"stop": 0.0}, {"stop": inf}, {"seed": -1},
+    ],
+)  # fmt: skip
+def test_what_cannot_be_worked_with_is_refused(wrong: dict[str, Any]) -> None:
+    with pytest.raises(InputError, match=next(iter(wrong))):
+        FinderChoices(**wrong)
+
+
+def test_choices_decide_what_is_found(demo_project: Project, survey: Survey) -> None:
+    usual = find(demo_project, survey, SEED, name="T1")
+    assert usual.choices == USUAL
+    sizes = sorted(len(sighting.indices) for sighting in usual.sightings)
+    between = (sizes[0] + sizes[-1]) // 2
+    fewer = find(demo_project, survey, SEED, name="T1", choices=FinderChoices(min_points=between))
+    assert 0 < len(fewer.sightings) < len(usual.sightings)
+    assert min(len(sighting.indices) for sighting in fewer.sightings) >= between
+    assert fewer.choices.min_points == between
+    with pytest.raises(TargetNotFound, match=f"{10 * sizes[-1]}"):
+        find(
+            demo_project, survey, SEED, name="T1",
+            choices=FinderChoices(min_points=10 * sizes[-1]),
+        )  # fmt: skip
+    drawn = [
+        find(demo_project, survey, SEED, name="T1", choices=FinderChoices(seed=seed, stop=0.5))
+        for seed in (3, 3)
+    ]
+    for one, other in zip(drawn[0].sightings, drawn[1].sightings, strict=True):
+        np.testing.assert_array_equal(one.indices, other.indices)
+
+
+def test_points_are_selected_again_with_them(
+    demo_project: Project, survey: Survey, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = find(demo_project, survey, SEED, name="T1", choices=CHOSEN)
+    used: list[FinderSettings] = []
+    real = Sought.in_lines
+
+    def watched(self: Sought, clouds: Any, seed: Any, settings: Any, **others: Any) -> Any:
+        used.append(settings)
+        return real(self, clouds, seed, settings, **others)
+
+    monkeypatch.setattr(Sought, "in_lines", watched)
+    clouds: dict[str, Cloud] = dict(survey.clouds)
+    again = reselection.selected_again(target, clouds, clouds)
+    assert used == [
+        CHOSEN.settings(
+            radius=target.radius, threshold=reselection.NARROWED * target.threshold,
+            max_shift=reselection.MET_SHIFT,
+        )
+    ]  # fmt: skip
+    assert again.choices == CHOSEN
+    # With more points wanted than there are, none is found again and all stay as they were.
+    many = replace(target, choices=FinderChoices(min_points=1_000_000))
+    assert reselection.selected_again(many, clouds, clouds) is many
+
+
+def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    first = replace(project.targets[0], choices=CHOSEN)
+    project = replace(project, targets=(first, *project.targets[1:]))
+    write_project(project)
+    content = json.loads((tmp_path / "p" / FILE_NAME).read_text())
+    assert [target["choices"] is None for target in content["targets"]] == [
+        False, *(True for _ in project.targets[1:])
+    ]  # fmt: skip
+    read = read_project(tmp_path / "p")
+    assert [t.choices for t in read.targets] == [CHOSEN, *(USUAL for _ in project.targets[1:])]
+    for wrong, said in (({"min_points": 2}, "min_points = 2"), ({"surprise": 1}, "surprise")):
+        damaged = json.loads(json.dumps(content))
+        damaged["targets"][0]["choices"] |= wrong
+        (tmp_path / "p" / FILE_NAME).write_text(json.dumps(damaged))
+        with pytest.raises(ProjectError, match=said):
+            read_project(tmp_path / "p")
+
+
+def test_a_project_from_before_has_the_usual_ones(tmp_path: Path) -> None:
+    old = Path(__file__).parent / "data" / "project-3"
+    read = read_project(Path(shutil.copytree(old, tmp_path / "old")))
+    assert read.result is not None
+    assert {target.choices for target in read.targets} == {USUAL}
+
+
+def test_chosen_at_the_command_line(
+    capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
+) -> None:
+    folder = shutil.copytree(demo_project.folder, tmp_path / "demo")
+    chosen = ["--min-points", "50", "--max-tilt", "8", "--stop", "0.9", "--random-seed", "7"]
+    seed = ["--seed", *(str(value) for value in SEED), "--name", "T1"]
+    assert main(["pick", str(folder), *seed, *chosen, "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert (said["min_points"], said["stop"], said["random_seed"]) == (50, 0.9, 7)
+    assert said["max_tilt_deg"] == pytest.approx(8.0)
+    assert read_project(Path(folder)).target("T1").choices == CHOSEN
+    for wrong in (
+        ["--min-points", "2"], ["--min-points", "9.5"], ["--max-tilt", "0"], ["--max-tilt", "91"],
+        ["--stop", "1"], ["--random-seed", "-1"],
+    ):  # fmt: skip
+        try:
+            code = main(["pick", "nowhere", *seed, *wrong])
+        except SystemExit as stop:
+            code = int(stop.code or 0)
+        assert code == 2, wrong
+    capsys.readouterr()
+    # A list takes them too.
+    path = tmp_path / "targets.txt"
+    path.write_text("T9 " + " ".join(str(value) for value in SEED))
+    assert main(["pick", str(folder), "--seeds", str(path), *chosen]) == 0
+    assert read_project(Path(folder)).target("T9").choices == CHOSEN
