@@ -2,18 +2,23 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
 from lispac.geometry.frames import LocalFrame
+from lispac.project import LineSource, Project, Settings
 from lispac.simulation.port import ORIGIN, six_passes
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Profiler, scan
 from lispac.simulation.scene import Rectangle, Scene, Surface, tilted
 from lispac.simulation.survey import BORESIGHT_DEG, LEVER_ARM
 from lispac.simulation.vessel import RATE, sail
+from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, georeference
-from lispac.survey.trajectory import LocalTrajectory
+from lispac.survey.scan import Scan
+from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
+from lispac.workflow.survey import Survey
 
 WALL = -15.0  # metres west: 15 m to starboard of the line along it
 REACH = 7.0  # metres before and after abeam that are recorded
@@ -41,6 +46,32 @@ class Site:
         """Which points of a line are on the surfaces of these names."""
         wanted = [k for k, name in enumerate(self.scene.names) if name in names]
         return np.isin(self.echoes[line].label, wanted)
+
+    def opened(
+        self, off_deg: Iterable[float] = (0.0, 0.0, 0.0), *, noise: float = 0.002
+    ) -> tuple[Project, Survey]:
+        """A project of these lines, its prior boresight off by so much, and its survey."""
+        prior = np.degrees(self.boresight) + list(off_deg)
+        settings = Settings(
+            lever_arm=LEVER_ARM, boresight_deg=tuple(map(float, prior)), lidar_sigma=noise
+        )
+        project = Project(
+            Path("site"), Path("site.sbet"),
+            tuple(LineSource(name, Path(f"{name}.laz")) for name in self.echoes), settings,
+        )  # fmt: skip
+        scans = {name: Scan(echo.points_lidar, echo.time) for name, echo in self.echoes.items()}
+        mounting = project.mounting("prior")
+        clouds = {
+            name: CloudInMemory.of(scan, self.trajectory, mounting) for name, scan in scans.items()
+        }
+        heading = {
+            name: float(np.median(self.trajectory.at(scan.time).attitude[:, 2]))
+            for name, scan in scans.items()
+        }
+        accuracy = TrajectoryAccuracy.constant(
+            np.array(settings.position_sigma), np.radians(settings.attitude_sigma_deg)
+        )
+        return project, Survey(self.trajectory, accuracy, scans, clouds, heading, ())
 
     def points_lidar(self, line: str) -> np.ndarray:
         return self.echoes[line].points_lidar

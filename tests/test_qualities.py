@@ -115,3 +115,5 @@ def test_the_terminal_says_how_good_each_sighting_is(
         assert each["points"] > 50
         assert len(each["reasons"]) == (each["light"] != "good") or each["reasons"]
         assert 0 < each["incidence_deg"] < 90
+        assert each["share_shown"] is None or 0.9 < each["share_shown"] <= 1
+    assert {each["target"] for each in said if each["share_shown"] is not None} >= {"T1", "T2"}

@@ -336,7 +336,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
     target = project.targets[0]
     first, second, *others = target.sightings
     edited = replace(target, sightings=(first, replace(second, by_hand=True), *others))
-    quality = judged(board())
+    quality = replace(judged(board()), share_shown=0.512)
     content = report_content(
         project.with_target(edited), headings_deg={}, counts={}, track_local={}, notes=(),
         qualities={(target.name, line): quality for line in (first.line, second.line)},
@@ -346,5 +346,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
     assert [row[-1].endswith("Its points were edited by hand.") for row in table.rows] == [
         False, True,
     ]  # fmt: skip
+    assert [row[-2] for row in table.rows] == ["51", "51"]
     said = json.loads(json_text(content))["qualities"]
+    assert [each["share_shown"] for each in said] == [0.512, 0.512]
     assert [each["edited_by_hand"] for each in said] == [False, True]

@@ -24,6 +24,7 @@ def as_values(quality: SightingQuality) -> dict[str, Any]:
         "incidence_deg": None if incidence is None else float(np.degrees(incidence)),
         "extent_m": None if extent is None else [float(side) for side in extent],
         "coverage": quality.coverage,
+        "share_shown": quality.share_shown,
         "curvature_m": quality.curvature,
         "unevenness_m": quality.unevenness,
     }

@@ -238,6 +238,7 @@ def _judged(target: str, line: str, quality: SightingQuality, *, by_hand: bool) 
         quality.density,
         None if incidence is None else float(np.degrees(incidence)),
         quality.coverage,
+        quality.share_shown,
         by_hand,
     )
 

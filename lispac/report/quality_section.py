@@ -20,6 +20,7 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
             Column("Points\nper m²"),
             Column("Incidence\n(deg)"),
             Column("Covered\n(%)"),
+            Column("Shown\n(%)"),
             Column("Quality", "left", wide=True),
         ),
         rows(
@@ -32,12 +33,15 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
                 known(each.density_per_m2, lambda value: f"{value:,.0f}"),
                 known(each.incidence_deg, lambda value: f"{value:.0f}"),
                 f"{100 * each.coverage:.0f}",
+                known(each.share_shown, lambda value: f"{100 * value:.0f}"),
                 " ".join((f"{each.light.capitalize()}.", *each.reasons, *_edited(each))),
             ]
             for each in content.qualities
         ),
     )
     told = "RMS about the sighting's own surface; incidence counts from its normal."
+    if any(each.share_shown is not None for each in content.qualities):
+        told += " Shown is its size by what the other lines show of it."
     if not content.calibrated:
         told += (
             " What an error of the rough boresight can explain does not count in RMS, curvature and"

@@ -333,6 +333,7 @@ class SightingJudged:
     density_per_m2: float | None
     incidence_deg: float | None
     coverage: float
+    share_shown: float | None = None
     edited_by_hand: bool = False
 
 

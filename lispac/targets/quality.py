@@ -7,11 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 from scipy.stats import f as f_distribution
+from scipy.stats import norm
 
 from lispac.geometry.planes import Plane, extent_in_plane, in_plane_axes, rms_distance
 from lispac.geometry.spheres import Sphere, rms_from_sphere, share_seen
 from lispac.targets import outline
-from lispac.targets.smear import PRIOR_OFF, smear_taken_off
+from lispac.targets.hidden import HIDDEN, Shown
+from lispac.targets.smear import PRIOR_OFF, met_by_beams, smear_taken_off
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -27,10 +29,12 @@ OBLIQUE_DEG = (65.0, 75.0)
 # Share of the outline: with half of it missing, tilts hang on the parts that are left.
 SPARSE = (0.7, 0.5)
 # Times the noise by which the surface departs from flat: what one point can no longer hide, and
-# what moves the plane by more than its own points' noise.
-CURVED = (1.0, 3.0)
-# Chance at which a departure counts as there.
+# what moves the plane by more than its own points' noise. A bend is counted by its sagitta,
+# ripples by their RMS: a sagitta of three noises has an RMS of one, but ripples average out.
+CURVED, UNEVEN = (1.0, 3.0), (1.0, 1.5)
+# Chance at which a departure counts as there, and as beyond a limit.
 CERTAIN = 1e-3
+SIGMAS = float(norm.isf(CERTAIN))
 # Share of a sphere's surface; a full view shows half of it.
 LITTLE_SEEN = (0.2, 0.12)
 
@@ -62,6 +66,10 @@ class SightingQuality:
     smear : float or None, metres
         RMS of what an error of the boresight can explain; it is taken off before RMS, curvature and
         unevenness are judged. None where the boresight is an estimated one.
+    share_shown : float or None, in [0, 1]
+        Of what the other lines show of it; None where that cannot be compared.
+    flatness : "good", "doubtful" or "poor"
+        What RMS, curvature and unevenness alone give.
     light : "good", "doubtful" or "poor"
     reasons : tuple of str
         Why it is not good, the worst first.
@@ -80,6 +88,8 @@ class SightingQuality:
     light: Light
     reasons: tuple[str, ...]
     smear: float | None = None
+    share_shown: float | None = None
+    flatness: Light = "good"
 
     @property
     def words(self) -> str:
@@ -98,7 +108,19 @@ def with_remarks(quality: SightingQuality, remarks: tuple[str, ...]) -> Sighting
 def undetermined(points: int, rms: float, reason: str) -> SightingQuality:
     """The quality of points that form no plane or sphere."""
     return SightingQuality(
-        points, rms, 0.0, None, None, None, 0.0, None, False, None, "poor", (reason,)
+        points,
+        rms,
+        0.0,
+        None,
+        None,
+        None,
+        0.0,
+        None,
+        False,
+        None,
+        "poor",
+        (reason,),
+        flatness="poor",
     )
 
 
@@ -112,6 +134,7 @@ def plane_quality(
     scanner_local: Array | None = None,
     turns_local: Array | None = None,
     boresight_off: float = PRIOR_OFF,
+    shown: Shown | None = None,
 ) -> SightingQuality:
     """Judge a plane as one line saw it.
 
@@ -131,6 +154,8 @@ def plane_quality(
         the boresight is not estimated yet: what its error can explain does not count then.
     boresight_off : float, radians
         Sigma of that error in each angle.
+    shown : Shown, optional
+        What the other lines show of the same plane, where it ends within the search radius.
     """
     points = points_local[indices]
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
@@ -139,18 +164,32 @@ def plane_quality(
     cell = _cell(placed)
     area = outline.area(placed, cell)
     coverage = _coverage(placed, cell)
+    beams = None if scanner_local is None else points - scanner_local
     own = off
     if turns_local is not None:
-        own = smear_taken_off(placed, off, (turns_local @ plane.normal).T, noise, boresight_off)
-    sagitta, curved, uneven = _shape(placed, own, cell)
+        met, turns = points, turns_local
+        if beams is not None:
+            met, turns = met_by_beams(points, turns_local, off, beams, plane.normal)
+        met_placed = (met - points.mean(axis=0)) @ in_plane_axes(plane.normal).T
+        moves = (turns @ plane.normal).T
+        own = smear_taken_off(met_placed, off, moves, noise, boresight_off)
+    sagitta, doubt, curved, uneven = _shape(placed, own, cell)
     incidence = None
-    if scanner_local is not None:
-        beams = points - scanner_local
+    if beams is not None:
         cosines = np.abs(beams @ plane.normal) / np.linalg.norm(beams, axis=1)
         incidence = float(np.median(np.arccos(np.minimum(cosines, 1.0))))
     rms = rms_distance(plane, points)
     rms_own = float(np.sqrt(np.mean(own**2)))
-    said = [*_few(len(points)), *_rough(rms_own, noise)]
+    flat = _rough(rms, rms_own, noise)
+    if curved:
+        flat += _beyond(
+            (sagitta - SIGMAS * doubt) / noise, CURVED,
+            f"It is curved: {1000 * sagitta:.1f} mm over its extent",
+        )  # fmt: skip
+    flat += _beyond(
+        uneven / noise, UNEVEN, f"It is not flat: it departs by {1000 * uneven:.1f} mm (RMS)"
+    )
+    said = _few(len(points))
     if incidence is not None:
         degrees = float(np.degrees(incidence))
         said += _beyond(
@@ -160,18 +199,13 @@ def plane_quality(
         -coverage, (-SPARSE[0], -SPARSE[1]),
         f"Points cover only {100 * coverage:.0f} % of its outline",
     )  # fmt: skip
-    if curved:
-        said += _beyond(
-            sagitta / noise, CURVED, f"It is curved: {1000 * sagitta:.1f} mm over its extent"
-        )
-    said += _beyond(
-        uneven / noise, CURVED, f"It is not flat: it departs by {1000 * uneven:.1f} mm (RMS)"
-    )
+    said += _hidden(shown) + flat
     light, reasons = _judged(said)
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
         extent_in_plane(plane, points), coverage, sagitta, curved, uneven, light, reasons,
         None if turns_local is None else float(np.sqrt(np.mean((off - own) ** 2))),
+        None if shown is None else shown.share, _judged(flat)[0],
     )  # fmt: skip
 
 
@@ -182,7 +216,8 @@ def sphere_quality(
     points = points_local[indices]
     share = share_seen(sphere, points)
     rms = rms_from_sphere(sphere, points)
-    said = [*_few(len(points)), *_rough(rms, noise)]
+    flat = _rough(rms, rms, noise)
+    said = _few(len(points)) + flat
     said += _beyond(
         -share, (-LITTLE_SEEN[0], -LITTLE_SEEN[1]),
         f"Only {100 * share:.0f} % of its surface is seen",
@@ -191,7 +226,7 @@ def sphere_quality(
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), None, None, None, share, None, False, None,
-        light, reasons,
+        light, reasons, flatness=_judged(flat)[0],
     )  # fmt: skip
 
 
@@ -199,12 +234,20 @@ def _few(points: int) -> list[tuple[int, str]]:
     return _beyond(-points, (-FEW_POINTS[0], -FEW_POINTS[1]), f"It has only {points} points")
 
 
-def _rough(rms: float, noise: float) -> list[tuple[int, str]]:
-    text = (
-        f"Its RMS of {1000 * rms:.1f} mm is {rms / noise:.1f} times the noise: "
-        "it is rough or not flat"
-    )
-    return _beyond(rms / noise, ROUGH, text)
+def _rough(rms: float, own: float, noise: float) -> list[tuple[int, str]]:
+    """By the RMS without what the boresight can explain; the RMS said is that of the points."""
+    said = f"Its RMS of {1000 * rms:.1f} mm is {rms / noise:.1f} times the noise"
+    if f"{own / noise:.1f}" != f"{rms / noise:.1f}":
+        said += f", {own / noise:.1f} times without what the rough boresight explains"
+    return _beyond(own / noise, ROUGH, f"{said}: it is rough or not flat")
+
+
+def _hidden(shown: Shown | None) -> list[tuple[int, str]]:
+    if shown is None:
+        return []
+    if shown.alone:
+        return [(1, f"{shown.words}.")]
+    return _beyond(-shown.share, (-HIDDEN[0], -HIDDEN[1]), shown.words)
 
 
 def _beyond(value: float, limits: tuple[float, float], text: str) -> list[tuple[int, str]]:
@@ -244,8 +287,8 @@ def _coverage(placed: Array, cell: float) -> float:
     return float(np.count_nonzero(filled) / np.count_nonzero(inside))
 
 
-def _shape(placed: Array, off: Array, cell: float) -> tuple[float, bool, float]:
-    """Sagitta of the best quadric, whether it is more than chance, and what departs from it.
+def _shape(placed: Array, off: Array, cell: float) -> tuple[float, float, bool, float]:
+    """Sagitta of the best quadric, its sigma, whether it is more than chance, what departs from it.
 
     From the means of the cells: neighbours see the same roughness, and cells do not.
     """
@@ -254,31 +297,36 @@ def _shape(placed: Array, off: Array, cell: float) -> tuple[float, bool, float]:
     key = key.reshape(-1)
     x, y, w = (np.bincount(key, values) / count for values in (*placed.T, off))
     if len(count) < 12:
-        return 0.0, False, 0.0
+        return 0.0, 0.0, False, 0.0
     root = np.sqrt(count)
     flat = np.stack([np.ones_like(x), x, y], axis=1)
     bent = np.stack([*flat.T, x * x, x * y, y * y], axis=1)
     left = []
     for design in (flat, bent):
-        solved = _solved(design, w, count.astype(float))
+        solved, inverse = _solved(design, w, count.astype(float))
         left.append(root * (w - np.einsum("nk,k->n", design, solved)))
     _, _, _, xx, xy, yy = solved
     bends, directions = np.linalg.eigh(np.array([[2 * xx, xy], [xy, 2 * yy]]))
     lengths = np.ptp(placed @ directions, axis=0)
-    sagitta = float(np.max(np.abs(bends) * lengths**2 / 8))
+    sagittas = np.abs(bends) * lengths**2 / 8
+    most = int(np.argmax(sagittas))
     plain, smooth = (float(each @ each) for each in left)
     freedom = len(count) - 6
     ratio = (plain - smooth) / 3 / max(smooth / freedom, 1e-30)
+    u, v = directions[:, most]
+    across = np.array([2 * u * u, 2 * u * v, 2 * v * v])
+    spread = float(across @ inverse[3:, 3:] @ across) * smooth / freedom
+    doubt = np.sqrt(max(spread, 0.0)) * lengths[most] ** 2 / 8
     curved = bool(f_distribution.sf(ratio, 3, freedom) < CERTAIN)
     # Within a cell there is only noise; what the means have beyond it is the surface's own.
     within = float(np.sum((off - w[key]) ** 2)) / max(len(off) - len(count), 1)
     beyond = smooth / freedom - within
     uneven = float(np.sqrt(max(beyond, 0.0) / np.mean(count)))
-    return sagitta, curved, uneven
+    return float(sagittas[most]), float(doubt), curved, uneven
 
 
-def _solved(design: Array, values: Array, weights: Array) -> Array:
-    """Weighted least squares with a few unknowns, shape (k,).
+def _solved(design: Array, values: Array, weights: Array) -> tuple[Array, Array]:
+    """Weighted least squares with a few unknowns, shape (k,), and the inverse of its matrix (k, k).
 
     Not by the matrix library's threads, which on a busy machine wait for each other far longer than
     so little takes.
@@ -288,4 +336,5 @@ def _solved(design: Array, values: Array, weights: Array) -> Array:
     normal = np.einsum("n,ni,nj->ij", weights, scaled, scaled)
     right = np.einsum("n,ni,n->i", weights, scaled, values)
     # Cells in one row leave a direction open; the shortest solution serves.
-    return np.asarray(np.linalg.lstsq(normal, right, rcond=1e-12)[0] / scale)
+    inverse = np.linalg.pinv(normal, rcond=1e-12, hermitian=True)
+    return inverse @ right / scale, inverse / np.outer(scale, scale)

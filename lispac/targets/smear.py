@@ -43,3 +43,28 @@ def smear_taken_off(placed: Array, off: Array, moves: Array, noise: float, off_b
     right = np.einsum("ni,n->i", design, off) / noise**2
     found = np.linalg.lstsq(normal, right, rcond=1e-14)[0]
     return np.asarray(off - design @ found)
+
+
+def met_by_beams(
+    points: Array, turns: Array, off: Array, beams: Array, normal: Array
+) -> tuple[Array, Array]:
+    """Where the beams meet the plane, and how these points move as the boresight turns.
+
+    A point off the plane lies farther along its beam, and moves farther. Both are the surface's own
+    shape once more, which the turns would explain with itself where the beams meet it aslant.
+
+    Parameters
+    ----------
+    points : ndarray of shape (m, 3), metres
+    turns : ndarray of shape (3, m, 3), metres per radian
+    off : ndarray of shape (m,), metres, from the plane
+    beams : ndarray of shape (m, 3), metres
+        From the scanner to each point.
+    normal : ndarray of shape (3,)
+        Of the plane.
+    """
+    ahead = beams @ normal
+    # Seen edge on a beam meets the plane anywhere: there points are taken as they are.
+    clear = np.abs(off) < 0.1 * np.abs(ahead)
+    along = np.where(clear, off, 0.0) / np.where(clear, ahead, 1.0)
+    return points - along[:, None] * beams, turns * (1.0 - along)[None, :, None]

@@ -13,6 +13,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import ROLES, PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.targets.expected import deviations
+from lispac.targets.hidden import Shown, ends_within, shown_of
 from lispac.targets.quality import (
     SightingQuality,
     plane_quality,
@@ -23,6 +24,8 @@ from lispac.targets.quality import (
 from lispac.targets.smear import PRIOR_OFF, ROUGHLY_OFF
 from lispac.workflow.reselection import selected_again
 from lispac.workflow.survey import Survey
+
+Array = NDArray[np.float64]
 
 Key = tuple[str, str]
 """Names of target and line."""
@@ -37,11 +40,18 @@ class Judged:
 
     quality: SightingQuality
     indices: NDArray[np.int64]
+    beside: tuple[tuple[NDArray[np.int64], bool], ...]
     of: tuple[object, ...]
 
     def holds(self, project: Project, target: Target, sighting: PickedSighting) -> bool:
         """Whether the quality is that of the sighting as the project has it now."""
-        return self.indices is sighting.indices and self.of == _rests_on(project, target)
+        now = _beside(target)
+        return (
+            self.indices is sighting.indices
+            and len(self.beside) == len(now)
+            and all(a[0] is b[0] and a[1] == b[1] for a, b in zip(self.beside, now, strict=True))
+            and self.of == _rests_on(project, target)
+        )
 
 
 def judge(
@@ -83,10 +93,10 @@ def judge(
             sightings = tuple(replace(s, used=True) for s in target.sightings)
             every = replace(target, sightings=sightings, used=True)
             now = selected_again(every, survey.clouds, placed, narrowed=1.0)
-        for picked, sighting in zip(target.sightings, now.sightings, strict=True):
-            quality = _quality(project, survey, placings[target.role], target, sighting)
+        found = _of_target(project, survey, placings[target.role], target, now.sightings)
+        for picked, quality in zip(target.sightings, found, strict=True):
             judged[target.name, picked.line] = Judged(
-                quality, picked.indices, _rests_on(project, target)
+                quality, picked.indices, _beside(target), _rests_on(project, target)
             )
     return judged
 
@@ -122,6 +132,7 @@ class _Placing:
     scanner: Georeferencer
     turned: tuple[Georeferencer, ...]
     boresight_off: float
+    nearly_meets: bool
 
     @classmethod
     def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_Placing":
@@ -137,31 +148,91 @@ class _Placing:
             if not estimated
             else (),
             ROUGHLY_OFF if estimated or survey.aligned.nearly_meets else PRIOR_OFF,
+            estimated or survey.aligned.nearly_meets,
         )
 
 
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """The points of a sighting: as measured, when, and placed."""
+
+    lidar: Array
+    time: Array
+    local: Array
+
+    @classmethod
+    def of(cls, survey: Survey, placing: _Placing, sighting: PickedSighting) -> "_Seen":
+        lidar, time = survey.scans[sighting.line].take(sighting.indices)
+        return cls(lidar, time, placing.points(lidar, time))
+
+
+def _of_target(
+    project: Project,
+    survey: Survey,
+    placing: _Placing,
+    target: Target,
+    sightings: tuple[PickedSighting, ...],
+) -> list[SightingQuality]:
+    """The quality of each sighting as selected, those that were picked being the target's own."""
+    seen = [_Seen.of(survey, placing, sighting) for sighting in sightings]
+    shown: list[Shown | None] = [None] * len(seen)
+    if target.shape == "plane" and placing.nearly_meets:
+        shown = _shown(target, placing, seen)
+    return [
+        _quality(project, placing, target, sighting, each, beside)
+        for sighting, each, beside in zip(sightings, seen, shown, strict=True)
+    ]
+
+
+def _shown(target: Target, placing: _Placing, seen: list[_Seen]) -> list[Shown | None]:
+    """What each line shows of a plane, where the search radius cuts it on none."""
+    planes: dict[int, Array] = {}
+    extents = []
+    for k, each in enumerate(seen):
+        try:
+            extents.append(extent_in_plane(fit_plane(each.local), each.local))
+        except LispacError:  # said of that sighting
+            continue
+        planes[k] = each.local
+    shown: list[Shown | None] = [None] * len(seen)
+    if len(planes) < 2 or not ends_within(target.radius, extents):
+        return shown
+    ranges = [float(np.median(np.linalg.norm(seen[k].lidar, axis=1))) for k in planes]
+    found = shown_of(
+        list(planes.values()),
+        [target.sightings[k].used for k in planes],
+        placing.boresight_off * max(ranges),
+    )
+    for k, each_shown in zip(planes, found, strict=True):
+        shown[k] = each_shown
+    return shown
+
+
 def _quality(
-    project: Project, survey: Survey, placing: _Placing, target: Target, sighting: PickedSighting
+    project: Project,
+    placing: _Placing,
+    target: Target,
+    sighting: PickedSighting,
+    seen: _Seen,
+    shown: Shown | None,
 ) -> SightingQuality:
-    points_lidar, time = survey.scans[sighting.line].take(sighting.indices)
-    points_local = placing.points(points_lidar, time)
     noise = lidar_noise(project.settings)
-    every = np.arange(len(points_local))
+    every = np.arange(len(seen.local))
     try:
         if target.shape == "sphere":
-            sphere = fit_sphere(points_local, target.sphere_radius)
-            return sphere_quality(points_lidar, points_local, every, sphere, noise)
-        plane = fit_plane(points_local)
+            sphere = fit_sphere(seen.local, target.sphere_radius)
+            return sphere_quality(seen.lidar, seen.local, every, sphere, noise)
+        plane = fit_plane(seen.local)
     except LispacError as error:
         return undetermined(len(every), sighting.rms, str(error))
     turns = None
     if placing.turned:
-        turned = [each(points_lidar, time) for each in placing.turned]
-        turns = np.stack([(points - points_local) / STEP for points in turned])
+        turned = [each(seen.lidar, seen.time) for each in placing.turned]
+        turns = np.stack([(points - seen.local) / STEP for points in turned])
     quality = plane_quality(
-        points_lidar, points_local, every, plane, noise,
-        scanner_local=placing.scanner(np.zeros_like(points_lidar), time), turns_local=turns,
-        boresight_off=placing.boresight_off,
+        seen.lidar, seen.local, every, plane, noise,
+        scanner_local=placing.scanner(np.zeros_like(seen.lidar), seen.time), turns_local=turns,
+        boresight_off=placing.boresight_off, shown=shown,
     )  # fmt: skip
     if target.expected is None or quality.extent is None:
         return quality
@@ -190,11 +261,16 @@ def lidar_noise(settings: Settings) -> float:
     return settings.lidar_sigma
 
 
+def _beside(target: Target) -> tuple[tuple[NDArray[np.int64], bool], ...]:
+    """The sightings that a quality is compared with."""
+    return tuple((sighting.indices, sighting.used) for sighting in target.sightings)
+
+
 def _rests_on(project: Project, target: Target) -> tuple[object, ...]:
     """Besides the points, what a quality depends on."""
     estimated = _is_selected_again(project, target.role)
     mounting = project.mounting("estimated" if estimated else "prior")
     return (
-        target.shape, target.sphere_radius, target.expected, lidar_noise(project.settings),
-        estimated, *mounting.values.tolist(),
+        target.shape, target.sphere_radius, target.radius, target.expected,
+        lidar_noise(project.settings), estimated, *mounting.values.tolist(),
     )  # fmt: skip

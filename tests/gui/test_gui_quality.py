@@ -28,6 +28,7 @@ def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
     picked.bot.waitUntil(lambda: shown(picked, "T1", line, Role.DecorationRole) is not None)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
     assert "m²" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert " % of what the other lines show" in shown(picked, "T1", line, Role.ToolTipRole)
     assert "before the calibration" in shown(picked, "T1", line, Role.ToolTipRole)
     assert shown(picked, "T1", line).endswith("mm")
     steep = picked.project.target("T2").sightings[-1].line
@@ -41,6 +42,7 @@ def test_a_poor_one_is_told_and_can_be_left_out_and_undone(picked: Driver) -> No
     picked.rest()
     assert shown(picked, "T1", line).endswith("poor")
     assert "It has only 40 points." in shown(picked, "T1", line, Role.ToolTipRole)
+    assert " % of what the other lines show: 0." in shown(picked, "T1", line, Role.ToolTipRole)
     picked.window.controller.use_sighting("T1", line, False)
     picked.rest()
     assert shown(picked, "T1", line).endswith("poor")
@@ -58,7 +60,8 @@ def test_after_the_calibration_they_are_judged_with_its_boresight(
     picked.rest()
     tip = shown(picked, "T1", line, Role.ToolTipRole)
     assert "Quality: good" in tip
-    assert "prior boresight" not in tip
+    assert "rough boresight" not in tip
+    assert "Judged with the estimated boresight, from " in tip
     # Leaving one out keeps the lights of the others while the new result is on its way.
     picked.window.controller.use_sighting("T1", line, False)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)

@@ -282,11 +282,18 @@ def quality_words(quality: SightingQuality) -> str:
         figures.append(f"{quality.incidence * 57.29578:.0f}° from the normal")
     if quality.extent is not None:
         figures.append(f"{quality.extent[0]:.2f} × {quality.extent[1]:.2f} m")
+    if quality.share_shown is not None:
+        figures.append(f"{100 * quality.share_shown:.0f} % of what the other lines show")
     lines = [f"Quality: {quality.light}", *quality.reasons, ", ".join(figures)]
     if quality.smear is not None:
         lines.append(
             f"Up to {quality.smear * 1000:.1f} mm (RMS) may be the error of the rough boresight; "
             "it does not count before the calibration"
+        )
+    elif quality.incidence is not None:
+        lines.append(
+            f"Judged with the estimated boresight, from {quality.points:,} points with an RMS of "
+            f"{quality.rms * 1000:.1f} mm"
         )
     return "\n".join(lines)
 

@@ -1,0 +1,133 @@
+"""What a line shows of a target, by what the other lines show of it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.geometry.planes import fit_plane
+from lispac.gui.panels.sightings_table import quality_words
+from lispac.project import Project
+from lispac.targets.hidden import Shown, ends_within, shown_of
+from lispac.targets.quality import plane_quality
+from lispac.workflow.qualities import judge, judge_target
+from lispac.workflow.survey import Survey
+from tests.test_quality import NOISE
+
+
+def seen(
+    *, wide: tuple[float, float] = (-0.6, 0.6), high: tuple[float, float] = (-0.5, 0.5),
+    beside: float = 0.0, seed: int = 0,
+) -> np.ndarray:  # fmt: skip
+    """Points of a board 20 m west, what is shown of it by its edges, laid so far beside itself."""
+    rng = np.random.default_rng(seed)
+    north, up = rng.uniform(*np.transpose([wide, high]), (2000, 2)).T
+    return np.stack([north + beside, 20.0 + rng.normal(0, NOISE, 2000), up], axis=1)
+
+
+def shares(*sightings: np.ndarray, apart: float = 0.05) -> list[Shown]:
+    found = shown_of(sightings, [True] * len(sightings), apart)
+    assert all(each is not None for each in found)
+    return [each for each in found if each is not None]
+
+
+def test_what_all_lines_show_alike_is_whole():
+    for each in shares(*(seen(seed=k, beside=0.02 * k) for k in range(4))):
+        assert each.share > 0.98
+        assert not each.alone
+        np.testing.assert_allclose(each.size, [1.2, 1.0], atol=0.01)
+        np.testing.assert_allclose(each.elsewhere, [1.2, 1.0], atol=0.01)
+
+
+def test_half_a_board_is_half_whatever_the_line_lies_beside():
+    half, whole = shares(seen(wide=(0.0, 0.6), beside=0.3), seen())
+    assert half.share == pytest.approx(0.5, abs=0.01)
+    assert half.words == "It shows 50 % of what the other lines show: 0.60 of 1.20 m wide"
+    assert whole.share > 0.999
+
+
+def test_a_quarter_is_told_in_both_directions():
+    quarter, _ = shares(seen(wide=(0.0, 0.6), high=(-0.5, 0.0)), seen())
+    assert quarter.share == pytest.approx(0.25, abs=0.01)
+    assert "0.60 of 1.20 m wide and 0.50 of 1.00 m high" in quarter.words
+
+
+def test_parts_on_several_lines_make_a_whole():
+    """A post before the middle: one line shows the left part, another the right."""
+    left, right, middle = shares(
+        seen(wide=(-0.6, 0.0)), seen(wide=(0.0, 0.6)), seen(wide=(-0.1, 0.1)), apart=0.01
+    )
+    assert middle.share == pytest.approx(0.2 / 1.18, abs=0.01)
+    # Beside each other they are not what one of them hides.
+    assert left.share == pytest.approx(0.6 / 0.68, abs=0.01)
+    assert right.share == left.share or right.share == pytest.approx(left.share, abs=0.02)
+
+
+def test_one_line_against_several_is_the_odd_one():
+    """It grew over the edge; the others do not hide half of what it shows."""
+    grown, *others = shares(seen(wide=(-0.6, 1.8)), *(seen(seed=k) for k in range(1, 5)))
+    assert grown.alone
+    assert grown.words.startswith("It shows more than any other line: 2.40 m wide, 1.20 m there")
+    assert all(each.share > 0.98 and not each.alone for each in others)
+    assert shares(seen(wide=(-0.6, 1.8)), seen())[1].share == pytest.approx(0.5, abs=0.01)
+
+
+def test_only_what_is_used_is_compared_with():
+    points = [seen(wide=(0.0, 0.6)), seen()]
+    assert shown_of(points, [True, False], 0.05)[0] is None
+    assert shown_of(points, [False, True], 0.05)[0].share < 0.51
+    assert shown_of(points[:1], [True], 0.05) == (None,)
+
+
+@pytest.mark.parametrize(("part", "light"), [(0.75, "good"), (0.6, "doubtful"), (0.4, "poor")])
+def test_the_limits(part, light):
+    points = seen(wide=(0.0, 1.2 * part))
+    (shown, _) = shares(points, seen())
+    quality = plane_quality(
+        points, points, np.arange(len(points)), fit_plane(points), NOISE, shown=shown
+    )
+    assert quality.light == light
+    assert quality.share_shown == pytest.approx(part, abs=0.01)
+    assert ("of what the other lines show" in quality.words) == (light != "good")
+    assert f"{100 * shown.share:.0f} % of what the other lines show" in quality_words(quality)
+
+
+def test_a_wall_cut_by_the_search_radius_is_not_compared():
+    assert ends_within(2.0, [np.array([1.23, 1.22]), np.array([0.6, 1.22])])
+    assert not ends_within(2.0, [np.array([3.9, 1.2]), np.array([0.6, 1.2])])
+
+
+def narrowed(project: Project, survey: Survey, name: str, line: str) -> Project:
+    """The project, a sighting with the northern half of its points."""
+    target = project.target(name)
+    sighting = target.sighting(line)
+    north = survey.clouds[line][sighting.indices][:, 0]
+    half = replace(sighting, indices=sighting.indices[north > np.median(north)])
+    return project.with_target(
+        replace(target, sightings=tuple(half if s.line == line else s for s in target.sightings))
+    )
+
+
+def test_on_the_demo_a_half_is_told_and_the_others_are_judged_anew(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    project = replace(project, result=None)
+    line = project.target("T1").sightings[0].line
+    whole = judge(project, survey)
+    assert whole["T1", line].quality.share_shown > 0.95
+    assert whole["V5", line].quality.share_shown is None  # cut by the search radius
+    half = narrowed(project, survey, "T1", line)
+    judged = judge(half, survey, known=whole)
+    quality = judged["T1", line].quality
+    assert quality.light != "good"
+    assert "of what the other lines show: 0.6" in quality.words
+    # The others rest on it too, and what they rest on has changed.
+    assert all(each is not whole[key] for key, each in judged.items() if key[0] == "T1")
+    assert all(each is whole[key] for key, each in judged.items() if key[0] != "T1")
+    # Without the others there is nothing to compare with.
+    target = half.target("T1")
+    alone = replace(
+        target, sightings=tuple(replace(s, used=s.line == line) for s in target.sightings)
+    )
+    assert judge_target(half, survey, alone)[line].share_shown is None
