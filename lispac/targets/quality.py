@@ -24,6 +24,9 @@ Light = Literal["good", "doubtful", "poor"]
 FEW_POINTS = (200, 50)
 # Times the noise: with noise alone the RMS is one, and mixed pixels add a tenth.
 ROUGH = (2.0, 3.0)
+# Of the threshold that points were found with. Spread evenly up to it they have an RMS of 0.58 of
+# it, and more of the surface lies beyond: what is rough already is poor then.
+FILLED = 0.5
 # Degrees: the footprint of the beam grows with the tangent, four times at 75.
 OBLIQUE_DEG = (65.0, 75.0)
 # Share of the outline: with half of it missing, tilts hang on the parts that are left.
@@ -134,6 +137,7 @@ def plane_quality(
     scanner_local: Array | None = None,
     turns_local: Array | None = None,
     boresight_off: float = PRIOR_OFF,
+    threshold: float | None = None,
     shown: Shown | None = None,
 ) -> SightingQuality:
     """Judge a plane as one line saw it.
@@ -154,6 +158,8 @@ def plane_quality(
         the boresight is not estimated yet: what its error can explain does not count then.
     boresight_off : float, radians
         Sigma of that error in each angle.
+    threshold : float, metres, optional
+        Farthest from the plane that points were looked for.
     shown : Shown, optional
         What the other lines show of the same plane, where it ends within the search radius.
     """
@@ -180,7 +186,7 @@ def plane_quality(
         incidence = float(np.median(np.arccos(np.minimum(cosines, 1.0))))
     rms = rms_distance(plane, points)
     rms_own = float(np.sqrt(np.mean(own**2)))
-    flat = _rough(rms, rms_own, noise)
+    flat = _rough(rms, rms_own, noise, threshold)
     if curved:
         flat += _beyond(
             (sagitta - SIGMAS * doubt) / noise, CURVED,
@@ -216,7 +222,7 @@ def sphere_quality(
     points = points_local[indices]
     share = share_seen(sphere, points)
     rms = rms_from_sphere(sphere, points)
-    flat = _rough(rms, rms, noise)
+    flat = _rough(rms, rms, noise, None)
     said = _few(len(points)) + flat
     said += _beyond(
         -share, (-LITTLE_SEEN[0], -LITTLE_SEEN[1]),
@@ -234,12 +240,17 @@ def _few(points: int) -> list[tuple[int, str]]:
     return _beyond(-points, (-FEW_POINTS[0], -FEW_POINTS[1]), f"It has only {points} points")
 
 
-def _rough(rms: float, own: float, noise: float) -> list[tuple[int, str]]:
+def _rough(rms: float, own: float, noise: float, threshold: float | None) -> list[tuple[int, str]]:
     """By the RMS without what the boresight can explain; the RMS said is that of the points."""
     said = f"Its RMS of {1000 * rms:.1f} mm is {rms / noise:.1f} times the noise"
     if f"{own / noise:.1f}" != f"{rms / noise:.1f}":
         said += f", {own / noise:.1f} times without what the rough boresight explains"
-    return _beyond(own / noise, ROUGH, f"{said}: it is rough or not flat")
+    said += ": it is rough or not flat"
+    limits = ROUGH
+    if threshold is not None and own > FILLED * threshold:
+        said += f", and more of it lies beyond the threshold of {1000 * threshold:.0f} mm"
+        limits = (ROUGH[0], ROUGH[0])
+    return _beyond(own / noise, limits, said)
 
 
 def _hidden(shown: Shown | None) -> list[tuple[int, str]]:

@@ -19,8 +19,10 @@ from lispac.project import PickedSighting, Project, Role, Target, Triple
 from lispac.survey.cloud import Cloud, placed_with
 from lispac.targets.detection import DetectedPlane, Found, detect_planes
 from lispac.targets.finder import FinderSettings
+from lispac.targets.hidden import ends_within
 from lispac.validation.comparison import reciprocal
 from lispac.workflow.calibration import observations_of
+from lispac.workflow.qualities import qualities
 from lispac.workflow.seeking import MET_SHIFT, planes_in_lines
 from lispac.workflow.survey import Survey
 
@@ -31,8 +33,9 @@ WORTH_IT = 0.85
 """A target that leaves more than this share of every sigma is left for validation."""
 LARGE = 2.0
 """Square metres from which a plane is large enough for validation, where there are others."""
-PLANAR = 3.0
-"""Times the noise: a plane with a larger RMS is proposed for nothing."""
+NOT_FLAT = 0.5
+"""Share of its sightings: a plane whose flatness is poor on so many is proposed for nothing. An RMS
+of more than three times the LiDAR noise is poor, and so are ripples and bends."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +69,6 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         Fewer than two planes on two lines or more.
     """
     threshold = project.settings.threshold
-    noise = threshold / PLANAR
     progress(0.0, "Laying the lines roughly onto each other")
     aligned = survey.aligned
     settings = FinderSettings(threshold=threshold)
@@ -76,30 +78,32 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     def find(seed: Array, line: str, step: Progress) -> Found:
         return planes_in_lines(aligned.clouds, seed, settings, first_line=line, progress=step)
 
-    planes = [
-        plane
-        for plane in detect_planes(
-            {name: cloud.sample for name, cloud in aligned.clouds.items()},
-            settings,
-            lines=aligned.clouds,
-            find=find,
-            progress=part(progress, 0.1, 0.9),
-        )
-        if np.median([patch.rms for patch in plane.found.values()]) <= PLANAR * noise
-    ]
+    detected = detect_planes(
+        {name: cloud.sample for name, cloud in aligned.clouds.items()},
+        settings,
+        lines=aligned.clouds,
+        find=find,
+        progress=part(progress, 0.1, 0.85),
+    )
+    progress(0.85, "Looking how flat they are")
+    names = [f"P{k + 1}" for k in range(len(detected))]
+    targets = tuple(
+        _target(survey, plane, name, "target", threshold)
+        for plane, name in zip(detected, names, strict=True)
+    )
+    everything = replace(project, targets=targets, result=None)
+    flat = _flat(everything, survey)
+    planes = [plane for plane, name in zip(detected, names, strict=True) if name in flat]
+    names = [name for name in names if name in flat]
     if len(planes) < 2:
+        rough = len(detected) - len(planes)
+        others = f" ({rough} more {'is' if rough == 1 else 'are'} not flat)" if rough else ""
         raise TargetNotFound(
-            f"{project.name}: only {len(planes)} flat surfaces are seen on two lines or more; "
+            f"{project.name}: only {len(planes)} flat surface{'' if len(planes) == 1 else 's'} "
+            f"{'is' if len(planes) == 1 else 'are'} seen on two lines or more{others}; "
             "set seeds on the targets, or put up boards."
         )
-    names = [f"P{k + 1}" for k in range(len(planes))]
-    everything = replace(
-        project,
-        targets=tuple(
-            _target(survey, plane, name, "target", threshold)
-            for plane, name in zip(planes, names, strict=True)
-        ),
-    )
+    everything = replace(everything, targets=tuple(t for t in targets if t.name in flat))
     progress(0.9, "Weighing what each plane tells of the boresight")
     linearised = _linearised(everything, survey)
     uneven = _unevenness(everything, placed_with(survey.clouds, linearised.state.mounting))
@@ -146,6 +150,14 @@ def _target(
     )
     radius = FinderSettings().radius
     return Target(name, role, seed, threshold, radius, sightings, missing=dict(plane.missing))
+
+
+def _flat(project: Project, survey: Survey) -> set[str]:
+    """Names of the targets that most lines show flat, or nearly so."""
+    poor: dict[str, list[bool]] = {target.name: [] for target in project.targets}
+    for (name, _), quality in qualities(project, survey).items():
+        poor[name].append(quality.flatness == "poor")
+    return {name for name, each in poor.items() if np.mean(each) < NOT_FLAT}
 
 
 def _linearised(project: Project, survey: Survey) -> Linearised:
@@ -226,7 +238,7 @@ def _is_whole(planes: list[DetectedPlane], names: list[str]) -> set[str]:
     return {
         name
         for plane, name in zip(planes, names, strict=True)
-        if max(patch.extent.max() for patch in plane.found.values()) < 1.5 * radius
+        if ends_within(radius, [patch.extent for patch in plane.found.values()])
     }
 
 

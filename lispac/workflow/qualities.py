@@ -232,7 +232,8 @@ def _quality(
     quality = plane_quality(
         seen.lidar, seen.local, every, plane, noise,
         scanner_local=placing.scanner(np.zeros_like(seen.lidar), seen.time), turns_local=turns,
-        boresight_off=placing.boresight_off, shown=shown,
+        boresight_off=placing.boresight_off,
+        threshold=None if sighting.by_hand else target.threshold, shown=shown,
     )  # fmt: skip
     if target.expected is None or quality.extent is None:
         return quality
@@ -272,5 +273,5 @@ def _rests_on(project: Project, target: Target) -> tuple[object, ...]:
     mounting = project.mounting("estimated" if estimated else "prior")
     return (
         target.shape, target.sphere_radius, target.radius, target.expected,
-        lidar_noise(project.settings), estimated, *mounting.values.tolist(),
+        target.threshold, lidar_noise(project.settings), estimated, *mounting.values.tolist(),
     )  # fmt: skip
