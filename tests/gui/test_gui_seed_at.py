@@ -66,7 +66,8 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
             opened.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
             opened.bot.keyClick(dialog.focusWidget(), Key.Key_Tab)
         assert "m from the trajectory." in said(dialog)
-        opened.bot.keyClick(dialog, Key.Key_Return)
+        assert dialog.focusWidget() is find(dialog)
+        opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
     seen = hand(opened, answer)
     press(opened, Key.Key_F3)
@@ -77,6 +78,8 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
     assert candidate.seed == pytest.approx(T1, abs=1e-3)
     assert len(candidate.sightings) == 6
     assert opened.project is before
+    opened.window.activateWindow()  # no window manager does it here
+    opened.bot.waitUntil(opened.window.isActiveWindow, timeout=WAIT_MS)
     press(opened, Key.Key_Return)
     assert opened.window.document.undo_stack.undoText() == "pick of T1"
     opened.window.document.undo_stack.undo()

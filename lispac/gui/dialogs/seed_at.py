@@ -67,11 +67,14 @@ class SeedDialog(QDialog):
         self.find_button.clicked.connect(self.accept)
         cancel = widgets.button("Cancel", "seed_cancel")
         cancel.clicked.connect(self.reject)
+        cancel.setAutoDefault(False)  # Enter finds, wherever the focus is
         row = QHBoxLayout()
         row.addStretch(1)
         row.addWidget(cancel)
         row.addWidget(self.find_button)
         layout.addLayout(row)
+        QWidget.setTabOrder(self.fields[2], self.find_button)
+        QWidget.setTabOrder(self.find_button, cancel)
         self.choice.changed.connect(self._judge)
         self.name.textChanged.connect(self._judge)
         for field in self.fields:

@@ -80,6 +80,7 @@ class SeedListDialog(QDialog):
         self.pick_button.clicked.connect(self.accept)
         cancel = widgets.button("Cancel", "cancel_list", tip="Pick nothing")
         cancel.clicked.connect(self.reject)
+        cancel.setAutoDefault(False)  # Enter picks, wherever the focus is
         row = QHBoxLayout()
         row.addStretch(1)
         row.addWidget(cancel)
