@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lispac.cli.main import main
 from lispac.errors import Cancelled, InputError, ProjectError
 from lispac.io.project_file import FILE_NAME, read_project
 from lispac.project import Project
@@ -17,6 +16,7 @@ from lispac.workflow.demo import demo_seeds
 from lispac.workflow.picking import find
 from lispac.workflow.seed_lists import pick_seeds, read_seeds, role_by_name
 from lispac.workflow.survey import Survey, load_survey
+from tests.test_cli import run
 
 SEEDS = demo_seeds()
 CODE = "EPSG:32618"
@@ -39,15 +39,6 @@ def rows(*names: str, offset: float = 0.0) -> str:
         f"{name};{x + offset:.4f};{y:.4f};{z:.4f}\n".replace(".", ",")
         for name, (_, (x, y, z)) in ((name, SEEDS[name]) for name in names)
     )
-
-
-def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
-    try:
-        code = main([str(word) for word in words])
-    except SystemExit as stop:
-        code = int(stop.code or 0)
-    out, err = capsys.readouterr()
-    return code, out, err
 
 
 def refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words: object) -> str:
