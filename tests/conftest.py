@@ -10,7 +10,8 @@ from lispac.project import Project
 from lispac.simulation.survey import SimulatedSurvey, port_survey
 from lispac.workflow.demo import calibrate_demo, make_demo
 from lispac.workflow.projects import open_project
-from lispac.workflow.survey import Survey
+from lispac.workflow.survey import Survey, load_survey
+from tests.sharing import once
 
 hypothesis.settings.register_profile("same", derandomize=True)
 
@@ -31,25 +32,37 @@ def shared_data() -> Path:
 
 
 @pytest.fixture(scope="session")
-def port() -> SimulatedSurvey:
+def port(tmp_path_factory: pytest.TempPathFactory) -> SimulatedSurvey:
     """The built-in survey as it is simulated, every point with its label."""
-    return port_survey()
+    return once(tmp_path_factory, "port", lambda _folder: port_survey())
+
+
+@pytest.fixture(scope="session")
+def whole_demo(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """The built-in survey with nothing picked; not to be changed on disk."""
+    return once(tmp_path_factory, "whole", make_demo)
 
 
 @pytest.fixture(scope="session")
 def demo_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The built-in survey with nothing picked; not to be changed on disk."""
-    return make_demo(tmp_path_factory.mktemp("made") / "demo")
+    """The same with a third of the points, where their number does not matter."""
+    return once(
+        tmp_path_factory, "made", lambda folder: make_demo(folder, points_per_second=50_000.0)
+    )
 
 
 @pytest.fixture(scope="session")
 def calibrated(
-    demo_project: Project, tmp_path_factory: pytest.TempPathFactory
+    whole_demo: Project, tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Project, Survey]:
     """The built-in survey, calibrated and validated; not to be changed on disk."""
-    folder = tmp_path_factory.mktemp("survey") / "demo"
-    shutil.copytree(demo_project.folder, folder)
-    return calibrate_demo(open_project(folder))
+
+    def calibrate(folder: Path) -> Project:
+        shutil.copytree(whole_demo.folder, folder)
+        return calibrate_demo(open_project(folder))[0]
+
+    project = once(tmp_path_factory, "calibrated", calibrate)
+    return project, load_survey(project)
 
 
 @pytest.fixture

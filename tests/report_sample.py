@@ -21,7 +21,15 @@ from lispac.adjustment.stochastic import StochasticModel
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
 from lispac.survey.georeferencing import Mounting
-from lispac.validation.results import DistanceStatistics, PairComparison, PlaneComparison
+from lispac.validation.plane_offset import PlaneOffset
+from lispac.validation.profile import Profile
+from lispac.validation.results import (
+    DistanceStatistics,
+    PairComparison,
+    PairState,
+    PlaneComparison,
+    SignedStatistics,
+)
 
 HEADINGS = {"L1": 0.4, "L2": 180.2, "L3": 45.1, "L4": 224.7, "L5": 315.3, "L6": 134.8}
 MADE = datetime(2025, 6, 4, 14, 3, 20, tzinfo=UTC)
@@ -155,9 +163,24 @@ def _plane(name: str, scale: float, pairs: tuple[tuple[str, str, bool], ...]) ->
     edges = np.linspace(0, float(np.percentile(before, 99.5)), 61)
     counts = [np.histogram(np.minimum(d, edges[-1]), edges)[0] for d in (before, after)]
     statistics = [DistanceStatistics.of(d) for d in (before, after)]
+    states = [
+        PairState(
+            distances,
+            SignedStatistics(400, off, off, 0.002, 0.0011, share),
+            PlaneOffset(off, 0.0002, tilt, 1e-5, -tilt / 3, 2e-5, 3),
+        )
+        for distances, off, share, tilt in zip(
+            statistics, (-scale, 0.0012), (0.98, 0.31), (8e-4, 3e-5), strict=True
+        )
+    ]
+    steps = np.linspace(1.0, 40.0, 13)
+    profile = Profile(
+        steps, np.full(12, 750), scale * steps[1:] / 40, np.full(12, 0.004),
+        scale * steps[1:] / 20, np.full(12, 0.012),
+    )  # fmt: skip
     return PlaneComparison(
         name=name,
-        pairs=tuple(PairComparison(a, b, r, *statistics) for a, b, r in pairs),
+        pairs=tuple(PairComparison(a, b, r, *states) for a, b, r in pairs),
         not_compared=(("L1", "L6"),),
         pooled_from="reciprocal pairs",
         bin_edges=edges,
@@ -165,7 +188,15 @@ def _plane(name: str, scale: float, pairs: tuple[tuple[str, str, bool], ...]) ->
         counts_after=counts[1].astype(np.int64),
         before=statistics[0],
         after=statistics[1],
+        by_height=profile,
+        by_range=None if name == "V3" else profile,
     )
+
+
+def _on_every_line(k: int) -> tuple[PickedSighting, ...]:
+    """Sightings of the ``k``-th target, whose points no other one has."""
+    numbers = np.arange(200 * k, 200 * (k + 1))
+    return tuple(PickedSighting(line, numbers, 0.003) for line in HEADINGS)
 
 
 def sample_project(folder: Path, *, model: str = "correlated", target: str = "T1") -> Project:
@@ -173,7 +204,6 @@ def sample_project(folder: Path, *, model: str = "correlated", target: str = "T1
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("trajectory.sbet", "smrmsg.out", *(f"{line}.laz" for line in HEADINGS)):
         (folder / name).write_bytes(name.encode() * 1000)
-    every = tuple(PickedSighting(line, np.arange(200), 0.003) for line in HEADINGS)
     picked = [
         (target, "target", (0.6, -14.7, 5.1)), ("T2", "target", (-1.1, -14.4, 5.3)),
         ("V1", "validation", (28.5, -21.8, 5.4)), ("V2", "validation", (35.0, -21.2, 20.0)),
@@ -187,8 +217,8 @@ def sample_project(folder: Path, *, model: str = "correlated", target: str = "T1
         lines=tuple(LineSource(line, folder / f"{line}.laz") for line in HEADINGS),
         settings=Settings((-0.1856, 0.0377, 2.4191), boresight_deg=(0.0, -1.5, 0.0)),
         targets=tuple(
-            Target(name, role, seed, 0.015, 1.0, every)  # type: ignore[arg-type]
-            for name, role, seed in picked
+            Target(name, role, seed, 0.015, 1.0, _on_every_line(k))  # type: ignore[arg-type]
+            for k, (name, role, seed) in enumerate(picked)
         ),
         result=_result(HEADINGS, (target, "T2"), model),
         cross_checks=sample_checks(HEADINGS, (target, "T2")),

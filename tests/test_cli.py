@@ -78,9 +78,10 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     assert numbers["sightings"] == 12
     assert numbers["planes"] == 2
     assert set(numbers["chi_square"]) == {"statistic", "lower", "upper", "passed"}
-    thesis = answer(capsys, "estimate", project, "--pos-errors", "independent")
+    assert len(numbers["cross_checks"]["parts"]) > 2
+    thesis = answer(capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks")
     assert thesis["sigma_deg"]["roll"] < 0.5 * numbers["sigma_deg"]["roll"]
-    code, out, _ = run(capsys, "estimate", project, "--subsample", 0.15)
+    code, out, _ = run(capsys, "estimate", project, "--subsample", 0.15, "--no-cross-checks")
     assert code == 0
     assert "boresight" in out
     assert "pitch" in out
@@ -91,8 +92,16 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
         "--role", "validation", "--radius", 3,
     )  # fmt: skip
     assert picked["role"] == "validation"
+    rows = answer(capsys, "subsample", project, "--distances", 0.3, 0.2)["adjustments"]
+    assert [row["distance_m"] for row in rows] == [0.2, 0.3]
+    assert rows[0]["points"] > rows[1]["points"] > 100
+    words = ("--distance-to", "quadric", "--neighbours", 20)
+    (bent,) = answer(capsys, "validate", project, *words)["planes"]
+    assert bent["model"] == {"kind": "quadric", "neighbours": 20, "radius": None}
+    assert "needs at least 3 neighbours" in refused(capsys, "validate", project, "--neighbours", 2)
     planes = answer(capsys, "validate", project)["planes"]
     assert [plane["name"] for plane in planes] == ["V1"]
+    assert planes[0]["model"]["kind"] == "plane"
 
     assert "is the UTM zone of the trajectory" in refused(
         capsys, "georeference", project, "--output", tmp_path / "out"

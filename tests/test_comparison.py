@@ -14,6 +14,7 @@ from lispac.validation.comparison import (
     compare_plane,
     reciprocal,
 )
+from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE
 
 Array = NDArray[np.float64]
 OPPOSITE = {"L1": 0.0, "L2": np.pi}
@@ -131,7 +132,7 @@ def test_reciprocal_pairs_come_first_and_make_the_pool() -> None:
     assert names[:2] == [("L1", "L3"), ("L2", "L4")]
     assert [pair.reciprocal for pair in result.pairs] == [True, True, False, False, False, False]
     assert result.pooled_from == "reciprocal pairs"
-    assert result.after.n == result.pairs[0].after.n + result.pairs[1].after.n
+    assert result.after.n == sum(pair.after.distances.n for pair in result.pairs[:2])
     assert result.after.median == pytest.approx(0.02, abs=1e-9)
 
 
@@ -139,7 +140,7 @@ def test_without_reciprocal_pairs_all_pairs_make_the_pool() -> None:
     clouds = {line: wall(i, offset=0.01 * i) for i, line in enumerate(["L1", "L2", "L3"])}
     result = compare_plane("V1", clouds, clouds, {"L1": 0.0, "L2": 1.0, "L3": 2.0})
     assert result.pooled_from == "all pairs"
-    assert result.after.n == sum(pair.after.n for pair in result.pairs)
+    assert result.after.n == sum(pair.after.distances.n for pair in result.pairs)
 
 
 @pytest.mark.parametrize(
@@ -253,3 +254,59 @@ def test_round_trip_through_json() -> None:
     assert back.not_compared == result.not_compared
     assert back.counts_after.dtype == result.counts_after.dtype
     np.testing.assert_array_equal(back.bin_edges, result.bin_edges)
+
+
+def test_signed_distances_and_planes_of_a_pair() -> None:
+    """L2 stands 20 mm behind L1 before, 5 mm before it after; seen from the south."""
+    a, b = wall(1, noise=0.001), wall(2, noise=0.001)
+    before = {"L1": a, "L2": b + [0.0, 0.020, 0.0]}
+    after = {"L1": a, "L2": b - [0.0, 0.005, 0.0]}
+    south = np.array([0.3, -1.0, 0.0])
+    (pair,) = compare_plane("V1", before, after, OPPOSITE, facing=south).pairs
+    for state, offset in ((pair.before, 0.020), (pair.after, -0.005)):
+        assert state.signed is not None
+        assert state.planes is not None
+        assert state.signed.median == pytest.approx(offset, abs=0.0003)
+        assert state.signed.significant == 1.0
+        assert abs(state.planes.offset - offset) < 2 * state.planes.offset_95
+        assert state.planes.offset_95 < 0.0001
+    (back,) = compare_plane("V1", before, after, OPPOSITE, facing=-south).pairs
+    assert back.after.signed is not None
+    assert back.after.signed.median == pytest.approx(0.005, abs=0.0003)
+
+
+def test_profiles_show_where_the_distances_grow() -> None:
+    """A line leaning by 0.5 degrees about the foot of the wall: none below, 26 mm 3 m up."""
+    leaning = wall(2)
+    leaning[:, 1] += np.tan(np.radians(0.5)) * (leaning[:, 2] - 10.0)
+    a, b = wall(1), wall(2)
+    ranges = {"L1": np.linalg.norm(a, axis=1), "L2": np.linalg.norm(b, axis=1)}
+    result = compare_plane(
+        "V2", {"L1": a, "L2": leaning}, {"L1": a, "L2": b}, OPPOSITE, ranges=ranges
+    )
+    for profile in (result.by_height, result.by_range):
+        assert profile is not None
+        assert profile.n.sum() == result.before.n
+        assert profile.median_after == pytest.approx(0.0, abs=1e-9)
+    height = result.by_height
+    assert height is not None
+    middles = 0.5 * (height.edges[1:] + height.edges[:-1])
+    expected = np.sin(np.radians(0.5)) * (middles - 10.0)
+    assert height.median_before == pytest.approx(expected, abs=0.0003)
+
+
+def test_another_model_is_used_and_kept() -> None:
+    clouds = {"L1": wall(1, noise=0.002), "L2": wall(2, noise=0.002)}
+    points, plane = (
+        compare_plane("V1", clouds, clouds, OPPOSITE, model=model)
+        for model in (NEAREST_POINT, SIX_POINT_PLANE)
+    )
+    assert points.model == NEAREST_POINT
+    assert points.after.median > 3 * plane.after.median  # the spacing of the points is in it
+
+
+def test_outliers_are_counted_and_stay() -> None:
+    statistics = DistanceStatistics.of(np.r_[np.linspace(0.001, 0.005, 401), np.full(9, 0.1)])
+    assert statistics.outliers == 9
+    assert statistics.maximum == 0.1
+    assert statistics.robust_sigma == pytest.approx(1.4826 * 0.001, rel=0.03)

@@ -11,13 +11,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.errors import PlaneNotFound
 from lispac.simulation.scene import Cylinder, Surface, upright
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.across_lines import find_in_lines
 from lispac.targets.alignment import align
 from lispac.targets.finder import FinderSettings, PlanePatch
-from lispac.workflow.seeking import Place, Sought
+from lispac.workflow import seeking
+from lispac.workflow.seeking import Place, Sought, planes_in_lines
 from tests.finder_scenes import WALL, Site, precision_and_recall, rippled, site
 from tests.test_finder import SharedSurvey
 from tests.test_simulation import placed
@@ -188,3 +190,23 @@ def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: 
                 counts += right, labelled
     print(f"{name}: precision {counts[0] / counts[1]:.3f}")
     assert counts[0] / counts[1] > 0.95, counts
+
+
+def test_a_click_on_an_edge_holds_where_lines_are_sampled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One point in many is looked at: the clicked one is among them, and its surface is meant."""
+    monkeypatch.setattr(seeking, "SOUGHT", 6_000)
+    seen = site([board(), wall(0.3)], lines=1, pulses_per_second=300_000.0)
+    _, survey = seen.opened()
+    cloud = survey.clouds["L1"]
+    points = cloud[np.arange(len(cloud))]
+    on = np.flatnonzero(seen.on("L1", "T1"))
+    edge = np.abs(points[on, 0]) > 0.57
+    clicked = np.random.default_rng(2).choice(on[edge], 40, replace=False)
+    sampled = seeking._regions({"L1": cloud}, points[clicked[0]], SETTINGS, most=6_000)[0]["L1"]
+    assert sampled.one_in > 1
+    for number in clicked:
+        try:
+            found, _ = planes_in_lines({"L1": cloud}, points[number], SETTINGS, first_line="L1")
+        except PlaneNotFound:
+            continue  # told, and nothing wrong is taken
+        assert abs(float(found["L1"].plane.distances(points[number]))) < 0.02

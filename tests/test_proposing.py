@@ -18,6 +18,7 @@ from lispac.simulation.survey import SimulatedSurvey
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.scan import Scan
 from lispac.targets.detection import DetectedPlane
+from lispac.targets.quality import SightingQuality, undetermined
 from lispac.workflow import proposing
 from lispac.workflow.calibration import estimate
 from lispac.workflow.picking import pick
@@ -57,6 +58,19 @@ def with_sheet() -> Site:
     )
 
 
+@cache
+def with_deck() -> Site:
+    """An upright board, a leaning one and a level deck that the beams graze, off a wall."""
+    return site(
+        [
+            board(),
+            tilted("T2", (-2.6, WALL, 7.5), 1.23, 1.0, 270, 45),
+            tilted("deck", (2.6, WALL, 6.5), 1.6, 1.6, 270, 88),
+            wall(0.5),
+        ]
+    )
+
+
 def mostly_on(seen: Site, name: str, indices: Mapping[str, np.ndarray]) -> bool:
     return bool(np.median([seen.on(line, name)[own].mean() for line, own in indices.items()]) > 0.5)
 
@@ -90,6 +104,59 @@ def test_a_rippled_sheet_is_detected_and_not_proposed(
     assert {"sheet"} not in proposed, proposed
     for target in proposal.targets:
         assert all(s.rms < 3 * lidar_noise(project.settings) for s in target.sightings)
+
+
+def test_what_is_seen_poorly_on_most_lines_is_not_proposed(
+    detected: list[DetectedPlane], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Flat as it is, the beams meet it at 78 to 81 deg."""
+    judged: list[Mapping[tuple[str, str], SightingQuality]] = []
+
+    def kept(project: Project, survey: Survey) -> Mapping[tuple[str, str], SightingQuality]:
+        judged.append(qualities(project, survey))
+        return judged[-1]
+
+    monkeypatch.setattr(proposing, "qualities", kept)
+    seen = with_deck()
+    project, survey = seen.opened((1, -1, 1))
+    proposal = propose(project, survey)
+    (deck,) = [
+        k
+        for k, plane in enumerate(detected)
+        if mostly_on(seen, "deck", {line: patch.indices for line, patch in plane.found.items()})
+    ]
+    lights = [each.light for (name, _), each in judged[0].items() if name == f"P{deck + 1}"]
+    flat = [each.flatness for (name, _), each in judged[0].items() if name == f"P{deck + 1}"]
+    assert lights.count("poor") >= len(lights) / 2
+    assert "poor" not in flat
+    assert len(proposal.targets) == 3
+    for target in proposal.targets:
+        assert not mostly_on(seen, "deck", {s.line: s.indices for s in target.sightings})
+
+
+@pytest.mark.parametrize(
+    ("poor", "rough", "use"),
+    [(0, 0, "any"), (1, 1, "any"), (2, 0, "at need"), (2, 2, "not flat"), (3, 1, "poor"),
+     (4, 0, "poor")],
+)  # fmt: skip
+def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
+    usual = replace(undetermined(500, 0.002, "The beams meet it aslant."), flatness="good")
+    lines = {
+        f"L{k + 1}": replace(
+            usual,
+            light="poor" if k < poor else "doubtful",
+            flatness="poor" if k < rough else "good",
+        )
+        for k in range(4)
+    }
+    judged = proposing._judged_by(lines)
+    assert judged.use == use
+    assert judged.words == {
+        0: "", 1: " Poor on L1: The beams meet it aslant.",
+        2: " Poor on L1 and L2: The beams meet it aslant.",
+        3: " Poor on L1, L2 and L3: The beams meet it aslant.",
+        4: " Poor on L1, L2, L3 and L4: The beams meet it aslant.",
+    }[poor]  # fmt: skip
 
 
 def test_with_ripples_alone_it_is_said_why_nothing_is_proposed() -> None:
@@ -174,9 +241,13 @@ def test_a_drones_planes_are_proposed_in_one_action(
         assert {sighting.line for sighting in target.sightings} == {"line1", "line2"}
         assert all(sighting.rms < 3 * noise for sighting in target.sightings)
     flatness: dict[str, list[str]] = {target.name: [] for target in project.targets}
+    lights: dict[str, list[str]] = {target.name: [] for target in project.targets}
     for (judged, _), quality in qualities(project, survey).items():
         flatness[judged].append(quality.flatness)
+        lights[judged].append(quality.light)
     assert all("poor" not in each for each in flatness.values()), flatness
+    assert all("poor" not in lights[target.name] for target in targets), lights
+    assert all(set(each) != {"poor"} for each in lights.values()), lights
     picked = replace(project, targets=())
     for key, seed in place["seeds_nwu_on_line1"].items():
         more = pick(picked, survey, np.array(seed), name=key)

@@ -1,5 +1,7 @@
 """Quality of a sighting and agreement with what was expected, on surfaces of known shape."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -110,10 +112,11 @@ def test_a_sphere_shows_its_share():
 
 HALF = {
     # The post stands before one half of the board; from the north-west it is passed beside it.
-    "L1": ("poor", "0.60 of 1.24 m wide"),
-    "L2": ("poor", "0.61 of 1.24 m wide"),
-    "L3": ("doubtful", "0.70 of 1.24 m wide"),
-    "L4": ("doubtful", "0.70 of 1.24 m wide"),
+    # By what the rough boresight is off, the first is a few millimetres wider or narrower.
+    "L1": ("poor", r"0\.6[01] of 1\.24 m wide"),
+    "L2": ("poor", r"0\.61 of 1\.24 m wide"),
+    "L3": ("doubtful", r"0\.70 of 1\.24 m wide"),
+    "L4": ("doubtful", r"0\.70 of 1\.24 m wide"),
     "L5": ("good", ""),
     "L6": ("good", ""),
 }
@@ -138,7 +141,7 @@ def test_on_simulated_sites(name, expected, off_deg):
     assert set(found) == set(LINES)
     for line, (light, words) in expected.items():
         quality = found[line]
-        assert words in quality.words, (line, quality.words)
+        assert re.search(words, quality.words), (line, quality.words)
         assert quality.light == light, (line, quality.words)
         assert quality.flatness == ("poor" if name == "rippled" else "good"), (line, quality.words)
 

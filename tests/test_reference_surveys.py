@@ -40,6 +40,17 @@ def make(capsys: pytest.CaptureFixture[str], data: Path, project: Path, *extra: 
     return site
 
 
+def picked(
+    capsys: pytest.CaptureFixture[str], project: Path, seeds: Mapping[str, Sequence[float]]
+) -> Any:
+    """All from one list, so that the lines are read once for them."""
+    path = project.parent / "seeds.txt"
+    path.write_text("".join(f"{name} {x} {y} {z}\n" for name, (x, y, z) in seeds.items()))
+    found = answer(capsys, "pick", project, "--seeds", path, "--role", "target")["seeds"]
+    assert [each["name"] for each in found] == list(seeds)
+    return found
+
+
 def angles(numbers: dict[str, Any], key: str) -> np.ndarray:
     return np.array([numbers[key][angle] for angle in ("roll", "pitch", "yaw")])
 
@@ -50,11 +61,10 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     site = make(
         capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out", "--lidar-sigma", 0.003
     )
-    for name, target in site["targets_nwu"].items():
-        picked = answer(capsys, "pick", project, "--seed", *target["centre"], "--name", name)
-        assert len(picked["lines"]) == 6, (name, picked["missing"])
+    for found in picked(capsys, project, {k: t["centre"] for k, t in site["targets_nwu"].items()}):
+        assert len(found["lines"]) == 6, found
     assert open_project(project).settings.pos_errors == "correlated"  # unless told otherwise
-    thesis = answer(capsys, "estimate", project, "--pos-errors", "independent")
+    thesis = answer(capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks")
     honest = answer(capsys, "estimate", project, "--pos-errors", "correlated")
     error = angles(honest, "boresight_deg") - truth
     said = (
@@ -92,8 +102,7 @@ def test_drone(
         capsys, data, project, "--position-sigma", 0.02, 0.02, 0.02,
         "--attitude-sigma", 0.015, 0.015, 0.015, "--lidar-sigma", 0.02,
     )  # fmt: skip
-    for target, seed in site["seeds_nwu_on_line1"].items():
-        answer(capsys, "pick", project, "--seed", *seed, "--name", target)
+    picked(capsys, project, site["seeds_nwu_on_line1"])
     opened = open_project(project)
     for target in opened.targets:
         if len(target.sightings) < 2:  # the tent's smallest plane, P5

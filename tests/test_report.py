@@ -1,11 +1,13 @@
 """The report: its numbers, its warnings, and that each kind of file says the same."""
 
 import base64
+import csv
 import hashlib
 import json
 import re
 import shutil
 import subprocess
+import zipfile
 from dataclasses import replace
 from datetime import timedelta
 from html.parser import HTMLParser
@@ -22,6 +24,7 @@ from lispac.report.content import ReportContent
 from lispac.report.html import html_text, write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
+from lispac.report.tables import write_tables
 from tests.report_sample import MADE, sample_content, sample_project
 
 ODD = "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"
@@ -109,11 +112,31 @@ def _shown_numbers(data: dict) -> list[str]:
         numbers += [f"{v:+.4f}" for v in part["difference_deg"] or ()]
         numbers += [f"{v:+.1f}" for v in part["significance"] or ()]
     for plane in data["validation"]:
-        for compared in (plane, *plane["pairs"]):
-            for state in (compared["before"], compared["after"]):
-                numbers += [f"{1000 * state[f'{key}_m']:,.1f}" for key in ("median", "rms", "p95")]
-                numbers.append(f"{state['n']:,}")
+        for state in (plane["before"], plane["after"]):
+            keys = ("mean", "median", "rms", "p68", "p95", "p99", "robust_sigma")
+            numbers += [f"{1000 * state[f'{key}_m']:,.1f}" for key in keys]
+            numbers += [f"{state['n']:,}", f"{state['outliers']:,}"]
+        for pair in plane["pairs"]:
+            for state in (pair["before"], pair["after"]):
+                found = state["distances"]
+                numbers += [f"{1000 * found[f'{key}_m']:,.1f}" for key in ("median", "rms", "p95")]
+                numbers.append(f"{found['n']:,}")
+                if pair["reciprocal"]:
+                    numbers += _signed_numbers(state["signed"], state["planes"])
     return numbers + [f"{file['size_bytes']:,}" for file in data["files"]]
+
+
+def _signed_numbers(places: dict, planes: dict) -> list[str]:
+    return [
+        f"{1000 * places['median_m']:+.1f}",
+        f"{1000 * places['interval95_m']:.1f}",
+        f"{100 * places['significant_share']:.0f}",
+        f"{1000 * planes['offset_m']:+.1f}",
+        f"{1000 * planes['offset_interval95_m']:.1f}",
+        f"{planes['turn_level_deg']:+.3f}",
+        f"{planes['turn_upright_deg']:+.3f}",
+        f"{planes['turn_upright_interval95_deg']:.3f}",
+    ]
 
 
 def test_angles_uncertainty_and_effect(content: ReportContent) -> None:
@@ -223,6 +246,33 @@ def test_pdf_and_html_show_the_numbers_of_the_json(content: ReportContent, tmp_p
     assert "Page 1 of" in text
 
 
+def test_tables_hold_the_numbers_of_the_json(content: ReportContent, tmp_path: Path) -> None:
+    write_json(content, tmp_path / "r.json")
+    data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
+    write_tables(content, tmp_path / "r.zip")
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        names = archive.namelist()
+        tables = {
+            name: list(csv.reader(archive.read(name).decode("utf-8-sig").splitlines()))
+            for name in names
+        }
+    assert names == sorted(names)
+    assert len(names) > 10
+    boresight = tables["01-boresight.csv"]
+    assert boresight[0][:3] == ["Angle", "Prior (deg)", "Estimated (deg)"]
+    for row, angle in zip(boresight[1:], data["angles"], strict=True):
+        assert float(row[2]) == pytest.approx(angle["estimated_deg"], abs=5e-5)
+        assert float(row[4]) == pytest.approx(angle["interval95_deg"], abs=5e-5)
+    (pairs,) = (rows for name, rows in tables.items() if "every-pair-of-lines" in name)
+    listed = [pair for plane in data["validation"] for pair in plane["pairs"]]
+    for row, pair in zip(pairs[1:], listed, strict=True):
+        assert int(row[3]) == pair["before"]["distances"]["n"]
+        assert float(row[7]) == pytest.approx(1000 * pair["after"]["distances"]["rms_m"], abs=0.05)
+    again = tmp_path / "again.zip"
+    write_tables(content, again)
+    assert again.read_bytes() == (tmp_path / "r.zip").read_bytes()
+
+
 @pytest.mark.parametrize("picked", [True, False])
 def test_uncalibrated_project_says_so_on_page_one(
     project: Project, tmp_path: Path, picked: bool
@@ -278,6 +328,7 @@ def test_letters_no_font_of_ours_has_are_no_failure(content: ReportContent, tmp_
 def test_same_content_same_bytes(project: Project, tmp_path: Path) -> None:
     pages = {}
     for name, made in (("a", MADE), ("b", MADE), ("later", MADE + timedelta(days=1))):
+        figures.drawn.cache_clear()  # they are drawn again, not kept
         content = sample_content(project, made)
         write_json(content, tmp_path / f"{name}.json")
         write_html(content, tmp_path / f"{name}.html", {})

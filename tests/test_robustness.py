@@ -85,7 +85,7 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
         patch.setattr(solver, "worst_blunder", lambda *_: todo.pop() if todo else None)
         patch.setattr(solver, "belonging", lambda *_: None)
         patch.setattr(solver, "astray", lambda *_: np.zeros(0, dtype=np.int64))
-        same = adjust(clean, PRIOR, model)
+        same = adjust(clean, PRIOR, model, diagnostics=False)
     return np.abs(found.boresight - same.boresight) / same.sigma, found
 
 
@@ -106,7 +106,7 @@ def test_whichever_sighting_is_shifted_it_is_named_and_no_other_line() -> None:
     named = 0
     for seed in (3, 4):
         clean = survey(seed, 0.1)
-        before = adjust(clean, PRIOR, model)
+        before = adjust(clean, PRIOR, model, diagnostics=False)
         for s, sighting in enumerate(clean.sightings):
             after = adjust(shifted(clean, s, 0.05), PRIOR, model)
             assert {found.line for found in after.suspects} <= {sighting.line}

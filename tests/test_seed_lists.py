@@ -60,7 +60,11 @@ def test_a_list_gives_what_single_picks_give(
     path = folder.parent / "targets.csv"
     path.write_text("# quay wall\nname;x;y;z\n" + rows("T1", "T2", "V1") + "Lost;20;4;3\n")
     code, out, err = run(capsys, "pick", folder, "--seeds", path)
-    assert code == 0, err
+    assert code == 1
+    assert err.splitlines()[-1] == (
+        f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6); the table says "
+        "why. The others are saved."
+    )
     assert "note: columns as named: name, north, west, up" in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
     assert set(table) == {"T1", "T2", "V1", "Lost"}
@@ -174,7 +178,10 @@ def test_the_same_surface_twice_is_told(
     read = read_seeds(path, demo_project, survey.trajectory)
     _, outcomes = pick_seeds(demo_project, survey, read.seeds, {})
     assert outcomes[0].reason == ""
-    assert outcomes[1].reason == "The same surface as T1; keep one of the two."
+    assert outcomes[1].reason.startswith("Double is the surface of T1 already: ")
+    assert outcomes[1].reason.endswith(
+        " are the same. Keep one of the two: they would count twice."
+    )
 
 
 def test_cancelled_half_way_and_what_cannot_be_sought(

@@ -192,7 +192,7 @@ def test_georeferenced_lines_are_where_the_project_puts_them(
         np.testing.assert_allclose(laspy.read(done.path).xyz, placed[line].sample, atol=0.00051)
 
 
-def test_reports_are_written_in_all_three_forms(
+def test_reports_are_written_in_all_forms(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project, survey = calibrated
@@ -205,7 +205,7 @@ def test_reports_are_written_in_all_three_forms(
     with pytest.raises(LispacError, match="end its name so"):
         export.write_report(project, survey, tmp_path / "report.docx")
     assert sorted(p.name for p in tmp_path.iterdir()) == [
-        "report.html", "report.json", "report.pdf",
+        "report.html", "report.json", "report.pdf", "report.zip",
     ]  # fmt: skip
 
 

@@ -4,7 +4,7 @@ The command line, the window and the report tell the same doubts in the same wor
 function, in `RULES`; what a new one yields is told in all three.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -97,9 +97,11 @@ class Doubt:
         return plain(self.text)
 
 
-def doubts(result: AdjustmentResult, checks: CrossChecks | None) -> tuple[Doubt, ...]:
-    """Everything to be told of an answer, serious things first."""
-    found = [doubt for rule in RULES for doubt in rule(result, checks)]
+def doubts(
+    result: AdjustmentResult, checks: CrossChecks | None, also: Iterable[Doubt] = ()
+) -> tuple[Doubt, ...]:
+    """Everything to be told of an answer, serious things first; ``also`` comes from elsewhere."""
+    found = [*also, *(doubt for rule in RULES for doubt in rule(result, checks))]
     return tuple(sorted(found, key=lambda doubt: not doubt.serious))
 
 

@@ -146,9 +146,14 @@ def minus(text: str) -> str:
     return text.replace("-", "\u2212")
 
 
+PLAIN = {"\u2212": "-", "\u00a0": " ", "\u00b1": "+/-", "\u00b2": "2", "\u00b0": " deg"}
+
+
 def plain(text: str) -> str:
     """The text without signs and fixed spaces that not every terminal can show."""
-    return text.replace("\u2212", "-").replace("\u00a0", " ").replace("\u00b1", "+/-")
+    for sign, words in PLAIN.items():
+        text = text.replace(sign, words)
+    return text
 
 
 def signed(value: float, decimals: int) -> str:

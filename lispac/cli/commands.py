@@ -11,6 +11,7 @@ from typing import Any
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.angles import angles as angles
+from lispac.cli.compare import compare as compare
 from lispac.cli.console import ConsoleProgress, has_display, print_json
 from lispac.cli.estimate import estimate as estimate
 from lispac.cli.estimate import print_result, project_numbers
@@ -21,12 +22,15 @@ from lispac.cli.import_lines import import_lines as import_lines
 from lispac.cli.look import look as look
 from lispac.cli.pick import pick as pick
 from lispac.cli.propose import propose as propose
+from lispac.cli.subsample import subsample as subsample
+from lispac.doubles import doubles
 from lispac.project import LineSource, Project, Reading, Settings
+from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
 from lispac.workflow import demo as demo_survey
 from lispac.workflow import projects
 from lispac.workflow.export import write_report
 from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.validation import validate as compare
+from lispac.workflow.validation import validate as validated
 
 
 def demo(arguments: Namespace) -> None:
@@ -42,7 +46,7 @@ def demo(arguments: Namespace) -> None:
                     | {"report": str(report), "project": str(project.folder)})  # fmt: skip
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks)
+        print_result(project.result, project.cross_checks, doubles(project))
         if project.truth_deg is not None:
             print("truth      " + "".join(f"{angle:+12.4f}" for angle in project.truth_deg))
         _print_validation(project)
@@ -100,15 +104,21 @@ def new(arguments: Namespace) -> None:
 
 def validate(arguments: Namespace) -> None:
     """Compare the lines on the validation planes and save the figures."""
+    kind = arguments.distance_to
+    usual = USUAL_NEIGHBOURS[kind]
+    model = LocalModel(
+        kind, usual if arguments.neighbours is None else arguments.neighbours, arguments.radius
+    )
     project, survey = _open(arguments.project)
     with ConsoleProgress() as progress:
-        project = compare(project, survey, progress=progress)
+        project = validated(project, survey, model=model, progress=progress)
     projects.save_project(project)
     if arguments.json:
         print_json(
             {
                 "planes": [comparison.to_dict() for comparison in project.validation],
                 "not_compared": dict(project.not_compared),
+                "doubts": [doubt.plain for doubt in doubles(project)],
             }
         )
     else:
@@ -149,3 +159,5 @@ def _print_validation(project: Project) -> None:
         )
     for reason in project.not_compared.values():
         print(f"not compared: {reason}")
+    for doubt in doubles(project):
+        print(f"note: {doubt.plain}")

@@ -1,14 +1,14 @@
 """`lispac estimate`: adjust a project or plane files, and say what came of it."""
 
 from argparse import Namespace
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.doubts import doubts
+from lispac.adjustment.doubts import Doubt, doubts
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.result import (
     ANGLES,
@@ -30,6 +30,7 @@ from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.qualities import as_list, print_doubtful
+from lispac.doubles import doubles
 from lispac.io.plane_file import read_plane_files
 from lispac.progress import part
 from lispac.project import Project, Settings
@@ -76,7 +77,7 @@ def estimate(arguments: Namespace) -> None:
         print_json(project_numbers(project) | {"qualities": as_list(found)})
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks)
+        print_result(project.result, project.cross_checks, doubles(project))
         print_doubtful(found)
 
 
@@ -176,11 +177,13 @@ def _degrees(values: Any) -> dict[str, float] | None:
 def project_numbers(project: Project) -> dict[str, Any]:
     """What `numbers` says, of a project."""
     assert project.result is not None
-    said = numbers(project.result, project.cross_checks)
+    said = numbers(project.result, project.cross_checks, doubles(project))
     return said | {"subsample_m": project.settings.subsample}
 
 
-def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, Any]:
+def numbers(
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
+) -> dict[str, Any]:
     """The answer as plain values, in degrees and metres."""
     chi_square, seen = result.chi_square, result.observability
     return {
@@ -229,7 +232,7 @@ def numbers(result: AdjustmentResult, checks: CrossChecks | None) -> dict[str, A
         "cross_checks": checks and _checks(checks),
         "doubts": [
             {"code": each.code, "serious": each.serious, "text": each.plain}
-            for each in doubts(result, checks)
+            for each in doubts(result, checks, also)
         ],
     }
 
@@ -300,7 +303,9 @@ def _checks(checks: CrossChecks) -> dict[str, Any]:
     }
 
 
-def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
+def print_result(
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
+) -> None:
     """The answer for people."""
     chi_square = result.chi_square
     size = "large" if chi_square.statistic < chi_square.lower else "small"
@@ -342,7 +347,7 @@ def print_result(result: AdjustmentResult, checks: CrossChecks | None) -> None:
         print(component_shown(component).sentence)
     for sentence in result.observability.sentences if result.observability else ():
         print(sentence)
-    found = doubts(result, checks)
+    found = doubts(result, checks, also)
     if found:
         print("\nTo know before using the angles:")
     for doubt in found:

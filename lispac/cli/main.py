@@ -1,4 +1,7 @@
-"""Entry point of ``lispac``: exit 0 done, 1 refused with one plain line, 2 wrong usage."""
+"""Entry point of ``lispac``: exit 0 done, 1 refused with one plain line, 2 wrong usage.
+
+A list of seeds of which some led to no target ends with 1 too; the others are saved.
+"""
 
 import sys
 from collections.abc import Sequence

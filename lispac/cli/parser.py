@@ -33,7 +33,9 @@ def build_parser() -> argparse.ArgumentParser:
     pick_options.add(commands)
     _propose(commands)
     estimate_options.add(commands)
+    _subsample(commands)
     _validate(commands)
+    _compare(commands)
     _georeference(commands)
     _export(commands)
     _report(commands)
@@ -134,10 +136,42 @@ def _propose(commands: "Commands[argparse.ArgumentParser]") -> None:
     json_option(propose)
 
 
+def _subsample(commands: "Commands[argparse.ArgumentParser]") -> None:
+    subsample = command(
+        commands, "subsample", "adjust with points nearer together and farther apart"
+    )
+    subsample.add_argument("project", type=Path, metavar="PROJECT")
+    subsample.add_argument(
+        "--distances", type=float, nargs="+", metavar="M",
+        help="between points that take part, 0 for all of them (default 0 0.05 0.1 0.15 0.2)",
+    )  # fmt: skip
+    json_option(subsample)
+
+
 def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
     validate = command(commands, "validate", "compare the lines on the validation planes")
     validate.add_argument("project", type=Path, metavar="PROJECT")
+    validate.add_argument(
+        "--distance-to", choices=("point", "plane", "quadric"), default="plane",
+        help="measure to the nearest point of the other line, or to a plane (default) or quadric "
+        "through it and its neighbours",
+    )  # fmt: skip
+    validate.add_argument(
+        "--neighbours", type=int, default=None, metavar="N",
+        help="points of the plane or quadric (default 6, 12 for a quadric)",
+    )  # fmt: skip
+    validate.add_argument(
+        "--radius", type=float, metavar="M", help="all points within this radius instead"
+    )
     json_option(validate)
+
+
+def _compare(commands: "Commands[argparse.ArgumentParser]") -> None:
+    compare = command(commands, "compare", "say whether calibrations of one mounting agree")
+    compare.add_argument(
+        "projects", type=Path, nargs="+", metavar="PROJECT", help="two or more, the earliest first"
+    )
+    json_option(compare)
 
 
 def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -177,7 +211,11 @@ def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
     report = command(commands, "report", "write the report")
     report.add_argument("project", type=Path, metavar="PROJECT")
     report.add_argument(
-        "--output", type=Path, required=True, metavar="FILE", help=".pdf, .html or .json"
+        "--output",
+        type=Path,
+        required=True,
+        metavar="FILE",
+        help=".pdf, .html, .json, or .zip for all tables as CSV",
     )
 
 

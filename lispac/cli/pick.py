@@ -10,7 +10,8 @@ import numpy as np
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.pick_list import pick_list
 from lispac.cli.qualities import as_values
-from lispac.project import Target
+from lispac.doubles import overlap_with, overlap_words
+from lispac.project import Project, Target
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.quality import SightingQuality
 from lispac.targets.settings import FinderChoices
@@ -48,12 +49,25 @@ def pick(arguments: Namespace) -> None:
     target = project.target(arguments.name)
     spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
     found = judge_target(project, survey, target)
-    for note in (*(() if system is None else system.assumptions), *notes_on(target, how["radius"])):
+    double = overlap_words(target, project.targets)
+    notes = (
+        *(() if system is None else system.assumptions), *notes_on(target, how["radius"]),
+        *((double,) if double else ()),
+    )  # fmt: skip
+    for note in notes:
         print(f"note: {note}", file=sys.stderr)
     if arguments.json:
-        print_json(as_json(target, spheres, found))
+        print_json(as_json(target, spheres, found) | {"same_points_as": _common(project, target)})
     else:
         _print(target, spheres, found)
+
+
+def _common(project: Project, target: Target) -> dict[str, Any] | None:
+    """The target that has most of the same points, if any has."""
+    found = overlap_with(target, project.targets)
+    if found is None:
+        return None
+    return {"name": found.other, "line": found.line, "share_of_the_smaller": found.share}
 
 
 def _require_together(arguments: Namespace) -> None:

@@ -14,6 +14,7 @@ from lispac.workflow.seed_lists import (
     Outcome,
     pick_seeds,
     read_seeds,
+    require_all_found,
     require_found,
     require_free,
 )
@@ -28,7 +29,13 @@ def pick_list(
     system: CoordinateSystem | None,
     how: dict[str, Any],
 ) -> None:
-    """Pick all seeds of a list, save what was found, and print a table of it."""
+    """Pick all seeds of a list, save what was found, and print a table of it.
+
+    Raises
+    ------
+    TargetNotFound
+        Where a seed led to no target; the others are saved all the same.
+    """
     columns = arguments.columns.replace(",", " ").split() if arguments.columns else ()
     seeds = read_seeds(
         arguments.seeds, project, survey.trajectory, system, columns=columns, role=arguments.role
@@ -46,8 +53,10 @@ def pick_list(
         print(f"note: {note}", file=sys.stderr)
     if arguments.json:
         print_json({"seeds": [_as_json(project, survey, outcome) for outcome in outcomes]})
-        return
-    _print(outcomes, len(survey.lines))
+    else:
+        _print(outcomes, len(survey.lines))
+    sys.stdout.flush()  # the table stands before what is said of it
+    require_all_found(seeds, outcomes)
 
 
 def _as_json(project: Project, survey: Survey, outcome: Outcome) -> dict[str, Any]:

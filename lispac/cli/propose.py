@@ -6,6 +6,7 @@ from argparse import Namespace
 import numpy as np
 
 from lispac.adjustment.result import ANGLES
+from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.errors import ProjectError
 from lispac.workflow import projects
@@ -39,7 +40,7 @@ def propose(arguments: Namespace) -> None:
                 "name": target.name, "role": target.role, "seed_m": list(target.seed),
                 "lines": {s.line: {"points": len(s.indices), "rms_m": s.rms}
                           for s in target.sightings},
-                "reason": proposal.reasons[target.name],
+                "reason": plain(proposal.reasons[target.name]),
             }
             for target in proposal.targets
         ]  # fmt: skip
@@ -48,5 +49,5 @@ def propose(arguments: Namespace) -> None:
     for target in proposal.targets:
         north, west, up = target.seed
         print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
-        print(f"     {proposal.reasons[target.name]}")
+        print(f"     {plain(proposal.reasons[target.name])}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")

@@ -70,9 +70,8 @@ def _diagonalise(a: NDArray[np.float64], v: NDArray[np.float64]) -> None:
                     v[i, q] = s * vip + c * viq
 
 
-@njit(nogil=True, cache=True)
 def local_planes(
-    points: Points, neighbours: Indices
+    points: Points, neighbours: Indices, counts: Indices | None = None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Least-squares plane through each group of points.
 
@@ -80,21 +79,36 @@ def local_planes(
     ----------
     points : ndarray of shape (m, 3), metres
     neighbours : ndarray of shape (n, k)
-        Indices into ``points`` of each group, k >= 3.
+        Indices into ``points`` of each group.
+    counts : ndarray of shape (n,), optional
+        How many of each row count; all of them when left out.
 
     Returns
     -------
     centroids : ndarray of shape (n, 3), metres
     normals : ndarray of shape (n, 3)
-        Unit vectors of either sign; NaN where the group lies on one straight line or in one spot.
+        Unit vectors of either sign; NaN where the group has fewer than three points, or lies on one
+        straight line or in one spot.
     """
-    n, k = neighbours.shape
+    if counts is None:
+        counts = np.full(len(neighbours), neighbours.shape[1], dtype=np.intp)
+    centroids, normals = planes_of(points, neighbours, counts)
+    return centroids, normals
+
+
+@njit(nogil=True, cache=True)
+def planes_of(
+    points: Points, neighbours: Indices, counts: Indices
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # pragma: no cover - compiled
+    """As `local_planes`, for compiled loops."""
+    n, most = neighbours.shape
     centroids = np.empty((n, 3))
     normals = np.empty((n, 3))
-    local = np.empty((k, 3))
+    local = np.empty((most, 3))
     covariance = np.empty((3, 3))
     vectors = np.empty((3, 3))
     for row in range(n):
+        k = counts[row]
         # Differences to one member come first: big coordinates (UTM northings) cost no digits.
         first = neighbours[row, 0]
         for axis in range(3):
@@ -102,7 +116,7 @@ def local_planes(
             for j in range(k):
                 local[j, axis] = points[neighbours[row, j], axis] - points[first, axis]
                 total += local[j, axis]
-            mean = total / k
+            mean = total / max(k, 1)
             for j in range(k):
                 local[j, axis] -= mean
             centroids[row, axis] = points[first, axis] + mean
@@ -120,7 +134,7 @@ def local_planes(
             if covariance[axis, axis] >= covariance[largest, largest]:
                 largest = axis
         middle = 3 - smallest - largest
-        spread = covariance[middle, middle] > _COLLINEAR * covariance[largest, largest]
+        spread = k >= 3 and covariance[middle, middle] > _COLLINEAR * covariance[largest, largest]
         for axis in range(3):
             normals[row, axis] = vectors[axis, smallest] if spread else np.nan
     return centroids, normals

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
+Cells = tuple[Array, Indices, Indices, Array, float, Indices]
 
 # A cloud shorter than this is not worth splitting over threads.
 CHUNK = 250_000
@@ -67,6 +68,11 @@ class PointGrid:
         Kept by reference, not copied; it must not change afterwards.
     cell : float, metres
         Side of a cell. It grows where a wide cloud would need too many cells.
+
+    Attributes
+    ----------
+    cells : tuple of points, where each cell starts in the order, that order of the points, low
+        corner, side and number of the cells: what `gather` takes
     """
 
     def __init__(self, points: Array, cell: float = 1.0) -> None:
@@ -79,21 +85,12 @@ class PointGrid:
         while float(np.prod(shape.astype(float))) > limit:
             cell *= 1.5
             shape = _cells(low, high, cell)
-        self.low, self.cell, self.shape = low, cell, shape
-        self._starts, self._order = _sort_into_cells(points, low, cell, shape)
+        starts, order = _sort_into_cells(points, low, cell, shape)
+        self.cells: Cells = (points, starts, order, low, cell, shape)
 
     def within(self, centre: Array, radius: float) -> Indices:
         """Like `points_within`, from the prepared cells."""
-        found = _gather(
-            self.points,
-            self._starts,
-            self._order,
-            self.low,
-            self.cell,
-            self.shape,
-            np.asarray(centre, dtype=np.float64),
-            radius,
-        )
+        found = gather(self.cells, np.asarray(centre, dtype=np.float64), radius)
         found.sort()
         return found
 
@@ -225,16 +222,9 @@ def _sort_into_cells(
 
 
 @njit(nogil=True, cache=True)
-def _gather(
-    points: Array,
-    starts: Indices,
-    order: Indices,
-    low: Array,
-    cell: float,
-    shape: Indices,
-    centre: Array,
-    radius: float,
-) -> Indices:  # pragma: no cover - compiled
+def gather(cells: Cells, centre: Array, radius: float) -> Indices:  # pragma: no cover - compiled
+    """As `PointGrid.within`, in no order; for compiled loops over many centres."""
+    points, starts, order, low, cell, shape = cells
     limit = radius * radius
     first = np.empty(3, np.int64)
     last = np.empty(3, np.int64)

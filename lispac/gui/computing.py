@@ -17,6 +17,7 @@ from lispac.gui.viewport.base import Viewport
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.workflow.export_request import ExportRequest
 from lispac.workflow.survey import Survey
 
@@ -43,7 +44,13 @@ class PointCount:
 
 
 class Computing(QObject):
-    """Starts long work and takes its value over."""
+    """Starts long work and takes its value over.
+
+    Attributes
+    ----------
+    distance_to : LocalModel
+        What a validation measures distances to.
+    """
 
     counted = Signal(object)
     """A PointCount."""
@@ -64,6 +71,7 @@ class Computing(QObject):
         self._controller, self._viewport = controller, viewport
         self._subsample = 0.0
         self._stale_count = False
+        self.distance_to = SIX_POINT_PLANE
         runner.idle.connect(self._count_again)
 
     def count(self, subsample: float) -> None:
@@ -98,17 +106,23 @@ class Computing(QObject):
 
         self._runner.run("Counting points", work, done, quiet=True, key="count")
 
+    def measure_to(self, model: LocalModel) -> None:
+        """Measure so from the next validation on."""
+        self.distance_to = model
+
     def validate(self) -> None:
         """Compare the lines on the validation planes."""
         project, survey = self._ready()
         if project is None or survey is None:
             return
 
+        model = self.distance_to
+
         def work(progress: Progress) -> Project:
             from lispac.workflow.validation import validate
 
             preload()
-            return validate(project, survey, progress=progress)
+            return validate(project, survey, model=model, progress=progress)
 
         def done(validated: Project) -> None:
             if self._document.project is project:

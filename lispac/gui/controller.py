@@ -27,6 +27,8 @@ class Controller(QObject):
     """What the user wants done with the project."""
 
     candidate_changed = Signal()
+    accepted = Signal(str)
+    """Name of the target that was just accepted."""
     noted = Signal(str)
     """Something worth a line in the log and the status bar."""
     refused = Signal(object)
@@ -257,6 +259,7 @@ class Controller(QObject):
         self.noted.emit(
             f"{candidate.name}: {len(candidate.sightings)} of {len(project.lines)} lines"
         )
+        self.accepted.emit(candidate.name)
 
     def reject(self) -> None:
         """Let the candidate go."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject
 from lispac.errors import LispacError
 from lispac.geometry.planes import in_plane_axes
 from lispac.gui.actions import Actions
+from lispac.gui.controller import Controller
 from lispac.gui.document import Document
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import CANDIDATE_COLOUR
@@ -48,15 +49,18 @@ class Hovering(QObject):
         viewport: Viewport,
         actions: Actions,
         wanted: Callable[[], Wanted],
+        controller: Controller,
     ) -> None:
         super().__init__(actions)
         self._document, self._runner, self._wanted = document, runner, wanted
         self._viewport, self._action = viewport, actions["hover"]
+        self._controller = controller
         self._warm = self._on = False
         self.seconds = 0.0
         viewport.signals.hovered.connect(self._look)
         self._action.triggered.connect(lambda _on: self._switch())
         runner.idle.connect(self._switch)  # where warming up gave way to other work
+        controller.candidate_changed.connect(lambda: viewport.show_sketch(SKETCH, None))
 
     def _switch(self) -> None:
         on = self._action.isChecked()
@@ -81,7 +85,7 @@ class Hovering(QObject):
 
     def _preview(self, point: PickedPoint) -> Sketch | None:
         project, wanted = self._document.project, self._wanted()
-        if project is None or not wanted.plane:
+        if project is None or not wanted.plane or self._is_found(point):
             return None
         usual = FinderSettings()
         radius = wanted.radius or usual.radius
@@ -97,6 +101,13 @@ class Hovering(QObject):
         except LispacError:
             return None
         return sketch_of(near, patch, point.line)
+
+    def _is_found(self, point: PickedPoint) -> bool:
+        """Whether the candidate is there, which tells what a click took; labels would collide."""
+        candidate = self._controller.candidate
+        if candidate is None:
+            return False
+        return float(np.linalg.norm(np.subtract(point.position, candidate.seed))) < candidate.radius
 
 
 def _warm_up(_progress: Progress) -> None:

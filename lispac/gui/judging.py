@@ -1,15 +1,17 @@
 """How good the sightings are: judged by the worker whenever nobody waits for anything else."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
 from lispac.gui.document import Document
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.progress import Progress
-from lispac.project import Project
+from lispac.project import Project, Target
 from lispac.targets.quality import SightingQuality
 from lispac.workflow.qualities import Judged, judge
+from lispac.workflow.survey import Survey
 
 Key = tuple[str, str]
 
@@ -19,18 +21,28 @@ class Judging(QObject):
 
     judged = Signal(object)
     """Qualities by the names of target and line, those that are known by now."""
+    candidate_judged = Signal(object)
+    """Qualities of the candidate, by line."""
 
     def __init__(self, document: Document, runner: TaskRunner, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._runner = document, runner
         self._known: Mapping[Key, Judged] = {}
         self._asked: tuple[Task, Project] | None = None
+        self._candidate: Target | None = None
+        self._asked_candidate: tuple[Task, Target] | None = None
         document.changed.connect(self._watch)
         document.survey_changed.connect(self._watch)
         runner.idle.connect(self._judge)
 
     def _watch(self) -> None:
         self._tell()
+        if not self._runner.active:
+            self._judge()
+
+    def judge_candidate(self, candidate: Target | None) -> None:
+        """Judge a target just found, before it is accepted."""
+        self._candidate = candidate
         if not self._runner.active:
             self._judge()
 
@@ -60,6 +72,8 @@ class Judging(QObject):
             return
         if self._runner.active or document.awaits_result:
             return  # the runner tells when it is idle
+        if self._candidate is not None and self._judges_candidate(self._candidate, project, survey):
+            return
         task, asked = self._asked or (None, None)
         if task is not None and asked is project and not task.gave_way:
             return  # it failed, or was cancelled by hand
@@ -75,3 +89,24 @@ class Judging(QObject):
 
         task = self._runner.run("Judging the sightings", work, done, quiet=True, key="quality")
         self._asked = (task, project)
+
+    def _judges_candidate(self, candidate: Target, project: Project, survey: Survey) -> bool:
+        """Give the candidate to the worker, unless it was judged or failed; whether that was so."""
+        task, asked = self._asked_candidate or (None, None)
+        if task is not None and asked is candidate and not task.gave_way:
+            return False
+
+        def work(progress: Progress) -> dict[Key, Judged]:
+            alone = replace(project, targets=(candidate,))
+            return judge(alone, survey, progress=progress)
+
+        def done(judged: dict[Key, Judged]) -> None:
+            if self._candidate is not candidate:
+                return
+            self._known = {**judged, **self._known}  # it holds when it is accepted
+            self.candidate_judged.emit({line: each.quality for (_, line), each in judged.items()})
+
+        title = f"Judging {candidate.name}"
+        task = self._runner.run(title, work, done, quiet=True, key="candidate")
+        self._asked_candidate = task, candidate
+        return True

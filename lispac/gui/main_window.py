@@ -36,6 +36,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.target_work import TargetWork
 from lispac.gui.tasks import TaskRunner
+from lispac.gui.theme import undressed
 from lispac.gui.tools import Tools
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.project import Project
@@ -84,7 +85,8 @@ class MainWindow(QMainWindow):
         self.actions_ = Actions(self, self.document.undo_stack)
         self.looking = Looking(viewport, self.scene, self.controller, self.actions_, self.settings)
         self.tools = Tools(self)
-        self._build()
+        with undressed():
+            self._build()
         self._join_panels()
         self._join_actions()
         self._join_work()
@@ -193,6 +195,7 @@ class MainWindow(QMainWindow):
         self.adjust.cancel_asked.connect(self.runner.cancel)
         self.validate.validate_asked.connect(self.computing.validate)
         self.validate.shown_changed.connect(self.computing.show)
+        self.validate.model_changed.connect(self.computing.measure_to)
         self.report.report_asked.connect(self.life.export_report)
         self.report.lines_asked.connect(self.life.export)
         self.workflow.step_opened.connect(lambda _step: self._refresh())
@@ -233,6 +236,7 @@ class MainWindow(QMainWindow):
         self.document.modified.connect(lambda _modified: self._name_window())
         self.document.opened.connect(lambda: self.workflow.open(self._first_open_step()))
         self.runner.changed.connect(self._show_task)
+        self.runner.moved.connect(self._show_progress)
         self.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(lambda title: self._note(f"{title}: cancelled"))
@@ -302,11 +306,12 @@ class MainWindow(QMainWindow):
             actions[name].setEnabled(enabled)
         actions.recent.setEnabled(not busy)
 
-    def _show_task(self) -> None:
+    def _show_progress(self) -> None:
         task = self.runner.current
         self.task_bar.show_task(task)
-        estimating = task if task is not None and task.key == "estimate" else None
-        self.adjust.show_task(estimating)
+        self.adjust.show_task(task if task is not None and task.key == "estimate" else None)
+
+    def _show_task(self) -> None:
         project, survey, statuses = self._state()
         busy = self.runner.busy
         self.adjust.show_project(project, statuses[ADJUST], busy)
@@ -316,12 +321,9 @@ class MainWindow(QMainWindow):
 
     def _show_candidate(self) -> None:
         candidate, project = self.controller.candidate, self.document.project
-        known = None
-        if candidate is not None and project is not None:
-            known = next((t for t in project.targets if t.name == candidate.name), None)
+        if candidate is not None:
             self.workflow.open(TARGETS)
-        lines = 0 if project is None else len(project.lines)
-        self.targets.show_candidate(candidate, known, lines)
+        self.targets.show_candidate(candidate, project)
         for name in ("accept", "reject"):
             self.actions_[name].setEnabled(candidate is not None)
 

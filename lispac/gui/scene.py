@@ -124,6 +124,12 @@ class Scene(QObject):
         self._draw_targets()
         self._viewport.select(None if candidate is None else (candidate.name, ""))
 
+    def select(self, name: str) -> None:
+        """Emphasise a target on all its lines, and stay where the view is."""
+        self.selected = (name, "")
+        self._viewport.select(self.selected)
+        self.selection_changed.emit()
+
     def look_at(self, name: str, line: str) -> None:
         """Emphasise a sighting, or a target on all its lines with ``line`` "", and go there."""
         project = self._document.project

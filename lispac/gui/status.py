@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.adjustment.doubts import doubts
+from lispac.doubles import doubles
 from lispac.project import Project
 from lispac.workflow.survey import Survey
 
@@ -125,7 +126,10 @@ def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str
     if project.result is not None:
         factor = project.result.variance_factor
         passed = project.result.chi_square.passed
-        serious = any(doubt.serious for doubt in doubts(project.result, project.cross_checks))
+        serious = any(
+            doubt.serious
+            for doubt in doubts(project.result, project.cross_checks, doubles(project))
+        )
         if serious:
             advice = "Do not use the angles before you have read the warnings on the right."
         elif passed:

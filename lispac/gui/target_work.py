@@ -25,6 +25,12 @@ class TargetWork(QObject):
         self._targets, self._actions = window.targets, window.actions_
         self.judging = Judging(window.document, window.runner, self)
         self.judging.judged.connect(window.table.sightings.show_qualities)
+        self.judging.candidate_judged.connect(window.targets.candidate.lights.show_qualities)
+        window.controller.candidate_changed.connect(
+            lambda: self.judging.judge_candidate(window.controller.candidate)
+        )
+        window.controller.accepted.connect(self._mark)
+        self._scene, self._table, self._histograms = window.scene, window.table, window.histograms
         window.targets.propose_asked.connect(self.propose)
         window.actions_["propose"].triggered.connect(lambda _=False: self.propose())
         window.actions_["find_again"].triggered.connect(lambda _=False: self.find_again())
@@ -34,6 +40,14 @@ class TargetWork(QObject):
         ):  # fmt: skip
             changed.connect(self._enable)
         self._enable()
+
+    def _mark(self, name: str) -> None:
+        """Select what was just accepted, and leave the view where it is."""
+        self._scene.select(name)
+        self._table.select(name)
+        self._histograms.select(name)
+        if self._targets.line is None:  # else the next seed on that line would be its sighting
+            self._targets.select(name)
 
     def propose(self) -> None:
         """Detect planes in all lines, and offer what could be used."""

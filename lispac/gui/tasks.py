@@ -69,7 +69,9 @@ class TaskRunner(QObject):
     """Runs tasks one after the other."""
 
     changed = Signal()
-    """A task started, moved or ended: look at `current`."""
+    """A task started or ended: look at `current`."""
+    moved = Signal()
+    """A task started, went on or ended: look at how far `current` is."""
     failed = Signal(object)
     """The exception a task ended with."""
     stopped = Signal(str)
@@ -89,7 +91,8 @@ class TaskRunner(QObject):
         self._closed = False
         self._timer = QTimer(self)
         self._timer.setInterval(REFRESH_MS)
-        self._timer.timeout.connect(self.changed)
+        self._timer.timeout.connect(self.moved)
+        self.changed.connect(self.moved)
         self._ended.connect(self._finish, Qt.ConnectionType.QueuedConnection)
 
     @property

@@ -1,6 +1,7 @@
 """Colours, fonts and the light look of the window."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import qtawesome
@@ -82,11 +83,29 @@ def tabular(font: QFont, *, bold: bool = False) -> QFont:
 
 
 def apply_theme(application: QApplication) -> None:
-    """Dress the application: Fusion style, a light palette and a few rules."""
+    """Dress the application, once: Fusion style, a light palette and a few rules."""
+    if application.styleSheet() == _STYLE:
+        return
     application.setStyle(QStyleFactory.create("Fusion"))
     application.setPalette(_palette())
     application.setFont(_font(application.font()))
     application.setStyleSheet(_STYLE)
+
+
+@contextmanager
+def undressed() -> Iterator[None]:
+    """Without the rules while a window is put together, and with them in one go after that.
+
+    Qt would apply them anew to all that a widget holds whenever it is put into another one.
+    """
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    rules = application.styleSheet()
+    application.setStyleSheet("")
+    try:
+        yield
+    finally:
+        application.setStyleSheet(rules)
 
 
 def _font(default: QFont) -> QFont:

@@ -41,7 +41,9 @@ class Tools(QObject):
             window.document, window.scene, view, actions, self.pointing, self.clipping, note,
             window.controller.refused.emit,
         )  # fmt: skip
-        self.hovering = Hovering(window.document, window.runner, view, actions, self._wanted)
+        self.hovering = Hovering(
+            window.document, window.runner, view, actions, self._wanted, window.controller
+        )
         self.pictures = Pictures(
             window.document, view, self.sections.panel, actions, window.dialogs, note,
             window.controller.refused.emit,

@@ -5,7 +5,7 @@ from typing import Any
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 4
+SCHEMA_VERSION = 5
 
 
 def upgraded(content: Content) -> Content:
@@ -48,4 +48,30 @@ def _from_3(content: Content) -> Content:
     return content | {"schema_version": 4, "targets": targets}
 
 
-_UPGRADES: dict[int, Callable[[Content], Content]] = {1: _from_1, 2: _from_2, 3: _from_3}
+def _from_4(content: Content) -> Content:
+    """Version 5 says more of a comparison of lines; what an older one lacks stays unknown."""
+
+    def state(distances: Content) -> Content:
+        return {"distances": distances, "signed": None, "planes": None}
+
+    usual = {"kind": "plane", "neighbours": 6, "radius": None}
+    validation = [
+        plane
+        | {"model": usual, "by_height": None, "by_range": None}
+        | {
+            "pairs": [
+                pair | {when: state(pair[when]) for when in ("before", "after")}
+                for pair in plane["pairs"]
+            ]
+        }
+        for plane in content["validation"]
+    ]
+    return content | {"schema_version": 5, "validation": validation}
+
+
+_UPGRADES: dict[int, Callable[[Content], Content]] = {
+    1: _from_1,
+    2: _from_2,
+    3: _from_3,
+    4: _from_4,
+}

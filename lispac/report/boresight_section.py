@@ -119,11 +119,13 @@ def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]
         )
     ]
     if len(adjustment.estimated) > len(names):
-        from lispac.report.figures import correlation_figure_of, svg_of
+        from lispac.report.figures import correlation_figure_of, pictures_of
 
-        figure = correlation_figure_of(adjustment.estimated, adjustment.correlation_all)
+        (svg,) = pictures_of(
+            correlation_figure_of, adjustment.estimated, adjustment.correlation_all
+        )
         caption = "Correlations of all estimated values."
-        blocks.append(Picture(caption, svg_of(figure), ".svg", width=0.55))
+        blocks.append(Picture(caption, svg, ".svg", width=0.55))
     return blocks
 
 

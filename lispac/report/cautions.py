@@ -7,12 +7,12 @@ content only, so that a report and a test see the same. One rule a function.
 from collections.abc import Iterator, Sequence
 
 from lispac.adjustment.doubts import Doubt
+from lispac.report.validation_values import ValidationPlane
 from lispac.report.values import (
     Caution,
     Chi2,
     ExtraParameter,
     ReportContent,
-    ValidationPlane,
     mild,
     serious,
 )

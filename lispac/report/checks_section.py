@@ -127,7 +127,7 @@ def _told(found: Sequence[SightingCheck]) -> list[Block]:
 
 def _pos_errors(adjustment: Adjustment) -> list[Block]:
     # Rounded first, plus zero: no minus sign before a zero
-    from lispac.report.figures import POS_COMPONENTS, pos_error_figures_of, svg_of
+    from lispac.report.figures import POS_COMPONENTS, pictures_of, pos_error_figures_of
 
     found = adjustment.reliability
     count = len(found)
@@ -169,7 +169,7 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
         "Errors beyond the grey are red: the POS was worse than stated, or something else is taken "
         "for its error."
     )
-    figures = [Picture(caption, svg_of(figure), ".svg") for figure in pos_error_figures_of(found)]
+    figures = [Picture(caption, svg, ".svg") for svg in pictures_of(pos_error_figures_of, found)]
     return [table, *figures]
 
 

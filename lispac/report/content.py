@@ -15,6 +15,7 @@ from lispac.adjustment.critical import critical_w
 from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.doubles import doubles
 from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
@@ -28,24 +29,21 @@ from lispac.report.diagnostics import (
     seen,
 )
 from lispac.report.settings_used import CONVENTION, settings_used
+from lispac.report.validation_values import ValidationPlane
 from lispac.report.values import (
     Adjustment,
     Angle,
     Chi2,
-    Distances,
     Effect,
     InputFile,
     Line,
-    Pair,
     PickedPlane,
     ReportContent,
     SightingFit,
     SightingJudged,
     TargetFit,
-    ValidationPlane,
 )
 from lispac.targets.quality import SightingQuality
-from lispac.validation.comparison import DistanceStatistics, PlaneComparison
 
 __all__ = ["CONVENTION", "ReportContent", "report_content"]
 
@@ -107,7 +105,7 @@ def report_content(
         angles=_angles(project),
         adjustment=_adjustment(project.result, headings_deg) if project.result else None,
         cross_checks=cross_checked(project.cross_checks),
-        validation=tuple(_validation_plane(plane) for plane in project.validation),
+        validation=tuple(ValidationPlane.of(plane) for plane in project.validation),
         not_compared=tuple(project.not_compared.values()),
         planes=tuple(_picked(target) for target in project.targets),
         lines=lines,
@@ -118,7 +116,8 @@ def report_content(
             _judged(*key, each, by_hand=key in edited) for key, each in (qualities or {}).items()
         ),
     )
-    found = doubts(project.result, project.cross_checks) if project.result else ()
+    also = doubles(project)
+    found = doubts(project.result, project.cross_checks, also) if project.result else also
     return replace(content, cautions=cautions_of(content, found))
 
 
@@ -287,36 +286,6 @@ def _effects(result: AdjustmentResult) -> tuple[Effect, ...]:
     return tuple(
         Effect(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
         for name, rate in zip((*ANGLES, "worst direction"), rates, strict=True)
-    )
-
-
-def _validation_plane(plane: PlaneComparison) -> ValidationPlane:
-    return ValidationPlane(
-        name=plane.name,
-        pooled_from=plane.pooled_from,
-        before=_distances(plane.before),
-        after=_distances(plane.after),
-        pairs=tuple(
-            Pair(p.line_a, p.line_b, p.reciprocal, _distances(p.before), _distances(p.after))
-            for p in plane.pairs
-        ),
-        not_compared=plane.not_compared,
-        bin_edges_m=tuple(map(float, plane.bin_edges)),
-        counts_before=tuple(map(int, plane.counts_before)),
-        counts_after=tuple(map(int, plane.counts_after)),
-    )
-
-
-def _distances(values: DistanceStatistics) -> Distances:
-    return Distances(
-        values.n,
-        values.mean,
-        values.median,
-        values.rms,
-        values.p68,
-        values.p95,
-        values.p99,
-        values.maximum,
     )
 
 

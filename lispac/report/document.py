@@ -10,6 +10,7 @@ from lispac.report.boresight_section import boresight
 from lispac.report.checks_section import cross_checks, reliability
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
+from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
 
@@ -36,7 +37,7 @@ def document_of(content: ReportContent, pictures: Mapping[str, Path]) -> Documen
         _section("Quality of the sightings", quality_of_sightings(content)),
         _section("Reliability of the sightings", reliability(content)),
         _section("Cross-checks", cross_checks(content)),
-        _section("Validation", sections.validation(content)),
+        _section("Validation", validation(content)),
         _section("Site and lines", sections.site(content)),
         _section("Settings and input files", settings(content)),
         _section("Pictures", [_picture(caption, path) for caption, path in pictures.items()]),

@@ -4,8 +4,9 @@ Each function draws into the figure given, or into a new one. Style is set on th
 never in matplotlib's global settings, so that drawing in a worker disturbs nobody.
 """
 
-from collections.abc import Mapping, Sequence
-from functools import cache
+import pickle
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, lru_cache
 from io import BytesIO
 from pathlib import Path
 
@@ -18,12 +19,12 @@ from matplotlib.ft2font import FT2Font
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
+from lispac.report.validation_values import ValidationPlane
 from lispac.report.values import (
     Line,
     PickedPlane,
     SightingCheck,
     SightingFit,
-    ValidationPlane,
 )
 from lispac.report.wording import parameter
 from lispac.validation.comparison import PlaneComparison
@@ -57,9 +58,8 @@ def histogram_figure(comparison: PlaneComparison, figure: Figure | None = None) 
         for values in (comparison.before, comparison.after)
     ]
     counts = (comparison.counts_before, comparison.counts_after)
-    return _histogram(
-        figure, comparison.name, comparison.pooled_from, comparison.bin_edges, counts, summaries
-    )
+    told = f"{comparison.pooled_from}, {comparison.model.in_words}"
+    return _histogram(figure, comparison.name, told, comparison.bin_edges, counts, summaries)
 
 
 def validation_figure(plane: ValidationPlane) -> Figure:
@@ -69,7 +69,8 @@ def validation_figure(plane: ValidationPlane) -> Figure:
         for values in (plane.before, plane.after)
     ]
     counts = (plane.counts_before, plane.counts_after)
-    return _histogram(None, plane.name, plane.pooled_from, plane.bin_edges_m, counts, summaries)
+    told = f"{plane.pooled_from}, {plane.measured_to}"
+    return _histogram(None, plane.name, told, plane.bin_edges_m, counts, summaries)
 
 
 def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
@@ -83,7 +84,7 @@ def correlation_figure_of(
     """`correlation_figure` of a report's content; names as in `AdjustmentResult.estimated`."""
     matrix = np.asarray(correlation)
     side = max(2.8, 0.9 + 0.42 * len(names))
-    figure = _blank(figure, (side + 0.6, side))
+    figure = blank(figure, (side + 0.6, side))
     axes = figure.add_subplot()
     image = axes.imshow(matrix, cmap="PuOr", vmin=-1, vmax=1)
     for (row, column), value in np.ndenumerate(matrix):
@@ -116,7 +117,7 @@ def site_figure(
     tracks : (k, 2) by name of the line, metres; north and west
     targets, validation : seed by name, metres; north and west, and up, which is not drawn
     """
-    figure = _blank(figure, (6.3, 4.4))
+    figure = blank(figure, (6.3, 4.4))
     axes = figure.add_subplot()
     for k, (name, points) in enumerate(tracks.items()):
         _draw_track(
@@ -127,7 +128,7 @@ def site_figure(
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
     axes.invert_xaxis()  # west is positive in the local frame, and lies on the left
-    _dress(axes, "West (m)", "North (m)")
+    dress(axes, "West (m)", "North (m)")
     if tracks or targets or validation:
         figure.legend(loc="outside right upper", fontsize=SMALL, frameon=False, labelcolor=INK)
     return figure
@@ -146,7 +147,10 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
     """RMS of each sighting about its target's surface, before and after."""
     return _bars(
         figure,
-        [f"{_label(s.sighting.target)}  {_label(s.sighting.line)}" for s in result.sightings],
+        [
+            f"{short_name(s.sighting.target)}  {short_name(s.sighting.line)}"
+            for s in result.sightings
+        ],
         [s.rms_before for s in result.sightings],
         [s.rms_after for s in result.sightings],
     )
@@ -157,7 +161,7 @@ def residual_figures_of(sightings: Sequence[SightingFit]) -> list[Figure]:
     figures = []
     for start in range(0, len(sightings), PER_RESIDUAL_FIGURE):
         some = sightings[start : start + PER_RESIDUAL_FIGURE]
-        labels = [f"{_label(s.target)}  {_label(s.line)}" for s in some]
+        labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in some]
         before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
         figures.append(_bars(None, labels, before, after))
     return figures
@@ -173,7 +177,7 @@ def pos_error_figures_of(sightings: Sequence[SightingCheck]) -> list[Figure]:
 
 def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
     """A row a sighting, a panel a component: error, its 2 sigma, and the prior 2 sigma."""
-    figure = _blank(None, (6.3, 0.75 + 0.17 * len(sightings)))
+    figure = blank(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
     values, prior, after = (
         1000 * np.array([[*metres, *degrees] for metres, degrees in pairs])
@@ -198,11 +202,11 @@ def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
         )
         axes.set_xlim(-widest, widest)
         axes.locator_params(axis="x", nbins=3)
-        _dress(axes, "mm" if k < 3 else "0.001 deg", "")
+        dress(axes, "mm" if k < 3 else "0.001 deg", "")
         axes.grid(False)
         axes.set_title(name, fontsize=TEXT, color=INK)
         axes.tick_params(axis="y", length=0)
-    panels[0].set_yticks(at, [f"{_label(s.target)}  {_label(s.line)}" for s in sightings])
+    panels[0].set_yticks(at, [f"{short_name(s.target)}  {short_name(s.line)}" for s in sightings])
     panels[0].set_ylim(len(sightings) - 0.5, -0.5)
     return figure
 
@@ -215,7 +219,24 @@ def svg_of(figure: Figure) -> bytes:
     return stream.getvalue()
 
 
-def _blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
+def pictures_of(draw: Callable[..., Figure | Sequence[Figure]], *values: object) -> list[bytes]:
+    """The figures that ``draw`` makes of a report's values, as SVG.
+
+    Nearly all of a report's time goes into them, and its three forms show the same ones, as does
+    the next report on a plane that stayed as it was: the last ones are kept.
+    """
+    return list(drawn(draw, pickle.dumps(values)))
+
+
+@lru_cache(maxsize=32)  # those of a few reports, some megabytes
+def drawn(draw: Callable[..., Figure | Sequence[Figure]], values: bytes) -> tuple[bytes, ...]:
+    """`pictures_of` pickled values: they are equal to the last digit and sign."""
+    made = draw(*pickle.loads(values))
+    return tuple(svg_of(figure) for figure in ([made] if isinstance(made, Figure) else made))
+
+
+def blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
+    """The figure emptied, or a new one of this size in inches."""
     if figure is None:
         return Figure(figsize=size, layout="constrained")
     figure.clear()
@@ -223,7 +244,8 @@ def _blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
     return figure
 
 
-def _dress(axes: Axes, x_label: str, y_label: str) -> None:
+def dress(axes: Axes, x_label: str, y_label: str) -> None:
+    """Labels, grid and spines as all figures have them."""
     axes.set_xlabel(x_label, fontsize=TEXT, color=INK)
     axes.set_ylabel(y_label, fontsize=TEXT, color=INK)
     axes.tick_params(labelsize=SMALL, colors=INK, length=3)
@@ -246,7 +268,7 @@ def _plain(text: str) -> str:
     return shown.replace("$", r"\$")
 
 
-def _label(name: str) -> str:
+def short_name(name: str) -> str:
     """A name of the user's, cut where it would push the plot aside."""
     return _plain(name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026")
 
@@ -254,12 +276,12 @@ def _label(name: str) -> str:
 def _histogram(
     figure: Figure | None,
     name: str,
-    pooled_from: str,
+    told: str,
     edges_m: ArrayLike,
     counts: Sequence[ArrayLike],
     summaries: Sequence[_Summary],
 ) -> Figure:
-    figure = _blank(figure, (6.3, 2.5))
+    figure = blank(figure, (6.3, 2.5))
     axes = figure.add_subplot()
     edges = 1000 * np.asarray(edges_m)
     for label, colour, heights, (n, median, rms, p95) in zip(
@@ -274,9 +296,9 @@ def _histogram(
         axes.stairs(values, edges, color=colour, linewidth=1.0)
     axes.set_xlim(edges[0], edges[-1])
     axes.set_ylim(bottom=0)
-    _dress(axes, "Distance between lines (mm); the last bin holds all beyond", "Points")
+    dress(axes, "Distance between lines (mm); the last bin holds all beyond", "Points")
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:,.0f}")
-    axes.set_title(f"{_label(name)}, {pooled_from}", fontsize=TEXT + 1, color=INK, loc="left")
+    axes.set_title(f"{short_name(name)}, {told}", fontsize=TEXT + 1, color=INK, loc="left")
     axes.legend(loc="upper right", fontsize=TEXT, frameon=False, labelcolor=INK)
     return figure
 
@@ -284,7 +306,7 @@ def _histogram(
 def _bars(
     figure: Figure | None, labels: Sequence[str], before: Sequence[float], after: Sequence[float]
 ) -> Figure:
-    figure = _blank(figure, (6.3, 0.7 + 0.26 * len(labels)))
+    figure = blank(figure, (6.3, 0.7 + 0.26 * len(labels)))
     axes = figure.add_subplot()
     at = np.arange(len(labels))
     for shift, values, colour, label in (
@@ -297,7 +319,7 @@ def _bars(
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
     axes.margins(x=0.1)
-    _dress(axes, "RMS distance to the target's surface (mm)", "")
+    dress(axes, "RMS distance to the target's surface (mm)", "")
     axes.grid(False, axis="y")
     axes.tick_params(axis="y", length=0)
     figure.legend(loc="outside upper right", ncols=2, fontsize=SMALL, frameon=False, labelcolor=INK)
@@ -306,7 +328,7 @@ def _bars(
 
 def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
     north, west = points[:, 0], points[:, 1]
-    axes.plot(west, north, color=colour, linewidth=1.4, label=_label(name))
+    axes.plot(west, north, color=colour, linewidth=1.4, label=short_name(name))
     if len(points) < 2:
         return
     axes.annotate(
@@ -317,7 +339,7 @@ def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
     back = np.array([west[1] - west[0], north[0] - north[1]])
     back *= 9 / max(float(np.hypot(*back)), 1e-9)
     axes.annotate(
-        _label(name), (west[0], north[0]), textcoords="offset points", xytext=tuple(back),
+        short_name(name), (west[0], north[0]), textcoords="offset points", xytext=tuple(back),
         ha="center", va="center", fontsize=SMALL, color=colour,
     )  # fmt: skip
 
@@ -333,6 +355,6 @@ def _draw_seeds(
     ordered = sorted(seeds.items(), key=lambda item: item[1][0])
     for k, (name, seed) in enumerate(ordered):
         axes.annotate(
-            _label(name), (seed[1], seed[0]), textcoords="offset points",
+            short_name(name), (seed[1], seed[0]), textcoords="offset points",
             xytext=(5, -9 if k % 2 == 0 else 4), fontsize=SMALL, color=colour, zorder=3,
         )  # fmt: skip

@@ -3,16 +3,13 @@
 Angles have four decimals in degrees, distances one in millimetres.
 """
 
-from collections.abc import Sequence
-
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, rows
+from lispac.report.validation_section import distance_table
 from lispac.report.values import (
     Adjustment,
-    Distances,
     ExtraParameter,
     PickedPlane,
     ReportContent,
-    ValidationPlane,
 )
 from lispac.report.wording import (
     angle,
@@ -51,7 +48,7 @@ def summary(content: ReportContent) -> list[Block]:
             )
     if content.validation:
         blocks.append(
-            _distance_table(
+            distance_table(
                 "Validation: distances between lines on planes that took no part (mm)",
                 [Column("Plane", "left")],
                 [((plane.name,), plane.before, plane.after) for plane in content.validation],
@@ -144,7 +141,7 @@ def _picked_shape(plane: PickedPlane) -> str:
 
 
 def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
-    from lispac.report.figures import residual_figures_of, svg_of
+    from lispac.report.figures import pictures_of, residual_figures_of
 
     targets = Table(
         "Fit of each target, all lines together, to one surface",
@@ -197,8 +194,8 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
         ),
     )
     figures = [
-        Picture("RMS of each sighting, before and after.", svg_of(figure), ".svg")
-        for figure in residual_figures_of(adjustment.sightings)
+        Picture("RMS of each sighting, before and after.", svg, ".svg")
+        for svg in pictures_of(residual_figures_of, adjustment.sightings)
     ]
     told = Paragraph(
         "RMS and mean are distances from the surface that all lines have in common. After the "
@@ -212,84 +209,13 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
     return [targets, sightings, told, *figures]
 
 
-def validation(content: ReportContent) -> list[Block]:
-    from lispac.report.figures import svg_of, validation_figure
-
-    if not content.validation:
-        return [Paragraph("No plane outside the adjustment has been compared between the lines.")]
-    sources = " and ".join(sorted({plane.pooled_from for plane in content.validation}))
-    blocks: list[Block] = [
-        Paragraph(
-            "Distances from each point of one line to a local plane through the points of the "
-            "other, both directions, only where both lines saw the plane, before and after the "
-            f"calibration. The histograms and the totals on page one are of {sources}; the same "
-            "points stand in both states. What remains after the calibration is the POS error of "
-            "each line, which no boresight removes."
-        )
-    ]
-    for plane in content.validation:
-        caption = f"{plane.name}: distances between lines before and after the calibration."
-        blocks.append(Picture(caption, svg_of(validation_figure(plane)), ".svg"))
-    blocks.append(
-        _distance_table(
-            "Every pair of lines (mm)",
-            [Column("Plane", "left"), Column("Lines", "left"),
-             Column("Reciprocal", "left")],
-            [
-                ((plane.name, f"{pair.line_a} / {pair.line_b}", "yes" if pair.reciprocal else "no"),
-                 pair.before, pair.after)
-                for plane in content.validation
-                for pair in plane.pairs
-            ],
-        )
-    )  # fmt: skip
-    apart = tuple(_not_compared(plane) for plane in content.validation if plane.not_compared)
-    if apart:
-        blocks += [
-            Paragraph("Not compared, for want of a part seen by both lines:"),
-            Bullets(apart),
-        ]
-    return blocks
-
-
-def _not_compared(plane: ValidationPlane) -> str:
-    return f"{plane.name}: {', '.join(f'{a} / {b}' for a, b in plane.not_compared)}"
-
-
-def _distance_table(
-    title: str,
-    head: Sequence[Column],
-    compared: Sequence[tuple[tuple[str, ...], Distances, Distances]],
-) -> Table:
-    statistics = ("Median", "RMS", "95 %")
-    columns = (
-        *head,
-        Column("Points"),
-        *(Column(f"{name}\n{state}") for name in statistics for state in ("before", "after")),
-    )
-    return Table(
-        title,
-        columns,
-        rows(
-            [
-                *names,
-                f"{before.n:,}",
-                mm(before.median_m), mm(after.median_m),
-                mm(before.rms_m), mm(after.rms_m),
-                mm(before.p95_m), mm(after.p95_m),
-            ]
-            for names, before, after in compared
-        ),
-    )  # fmt: skip
-
-
 def site(content: ReportContent) -> list[Block]:
-    from lispac.report.figures import site_figure_of, svg_of
+    from lispac.report.figures import pictures_of, site_figure_of
 
     blocks: list[Block] = []
     if any(line.track_local_m for line in content.lines) or content.planes:
-        figure = site_figure_of(content.lines, content.planes)
-        blocks.append(Picture("Plan of the site, local frame.", svg_of(figure), ".svg"))
+        (svg,) = pictures_of(site_figure_of, content.lines, content.planes)
+        blocks.append(Picture("Plan of the site, local frame.", svg, ".svg"))
     blocks.append(
         Table(
             "Lines",

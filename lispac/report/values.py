@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from lispac.report.validation_values import ValidationPlane
+
 
 @dataclass(frozen=True)
 class Caution:
@@ -274,49 +276,6 @@ class Adjustment:
     targets: tuple[TargetFit, ...]
     one_facing: bool
     sightings: tuple[SightingFit, ...]
-
-
-@dataclass(frozen=True)
-class Distances:
-    """Statistics of the unsigned distances between lines."""
-
-    n: int
-    mean_m: float
-    median_m: float
-    rms_m: float
-    p68_m: float
-    p95_m: float
-    p99_m: float
-    maximum_m: float
-
-
-@dataclass(frozen=True)
-class Pair:
-    """Two lines compared on one validation plane."""
-
-    line_a: str
-    line_b: str
-    reciprocal: bool
-    before: Distances
-    after: Distances
-
-
-@dataclass(frozen=True)
-class ValidationPlane:
-    """Distances between the lines on one validation plane, with their histogram.
-
-    The last bin also holds the distances beyond it.
-    """
-
-    name: str
-    pooled_from: str
-    before: Distances
-    after: Distances
-    pairs: tuple[Pair, ...]
-    not_compared: tuple[tuple[str, str], ...]
-    bin_edges_m: tuple[float, ...]
-    counts_before: tuple[int, ...]
-    counts_after: tuple[int, ...]
 
 
 @dataclass(frozen=True)

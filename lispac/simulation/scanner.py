@@ -11,7 +11,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.geometry.rotations import rotation_matrix
-from lispac.simulation.scene import Scene, nearest_hit
+from lispac.simulation.scene import Scene, heights_above, nearest_hit
 
 Array = NDArray[np.float64]
 
@@ -155,7 +155,7 @@ def _scan(  # type: ignore[no-untyped-def]
     time, angle, knots, states, rotation_body_lidar, lever_arm, max_range, half_width,
     rectangles, cylinders, true_points, measured, label,
 ):  # fmt: skip
-    rotation = np.empty((3, 3))
+    rotation, heights = np.empty((3, 3)), np.empty(len(rectangles))
     k = 0
     for i in range(len(time)):
         while k < len(knots) - 2 and time[i] > knots[k + 1]:
@@ -177,9 +177,10 @@ def _scan(  # type: ignore[no-untyped-def]
         ox += low[0] + u * (high[0] - low[0])
         oy += low[1] + u * (high[1] - low[1])
         oz += low[2] + u * (high[2] - low[2])
+        heights_above(ox, oy, oz, rectangles, heights)
         dx, dy, dz = _beam(rotation, rotation_body_lidar, angle[i])
         distance, label[i], cosine = nearest_hit(
-            ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders
+            ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, heights
         )
         if label[i] < 0:
             continue
@@ -192,7 +193,7 @@ def _scan(  # type: ignore[no-untyped-def]
             side = half_width if i % 2 == 0 else -half_width
             dx, dy, dz = _beam(rotation, rotation_body_lidar, angle[i] + side)
             edge, edge_label, _ = nearest_hit(
-                ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders
+                ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, heights
             )
             if edge_label >= 0 and edge_label != label[i]:
                 measured[i, 1] = edge

@@ -211,34 +211,54 @@ class Scene:
         return ranges, labels, cosines
 
 
-@njit(nogil=True, cache=True)
-def nearest_hit(ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders):  # type: ignore[no-untyped-def]
+@njit(nogil=True, cache=True, error_model="numpy")
+def heights_above(ox, oy, oz, rectangles, heights):  # type: ignore[no-untyped-def]
+    """How far the plane of each rectangle lies along its normal from an origin, into ``heights``.
+
+    All rays that leave from there share it.
+    """
+    for i in range(len(rectangles)):
+        heights[i] = (
+            rectangles[i, 3] * (rectangles[i, 0] - ox)
+            + rectangles[i, 4] * (rectangles[i, 1] - oy)
+            + rectangles[i, 5] * (rectangles[i, 2] - oz)
+        )
+
+
+@njit(nogil=True, cache=True, error_model="numpy")
+def nearest_hit(ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, heights):  # type: ignore[no-untyped-def]
     """Range, surface index (-1 none) and cosine of incidence of one ray."""
     best, label, cosine = max_range, -1, 0.0
     for i in range(len(rectangles)):
-        r = rectangles[i]
-        slope = r[3] * dx + r[4] * dy + r[5] * dz
-        if slope == 0.0:
+        slope = rectangles[i, 3] * dx + rectangles[i, 4] * dy + rectangles[i, 5] * dz
+        # Most are behind the ray or farther than what was met: a product tells it, a quotient takes
+        # ten times as long. What is near the limit is left to the quotient.
+        height = heights[i] if slope > 0.0 else -heights[i]
+        if height <= 0.0 or height > 1.001 * best * abs(slope):
             continue
-        t = (r[3] * (r[0] - ox) + r[4] * (r[1] - oy) + r[5] * (r[2] - oz)) / slope
+        t = heights[i] / slope
         if not 0.0 < t < best:
             continue
-        x, y, z = ox + t * dx - r[0], oy + t * dy - r[1], oz + t * dz - r[2]
-        if abs(r[6] * x + r[7] * y + r[8] * z) > 1.0 or abs(r[9] * x + r[10] * y + r[11] * z) > 1.0:
+        x = ox + t * dx - rectangles[i, 0]
+        y = oy + t * dy - rectangles[i, 1]
+        z = oz + t * dz - rectangles[i, 2]
+        if abs(rectangles[i, 6] * x + rectangles[i, 7] * y + rectangles[i, 8] * z) > 1.0:
+            continue
+        if abs(rectangles[i, 9] * x + rectangles[i, 10] * y + rectangles[i, 11] * z) > 1.0:
             continue
         best, label, cosine = t, i, abs(slope)
+    a = dx * dx + dy * dy
     for i in range(len(cylinders)):
-        c = cylinders[i]
-        x, y = ox - c[0], oy - c[1]
-        a = dx * dx + dy * dy
+        radius = cylinders[i, 4]
+        x, y = ox - cylinders[i, 0], oy - cylinders[i, 1]
         b = x * dx + y * dy
-        discriminant = b * b - a * (x * x + y * y - c[4] * c[4])
+        discriminant = b * b - a * (x * x + y * y - radius * radius)
         if a == 0.0 or discriminant <= 0.0:
             continue
         root = np.sqrt(discriminant)
         for t in ((-b - root) / a, (-b + root) / a):
-            if 0.0 < t < best and c[2] <= oz + t * dz <= c[3]:
-                best, label, cosine = t, len(rectangles) + i, root / c[4]
+            if 0.0 < t < best and cylinders[i, 2] <= oz + t * dz <= cylinders[i, 3]:
+                best, label, cosine = t, len(rectangles) + i, root / radius
     if label < 0:
         best = np.inf
     return best, label, cosine
@@ -246,8 +266,10 @@ def nearest_hit(ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders):  # ty
 
 @njit(nogil=True, cache=True)
 def _intersect(origins, directions, max_range, rectangles, cylinders, ranges, labels, cosines):  # type: ignore[no-untyped-def]
+    heights = np.empty(len(rectangles))
     for i in range(len(origins)):
         o, d = origins[i], directions[i]
+        heights_above(o[0], o[1], o[2], rectangles, heights)
         ranges[i], labels[i], cosines[i] = nearest_hit(
-            o[0], o[1], o[2], d[0], d[1], d[2], max_range, rectangles, cylinders
+            o[0], o[1], o[2], d[0], d[1], d[2], max_range, rectangles, cylinders, heights
         )

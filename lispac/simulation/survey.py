@@ -22,6 +22,7 @@ START = 2 * 86400 + 15 * 3600.0  # GPS seconds of week: a Tuesday afternoon
 POS_HEIGHT = 1.1  # metres above the water
 LEVER_ARM = (-0.242, 0.061, 2.173)  # metres, body
 BORESIGHT_DEG = (0.27, -1.14, 0.36)  # roll, pitch, yaw
+POINTS_PER_SECOND = 150_000.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +115,7 @@ class SimulatedSurvey:
 def port_survey(
     *,
     seed: int = 2019,
-    points_per_second: float = 150_000.0,
+    points_per_second: float = POINTS_PER_SECOND,
     boresight_deg: tuple[float, float, float] = BORESIGHT_DEG,
     noise: bool = True,
     pos_errors: bool = True,

@@ -70,6 +70,7 @@ def find_in_lines(
     *,
     first_line: str | None = None,
     indices: Mapping[str, PointGrid] | None = None,
+    beside: Mapping[str, Array] | None = None,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, str]]:
     """Find the target under the seed in every line.
@@ -86,6 +87,8 @@ def find_in_lines(
         lines share.
     indices : mapping of line name to PointGrid, optional
         Prepared cells; lines without are read through.
+    beside : mapping of line name to ndarray of shape (m, 3), metres, optional
+        Of lines that are sampled, all points close to the seed, as `find_plane` takes them.
     progress : Progress
 
     Returns
@@ -101,7 +104,7 @@ def find_in_lines(
         The line clicked has no plane at the seed, or no line has.
     """
     seed = checked_seed(seed)
-    grids = indices or {}
+    grids, close = indices or {}, beside or {}
 
     def follow(first_line: str, first: PlanePatch) -> Callable[[str], PlanePatch]:
         grid = grids.get(first_line)
@@ -111,7 +114,9 @@ def find_in_lines(
     shape = Shape(
         word="plane",
         error=PlaneNotFound,
-        find=lambda name: find_plane(clouds[name], seed, settings, index=grids.get(name)),
+        find=lambda name: find_plane(
+            clouds[name], seed, settings, index=grids.get(name), beside=close.get(name)
+        ),
         distance=lambda name, patch: _distance_to_seed(clouds[name], patch, seed, settings.radius),
         follow=follow,
     )

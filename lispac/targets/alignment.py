@@ -44,12 +44,17 @@ ROUNDS, SETTLED = 2, radians(0.02)
 """Steps of a stage, and how small a step ends it."""
 STEP = radians(0.01)
 """By which the boresight is turned to see how points move; over so little they move straight."""
-LIKELY, SPREAD = radians(1.0), 0.05
+LIKELY, SPREAD = radians(1.0), 0.01
 """What a boresight is usually off by, and surfaces apart (metres) where it is right: an angle that
 the scene leaves open stays near its prior value."""
-STARTS, REFINED = radians(1.2), 3
+LEVERAGE = 2.0
+"""Metres that surfaces move along their normals for a radian of a direction of the angles, in the
+root mean square, below which that direction counts as open: 5 cm between the lines for another
+reason, a jump of the GNSS, would turn it by a degree and a half. A quay wall or a floor alone have
+less than one in their open directions, harbours and vehicles four and more."""
+STARTS, REFINED, GLANCE = radians(1.2), 3, 800
 """Where the lines do not meet from the prior boresight on, each angle is also tried so much larger
-and smaller; so many of these starts, the likeliest, are followed."""
+and smaller, by so many points of a line; so many of these starts, the likeliest, are followed."""
 MEET, FAR = 0.15, 1.0
 """Two lines meet at a point where their surfaces are this near to each other, metres, and it is not
 farther than that from a point of the other line."""
@@ -69,12 +74,16 @@ class Alignment:
         With the prior boresight.
     met, met_before : float, in [0, 1]
         Of the points with something alike in another line nearby, the share that meets it.
+    determined : bool
+        The scene tells all three angles. One wall alone does not: its lines meet as well where they
+        are shifted along it.
     """
 
     clouds: Mapping[str, Cloud]
     before: Mapping[str, Cloud]
     met: float
     met_before: float
+    determined: bool = False
 
     @property
     def mounting(self) -> Mounting:
@@ -84,7 +93,7 @@ class Alignment:
     @property
     def nearly_meets(self) -> bool:
         """Whether a target is to be expected in about the same place on every line."""
-        return self.met >= ENOUGH
+        return self.determined and self.met >= ENOUGH
 
 
 def align(clouds: Mapping[str, Cloud]) -> Alignment:
@@ -104,17 +113,18 @@ def align(clouds: Mapping[str, Cloud]) -> Alignment:
     prior = scene.boresight
     best, met_before = prior, scene.met(prior)
     met = met_before
-    for start in scene.starts():
+    for start in scene.starts(_Scene.of(clouds, GLANCE)):
         boresight = scene.refined(start)
         share = scene.met(boresight)
         if share > met:
             best, met = boresight, share
         if met >= ENOUGH:
             break
+    determined = scene.determines(best)
     if best is prior:
-        return Alignment(clouds, clouds, met, met_before)
+        return Alignment(clouds, clouds, met, met_before, determined)
     nearer = scene.place.mounting.with_boresight(best)
-    return Alignment(placed_with(clouds, nearer), clouds, met, met_before)
+    return Alignment(placed_with(clouds, nearer), clouds, met, met_before, determined)
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,9 +137,9 @@ class _Line:
     rough: float
 
     @classmethod
-    def of(cls, cloud: Cloud) -> "_Line":
+    def of(cls, cloud: Cloud, most: int) -> "_Line":
         numbers = np.arange(0, len(cloud.sample), -(-len(cloud.sample) // LOOKED_AT) or 1)
-        numbers = numbers[_spread(cloud.sample[numbers])]
+        numbers = numbers[_spread(cloud.sample[numbers], most)]
         points = cloud.sample[numbers]
         # Points keep their neighbours, whatever the boresight.
         apart, neighbours = build_tree(points).query(points, min(NEIGHBOURS, len(points)))
@@ -164,8 +174,10 @@ class _Scene:
     place: Georeferencer
 
     @classmethod
-    def of(cls, clouds: Mapping[str, Cloud]) -> "_Scene":
-        lines = [_Line.of(cloud) for cloud in clouds.values() if len(cloud.sample) >= NEIGHBOURS]
+    def of(cls, clouds: Mapping[str, Cloud], most: int = MOST_POINTS) -> "_Scene":
+        lines = [
+            _Line.of(cloud, most) for cloud in clouds.values() if len(cloud.sample) >= NEIGHBOURS
+        ]
         return cls(tuple(lines), next(iter(clouds.values())).place)
 
     @property
@@ -179,12 +191,17 @@ class _Scene:
         place = Georeferencer.of(self.place.trajectory, mounting)
         return [place(line.points_lidar, line.time) for line in self.lines]
 
-    def starts(self) -> Iterator[Array]:
-        """The prior boresight; then those about it that bring the lines nearest to each other."""
+    def starts(self, glance: "_Scene") -> Iterator[Array]:
+        """The prior boresight; then those about it that bring the lines nearest to each other.
+
+        Parameters
+        ----------
+        glance : the same scene with fewer points, by which these are found
+        """
         yield self.boresight
         turns = [STARTS * np.array(turn) for turn in product((-1, 0, 1), repeat=3) if any(turn)]
-        stepped = [self.stepped(self.boresight + turn, REACHES[0]) for turn in turns]
-        shares = np.array([self.met(boresight) for boresight in stepped])
+        stepped = [glance.stepped(self.boresight + turn, REACHES[0]) for turn in turns]
+        shares = np.array([glance.met(boresight) for boresight in stepped])
         for k in np.argsort(-shares, kind="stable")[:REFINED]:
             yield stepped[k]
 
@@ -199,22 +216,41 @@ class _Scene:
 
     def stepped(self, boresight: Array, reach: float) -> Array:
         """One step of Gauss and Newton, with weights that fall off within the reach."""
+        information, gradient = self._told(boresight, reach)
+        # Thousands of points err alike: they tell no more than one, and the prior keeps its say.
+        prior = (SPREAD / LIKELY) ** 2
+        gradient = gradient + prior * (boresight - self.boresight)
+        return np.asarray(boresight - np.linalg.solve(information + prior * np.eye(3), gradient))
+
+    def determines(self, boresight: Array) -> bool:
+        """Whether the scene tells all three angles, where the lines meet with this boresight."""
+        information, _ = self._told(boresight, REACHES[-1])
+        return bool(np.linalg.eigvalsh(information)[0] >= LEVERAGE**2)
+
+    def _told(self, boresight: Array, reach: float) -> tuple[Array, Array]:
+        """What a pair of points tells of the angles, in the weighted mean.
+
+        Returns
+        -------
+        information : ndarray of shape (3, 3), (metres / radian)^2
+        gradient : ndarray of shape (3,), metres^2 / radian
+        """
         placed = self.placed(boresight)
         turned = [self.placed(boresight + STEP * axis) for axis in np.eye(3)]
         moves = [
             np.stack([(other[k] - points) / STEP for other in turned], axis=-1)
             for k, points in enumerate(placed)
         ]
-        information = np.eye(3) * (SPREAD / LIKELY) ** 2
-        gradient = information @ (boresight - self.boresight)
+        information, gradient, total = np.zeros((3, 3)), np.zeros(3), 0.0
         for pair in self._pairs(placed, reach):
             off = _off(placed, pair)
             moved = moves[pair.first][pair.here] - moves[pair.second][pair.there]
             rows = np.einsum("nk,nkb->nb", pair.normals, moved)
-            weighted = rows / (1.0 + (4.0 * off[:, None] / reach) ** 2) ** 2
-            information = information + weighted.T @ rows
-            gradient = gradient + weighted.T @ off
-        return np.asarray(boresight - np.linalg.solve(information, gradient))
+            weights = 1.0 / (1.0 + (4.0 * off / reach) ** 2) ** 2
+            information += (weights[:, None] * rows).T @ rows
+            gradient += (weights * off) @ rows
+            total += float(weights.sum())
+        return information / max(total, 1.0), gradient / max(total, 1.0)
 
     def met(self, boresight: Array) -> float:
         """See `Alignment`."""
@@ -246,13 +282,13 @@ def _off(placed: list[Array], pair: _Pair) -> Array:
     return np.asarray((apart * pair.normals).sum(axis=1))
 
 
-def _spread(points: Array) -> Indices:
+def _spread(points: Array, most: int) -> Indices:
     """Indices of few points (n, 3), evenly spread: one of each voxel."""
     kept = np.flatnonzero(np.isfinite(points).all(axis=1))
     low, voxel = bounds(points[kept])[0], FINEST
     while True:
         _, first = np.unique(cell_keys(points[kept], low, voxel)[0], return_index=True)
         kept = kept[np.sort(first)]
-        if len(kept) <= MOST_POINTS:
+        if len(kept) <= most:
             return kept
         voxel *= 1.25

@@ -65,6 +65,7 @@ def find_plane(
     *,
     index: PointGrid | None = None,
     expected_normal: Array | None = None,
+    beside: Array | None = None,
 ) -> PlanePatch:
     """Find the plane that the seed lies on.
 
@@ -84,6 +85,9 @@ def find_plane(
         Prepared cells of the same points.
     expected_normal : ndarray of shape (3,), optional
         Only planes within ``settings.max_tilt`` of this normal are taken.
+    beside : ndarray of shape (m, 3), metres, optional
+        Where ``points_local`` are a sample: all of the line's points close to the seed, the nearest
+        first. They say where it was clicked, and have no vote: it would weigh more than its share.
 
     Raises
     ------
@@ -93,12 +97,13 @@ def find_plane(
     seed = checked_seed(seed)
     near = neighbourhood(points_local, seed, settings, index=index)
     points = points_local[near]
+    about = points if beside is None or not len(beside) else beside
     # The seed itself may float before the surface; the nearest point is on something real.
-    reach = np.linalg.norm(points - points[0], axis=1)
+    reach = np.linalg.norm(points - about[0], axis=1)
     # The far field still votes, but its many points cannot outvote the few around the seed.
     votes = 1.0 / (1.0 + (reach / NEAR) ** 2) ** 2
     # A seed on a point is a click on a surface, and only a plane through it is meant.
-    clicked = float(np.linalg.norm(points[0] - seed)) <= settings.threshold
+    clicked = float(np.linalg.norm(about[0] - seed)) <= settings.threshold
     return extract(
         points,
         near,
@@ -106,17 +111,18 @@ def find_plane(
         settings,
         describe_seed(seed),
         expected_normal=expected_normal,
-        through=_middle_of_click(points, reach) if clicked else None,
+        through=_middle_of_click(about) if clicked else None,
     )
 
 
-def _middle_of_click(points: Array, reach: Array) -> Array:
+def _middle_of_click(points: Array) -> Array:
     """Where the surface is that was clicked: a single point of a noisy line may be off it.
 
     Of a board that stands three sigma before a wall the outermost points would also suit the wall.
     """
-    beside = points[: min(CLICKED, max(1, np.count_nonzero(reach <= NEAR)))]
-    return points[0] if len(beside) < CLICKED // 2 else np.median(beside, axis=0)
+    nearest = points[:CLICKED]
+    nearest = nearest[np.linalg.norm(nearest - points[0], axis=1) <= NEAR]
+    return points[0] if len(nearest) < CLICKED // 2 else np.median(nearest, axis=0)
 
 
 def checked_seed(seed: Array) -> Array:

@@ -2,8 +2,8 @@
 
 The distance to the nearest point of the other cloud says as much about the spacing of that cloud
 as about the surface. CloudCompare's "local modelling" (Girardeau-Montaut, the tool of thesis
-section 4.5.4) puts a least-squares plane through the nearest reference point and its neighbours
-and measures to that plane instead. The smaller of the two distances counts: a badly shaped
+section 4.5.4) puts a least-squares plane, or a quadric, through the nearest reference point and its
+neighbours and measures to that instead. The smaller of the two distances counts: a badly shaped
 neighbourhood, or a point beyond the edge of the reference, can then never make it worse.
 """
 
@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import cKDTree
 
 from lispac.errors import InputError
-from lispac.geometry.knn import build_tree, local_planes, spatial_order
+from lispac.geometry.knn import build_tree, spatial_order
 from lispac.progress import Progress, no_progress
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 
-FEWEST_FOR_A_PLANE = 3
 _CHUNK = 50_000
 
 
@@ -26,8 +26,7 @@ def cloud_to_cloud(
     compared: ArrayLike,
     reference: ArrayLike,
     *,
-    neighbours: int = 6,
-    local_plane: bool = True,
+    model: LocalModel = SIX_POINT_PLANE,
     max_distance: float | None = None,
     progress: Progress = no_progress,
 ) -> NDArray[np.float64]:
@@ -37,12 +36,10 @@ def cloud_to_cloud(
     ----------
     compared : array of shape (n, 3), metres
     reference : array of shape (m, 3), metres
-        In the same frame. With fewer points than ``neighbours`` all of them make the plane; with
-        fewer than three the distance is that to the nearest point.
-    neighbours : int
-        Points of the local plane, the nearest reference point counted; at least 3.
-    local_plane : bool
-        False measures to the nearest point itself.
+        In the same frame. With fewer points than the model's neighbours all of them make it; where
+        they are too few for it the distance is that to the nearest point.
+    model : LocalModel
+        What stands for the surface between the reference points.
     max_distance : float, metres, optional
         A compared point with no reference point this near gets NaN: it was not measured.
 
@@ -53,20 +50,18 @@ def cloud_to_cloud(
     Raises
     ------
     InputError
-        A cloud that is not (n, 3) or holds NaN or infinity, an empty reference, fewer than three
-        neighbours, or a maximum distance that is not positive.
+        A cloud that is not (n, 3) or holds NaN or infinity, an empty reference, or a maximum
+        distance that is not positive.
 
     Notes
     -----
     Where the neighbours lie on one straight line no plane is defined and the distance is that to
-    the nearest point (CloudCompare takes whichever plane its solver happens to return).
+    the nearest point (CloudCompare takes whichever plane its solver happens to return). A quadric
+    is a height over the plane through its points, where CloudCompare takes the height along the
+    coordinate axis nearest to that plane's normal, which is larger on oblique surfaces.
     """
     compared = _cloud(compared, "compared")
     reference = _cloud(reference, "reference")
-    if local_plane and neighbours < FEWEST_FOR_A_PLANE:
-        raise InputError(
-            f"A local plane needs at least 3 neighbours, and {neighbours} were asked for."
-        )
     if max_distance is not None and not max_distance > 0.0:
         raise InputError(f"The maximum distance must be positive, and it is {max_distance} m.")
     if len(compared) == 0:
@@ -74,7 +69,6 @@ def cloud_to_cloud(
     if len(reference) == 0:
         raise InputError("The reference cloud of a cloud-to-cloud distance holds no point.")
 
-    k = min(neighbours, len(reference)) if local_plane else 0
     limit = np.inf if max_distance is None else max_distance
     progress(0.0, "Indexing the clouds")
     starts = range(0, len(compared), _CHUNK)
@@ -90,7 +84,7 @@ def cloud_to_cloud(
 
         def measure(start: int) -> None:
             chosen = order[start : start + _CHUNK]
-            distances[chosen] = _distances(compared[chosen], reference, tree, k, limit)
+            distances[chosen] = _distances(compared[chosen], reference, tree, model, limit)
 
         tasks = [pool.submit(measure, start) for start in starts]
         for done, task in enumerate(tasks, start=1):
@@ -106,22 +100,16 @@ def _distances(
     compared: NDArray[np.float64],
     reference: NDArray[np.float64],
     tree: cKDTree,
-    k: int,
+    model: LocalModel,
     limit: float,
 ) -> NDArray[np.float64]:
-    """Distances (n,) of one spatially coherent chunk; ``k`` below three means no local plane."""
+    """Distances (n,) of one spatially coherent chunk."""
     distances, nearest = tree.query(compared, k=1, distance_upper_bound=limit)
     found = np.isfinite(distances)
     distances[~found] = np.nan
-    if k < FEWEST_FOR_A_PLANE or not found.any():
-        return np.asarray(distances)
-    # Several compared points share a nearest point, and with it a plane.
-    centres, plane_of = np.unique(nearest[found], return_inverse=True)
-    _, groups = tree.query(reference[centres], k=k)
-    centroids, normals = local_planes(reference, groups)
-    offsets = compared[found] - centroids[plane_of]
-    to_plane = np.abs(np.einsum("ij,ij->i", offsets, normals[plane_of]))
-    distances[found] = np.fmin(distances[found], to_plane)  # fmin: NaN is "no plane"
+    if found.any():
+        to_surface = model.distances(compared[found], nearest[found], reference, tree)
+        distances[found] = np.fmin(distances[found], to_surface)  # fmin: NaN is "no surface"
     return np.asarray(distances)
 
 

@@ -11,6 +11,7 @@ stand in both statistics, so n is the same and nothing but the boresight differs
 """
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -19,8 +20,16 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, NotComparable
 from lispac.progress import Progress, no_progress, part
 from lispac.validation.cloud_distance import cloud_to_cloud
-from lispac.validation.footprint import Footprint, common_frame
-from lispac.validation.results import DistanceStatistics, PairComparison, PlaneComparison
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.overlap import Overlap
+from lispac.validation.profile import Profile
+from lispac.validation.results import (
+    DistanceStatistics,
+    PairComparison,
+    PairState,
+    PlaneComparison,
+)
+from lispac.validation.signed import planes_apart, signed_distances
 
 __all__ = [
     "DistanceStatistics",
@@ -31,7 +40,6 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 RECIPROCAL_TOLERANCE = np.radians(20.0)
 MAX_POINTS_PER_LINE = 100_000
@@ -54,6 +62,9 @@ def compare_plane(
     after: Mapping[str, Array],
     headings: Mapping[str, float],
     *,
+    model: LocalModel = SIX_POINT_PLANE,
+    facing: Array | None = None,
+    ranges: Mapping[str, Array] | None = None,
     bins: int = 60,
     progress: Progress = no_progress,
 ) -> PlaneComparison:
@@ -69,6 +80,13 @@ def compare_plane(
         thinned to every second, third, ... point, the same ones in both states.
     headings : mapping of line name to float, radians
         Tells which lines were run in opposite directions: there the boresight shows most.
+    model : LocalModel
+        What stands for the surface between the points of the other line.
+    facing : ndarray of shape (3,), optional
+        Towards the vessel: signed distances are positive on that side. Without it the side is that
+        of the plane's normal whose largest component is positive.
+    ranges : mapping of line name to ndarray of shape (n,), metres, optional
+        From the scanner, of the same points; without it there is no profile against range.
     bins : int
         Of the histograms. They reach from zero to the 99.5th percentile of all distances of both
         states; the last bin also holds what lies beyond, so that the counts add up to n.
@@ -96,9 +114,10 @@ def compare_plane(
             f"The validation plane {name} is seen {found}, with at least {FEWEST_POINTS} points; "
             "a comparison needs two lines. Pick it in another line or choose another plane."
         )
-    clouds_before = {line: _thinned(before[line]) for line in seen}
-    clouds_after = {line: _thinned(after[line]) for line in seen}
-    overlap = _Overlap(clouds_before, clouds_after)
+    clouds = tuple({line: _thinned(state[line]) for line in seen} for state in (before, after))
+    overlap = Overlap(*clouds)
+    if facing is None:
+        facing = overlap.normal * np.sign(overlap.normal[np.argmax(np.abs(overlap.normal))])
 
     couples = sorted(
         combinations(seen, 2),
@@ -106,7 +125,7 @@ def compare_plane(
     )
     pairs: list[PairComparison] = []
     not_compared: list[tuple[str, str]] = []
-    distances: list[tuple[Array, Array]] = []
+    measured: list[_Measured] = []
     for i, (a, b) in enumerate(couples):
         a_in_b, b_in_a = overlap.of(a, b), overlap.of(b, a)
         if np.count_nonzero(a_in_b) < FEWEST_POINTS or np.count_nonzero(b_in_a) < FEWEST_POINTS:
@@ -114,24 +133,33 @@ def compare_plane(
             continue
         here = part(progress, i / len(couples), (i + 1) / len(couples))
         here(0.0, f"Comparing {a} and {b} on {name}")
-        of_before, of_after = (
-            np.concatenate(
+        distances: list[Array] = []
+        states: list[PairState] = []
+        for state in clouds:
+            ours, theirs = state[a][a_in_b], state[b][b_in_a]
+            apart = np.concatenate(
                 (
-                    cloud_to_cloud(clouds[a][a_in_b], clouds[b]),
-                    cloud_to_cloud(clouds[b][b_in_a], clouds[a]),
+                    cloud_to_cloud(ours, state[b], model=model),
+                    cloud_to_cloud(theirs, state[a], model=model),
                 )
             )
-            for clouds in (clouds_before, clouds_after)
-        )
-        distances.append((of_before, of_after))
-        pairs.append(
-            PairComparison(
-                line_a=a,
-                line_b=b,
-                reciprocal=reciprocal(headings[a], headings[b]),
-                before=DistanceStatistics.of(of_before),
-                after=DistanceStatistics.of(of_after),
+            signed = signed_distances(
+                ours, theirs, facing=facing, spacing=overlap.spacing(a, b), reach=apart.max()
             )
+            distances.append(apart)
+            states.append(
+                PairState(DistanceStatistics.of(apart), signed, planes_apart(ours, theirs, facing))
+            )
+        both_ways = reciprocal(headings[a], headings[b])
+        pairs.append(PairComparison(a, b, both_ways, *states))
+        of_points = [clouds[1][a][a_in_b, 2], clouds[1][b][b_in_a, 2]]
+        if ranges is not None:
+            of_points += [_thinned(ranges[a])[a_in_b], _thinned(ranges[b])[b_in_a]]
+        height, *ranged = (
+            np.concatenate(of_points[k : k + 2]) for k in range(0, len(of_points), 2)
+        )
+        measured.append(
+            _Measured(distances[0], distances[1], height, ranged[0] if ranged else None)
         )
     if not pairs:
         raise NotComparable(
@@ -141,40 +169,49 @@ def compare_plane(
     progress(1.0, f"Compared {len(pairs)} pairs of lines on {name}")
 
     any_reciprocal = any(pair.reciprocal for pair in pairs)
-    used = [
-        d for pair, d in zip(pairs, distances, strict=True) if pair.reciprocal or not any_reciprocal
-    ]
-    all_before = np.concatenate([d[0] for d in used])
-    all_after = np.concatenate([d[1] for d in used])
-    edges = _shared_edges(all_before, all_after, bins)
+    pool = _Measured.of(
+        [
+            one
+            for pair, one in zip(pairs, measured, strict=True)
+            if pair.reciprocal or not any_reciprocal
+        ]
+    )
+    edges = _shared_edges(pool.before, pool.after, bins)
     return PlaneComparison(
         name=name,
         pairs=tuple(pairs),
         not_compared=tuple(not_compared),
         pooled_from="reciprocal pairs" if any_reciprocal else "all pairs",
         bin_edges=edges,
-        counts_before=_counts(all_before, edges),
-        counts_after=_counts(all_after, edges),
-        before=DistanceStatistics.of(all_before),
-        after=DistanceStatistics.of(all_after),
+        counts_before=_counts(pool.before, edges),
+        counts_after=_counts(pool.after, edges),
+        before=DistanceStatistics.of(pool.before),
+        after=DistanceStatistics.of(pool.after),
+        model=model,
+        by_height=Profile.of(pool.height, pool.before, pool.after),
+        by_range=None if pool.range is None else Profile.of(pool.range, pool.before, pool.after),
     )
 
 
-class _Overlap:
-    """Which points of one line lie inside another line's footprint in both states."""
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    """Distances of points before and after, and where these points are; shape (n,), metres."""
 
-    def __init__(self, before: Mapping[str, Array], after: Mapping[str, Array]) -> None:
-        self._states: list[tuple[dict[str, Array], dict[str, Footprint]]] = []
-        for clouds in (before, after):
-            origin, axes = common_frame(list(clouds.values()))
-            flat = {line: (cloud - origin) @ axes.T for line, cloud in clouds.items()}
-            self._states.append((flat, {line: Footprint(uv) for line, uv in flat.items()}))
+    before: Array
+    after: Array
+    height: Array
+    range: Array | None
 
-    def of(self, line: str, other: str) -> Bools:
-        """Mask (n,) over the points of ``line``."""
-        masks = [footprints[other].contains(flat[line]) for flat, footprints in self._states]
-        both: Bools = masks[0] & masks[1]
-        return both
+    @classmethod
+    def of(cls, several: "list[_Measured]") -> "_Measured":
+        """All of them together."""
+        ranges = [one.range for one in several if one.range is not None]
+        return cls(
+            np.concatenate([one.before for one in several]),
+            np.concatenate([one.after for one in several]),
+            np.concatenate([one.height for one in several]),
+            np.concatenate(ranges) if ranges else None,
+        )
 
 
 def _thinned(points: Array) -> Array:

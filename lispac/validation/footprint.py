@@ -50,27 +50,31 @@ class Footprint:
     Parameters
     ----------
     points : ndarray of shape (n, 2), metres, in the plane
+
+    Attributes
+    ----------
+    cell : float, metres
     """
 
     def __init__(self, points: Array) -> None:
         self._covered = np.zeros((1, 1), dtype=bool)
-        self._low, self._cell = np.zeros(2), 1.0
+        self._low, self.cell = np.zeros(2), 1.0
         spacing = _sparse_spacing(points)
         if spacing is None:
             return
         low, high = points.min(axis=0), points.max(axis=0)
-        self._cell = max(spacing, float(np.sqrt(np.prod(high - low) / _MOST_CELLS)))
+        self.cell = max(spacing, float(np.sqrt(np.prod(high - low) / _MOST_CELLS)))
         # A rim of empty cells gives the closing room, and a home to every point outside.
-        self._low = low - _RIM * self._cell
-        shape = np.floor((high - self._low) / self._cell).astype(np.int64) + 1 + _RIM
+        self._low = low - _RIM * self.cell
+        shape = np.floor((high - self._low) / self.cell).astype(np.int64) + 1 + _RIM
         occupied = np.zeros(shape, dtype=bool)
-        column, row = np.floor((points - self._low) / self._cell).astype(np.int64).T
+        column, row = np.floor((points - self._low) / self.cell).astype(np.int64).T
         occupied[column, row] = True
         self._covered = binary_closing(occupied, structure=np.ones((3, 3), dtype=bool))
 
     def contains(self, points: Array) -> NDArray[np.bool_]:
         """Whether each point, shape (n, 2), metres, lies inside; shape (n,)."""
-        cells = np.floor((points - self._low) / self._cell)
+        cells = np.floor((points - self._low) / self.cell)
         last = np.array(self._covered.shape) - 1
         column, row = np.clip(cells, 0, last).astype(np.int64).T
         inside: NDArray[np.bool_] = self._covered[column, row]

@@ -7,6 +7,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.normal_distance import NormalDistances
+from lispac.validation.plane_offset import PlaneOffset
+from lispac.validation.profile import Profile
+
+NMAD = 1.4826
+"""Standard deviation of normal noise over its median absolute deviation."""
+OUTLYING = 3.0
+"""Robust sigmas from the median beyond which a distance is counted as an outlier."""
 
 
 @dataclass(frozen=True)
@@ -18,6 +27,11 @@ class DistanceStatistics:
     n : int
     mean, median, rms, p68, p95, p99, maximum : float, metres
         ``p68`` is the 68th percentile, and so on.
+    robust_sigma : float, metres, optional
+        1.4826 times the median absolute deviation from the median.
+    outliers : int, optional
+        Distances more than three robust sigmas above the median. They are counted, and stay in
+        all other figures. None, as above, in comparisons of earlier versions.
     """
 
     n: int
@@ -28,6 +42,8 @@ class DistanceStatistics:
     p95: float
     p99: float
     maximum: float
+    robust_sigma: float | None = None
+    outliers: int | None = None
 
     @classmethod
     def of(cls, distances: ArrayLike) -> "DistanceStatistics":
@@ -42,6 +58,7 @@ class DistanceStatistics:
         if values.size == 0 or not np.isfinite(values).all():
             raise InputError("Statistics need at least one distance and only finite ones.")
         median, p68, p95, p99 = np.percentile(values, (50.0, 68.0, 95.0, 99.0))
+        robust = NMAD * float(np.median(np.abs(values - median)))
         return cls(
             n=int(values.size),
             mean=float(values.mean()),
@@ -51,6 +68,8 @@ class DistanceStatistics:
             p95=float(p95),
             p99=float(p99),
             maximum=float(values.max()),
+            robust_sigma=robust,
+            outliers=int(np.count_nonzero(values > median + OUTLYING * robust)),
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -63,24 +82,94 @@ class DistanceStatistics:
         return cls(**data)
 
 
+@dataclass(frozen=True)
+class SignedStatistics:
+    """Summary of signed distances along the normal, each with its confidence (M3C2).
+
+    Attributes
+    ----------
+    n : int
+        Places measured at.
+    mean, median, robust_sigma : float, metres
+        Of the first line from the second, positive where the first is nearer to the vessel.
+    half_width : float, metres
+        Half the 95 % interval of the usual place.
+    significant : float, in [0, 1]
+        Share of the places whose distance differs from zero.
+    """
+
+    n: int
+    mean: float
+    median: float
+    robust_sigma: float
+    half_width: float
+    significant: float
+
+    @classmethod
+    def of(cls, found: NormalDistances) -> "SignedStatistics":
+        """Summarise them."""
+        median = float(np.median(found.distance))
+        return cls(
+            n=len(found.distance),
+            mean=float(found.distance.mean()),
+            median=median,
+            robust_sigma=NMAD * float(np.median(np.abs(found.distance - median))),
+            half_width=float(np.median(found.half_width)),
+            significant=found.significant,
+        )
+
+
+@dataclass(frozen=True)
+class PairState:
+    """Two lines on one plane with one boresight.
+
+    Attributes
+    ----------
+    distances : DistanceStatistics
+        Cloud to cloud, both directions together.
+    signed : SignedStatistics, optional
+        Along the normal; None where no place has enough points of both lines.
+    planes : PlaneOffset, optional
+        The first line's plane from the second's; None where one of them makes none.
+    """
+
+    distances: DistanceStatistics
+    signed: SignedStatistics | None = None
+    planes: PlaneOffset | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain numbers, for JSON."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> "PairState":
+        """The inverse of `to_dict`."""
+        signed, planes = data["signed"], data["planes"]
+        return cls(
+            DistanceStatistics.from_dict(data["distances"]),
+            None if signed is None else SignedStatistics(**signed),
+            None if planes is None else PlaneOffset(**planes),
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class PairComparison:
-    """Two lines on one plane: distances of each to the other, both directions together.
+    """Two lines on one plane, with the prior and with the estimated boresight.
 
     Attributes
     ----------
     line_a, line_b : str
     reciprocal : bool
         The lines were run in opposite directions, within 20 degrees.
-    before, after : DistanceStatistics
-        With the prior and with the estimated boresight, of the same points.
+    before, after : PairState
+        Of the same points.
     """
 
     line_a: str
     line_b: str
     reciprocal: bool
-    before: DistanceStatistics
-    after: DistanceStatistics
+    before: PairState
+    after: PairState
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers and strings, for JSON."""
@@ -93,8 +182,8 @@ class PairComparison:
             line_a=data["line_a"],
             line_b=data["line_b"],
             reciprocal=data["reciprocal"],
-            before=DistanceStatistics.from_dict(data["before"]),
-            after=DistanceStatistics.from_dict(data["after"]),
+            before=PairState.from_dict(data["before"]),
+            after=PairState.from_dict(data["after"]),
         )
 
 
@@ -115,6 +204,10 @@ class PlaneComparison:
     counts_before, counts_after : ndarray of shape (k,), int64
         The last bin also holds the distances beyond it.
     before, after : DistanceStatistics
+    model : LocalModel
+        What the distances were measured to.
+    by_height, by_range : Profile, optional
+        Distances against height and against range from the scanner.
     """
 
     name: str
@@ -126,6 +219,9 @@ class PlaneComparison:
     counts_after: NDArray[np.int64]
     before: DistanceStatistics
     after: DistanceStatistics
+    model: LocalModel = SIX_POINT_PLANE
+    by_height: Profile | None = None
+    by_range: Profile | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers, strings and lists, for JSON."""
@@ -139,6 +235,9 @@ class PlaneComparison:
             "counts_after": self.counts_after.tolist(),
             "before": self.before.to_dict(),
             "after": self.after.to_dict(),
+            "model": self.model.to_dict(),
+            "by_height": None if self.by_height is None else self.by_height.to_dict(),
+            "by_range": None if self.by_range is None else self.by_range.to_dict(),
         }
 
     @classmethod
@@ -154,4 +253,11 @@ class PlaneComparison:
             counts_after=np.asarray(data["counts_after"], dtype=np.int64),
             before=DistanceStatistics.from_dict(data["before"]),
             after=DistanceStatistics.from_dict(data["after"]),
+            model=LocalModel.from_dict(data["model"]),
+            by_height=_profile(data["by_height"]),
+            by_range=_profile(data["by_range"]),
         )
+
+
+def _profile(data: dict[str, Any] | None) -> Profile | None:
+    return None if data is None else Profile.from_dict(data)

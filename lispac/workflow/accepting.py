@@ -3,28 +3,28 @@
 from collections.abc import Collection
 from dataclasses import replace
 
-import numpy as np
-
+from lispac.doubles import overlap_with
 from lispac.project import Project, Target
 from lispac.workflow.picking import next_name
 from lispac.workflow.proposing import Proposal
 
-SAME = 0.3
-"""Share of a sighting's points that another has too, from which both are the same surface."""
-
 
 def not_picked(project: Project, proposal: Proposal) -> Proposal:
-    """The proposal without the surfaces that the project has already."""
-    kept = tuple(
-        target
-        for target in proposal.targets
-        if not any(same_surface(target, picked) for picked in project.targets)
-    )
-    return replace(
-        proposal,
-        targets=kept,
-        reasons={target.name: proposal.reasons[target.name] for target in kept},
-    )
+    """The proposal without the surfaces that the project has already, under free names."""
+    targets: list[Target] = []
+    reasons: dict[str, str] = {}
+    picked: list[str] = []
+    numbered = project
+    for target in proposal.targets:
+        own = _picked_as(target, project)
+        if own is not None:
+            picked += [own] if target.role == "target" else []
+            continue
+        name = next_name(numbered, target.role)
+        targets.append(replace(target, name=name))
+        reasons[name] = proposal.reasons[target.name]
+        numbered = numbered.with_target(targets[-1])
+    return replace(proposal, targets=tuple(targets), reasons=reasons, picked=tuple(picked))
 
 
 def with_accepted(
@@ -45,13 +45,8 @@ def with_accepted(
     return project, tuple(given)
 
 
-def same_surface(one: Target, other: Target) -> bool:
-    """Whether two targets have a good part of their points in common on some line."""
-    for sighting in one.sightings:
-        seen = other.sighting(sighting.line)
-        if seen is None or not len(seen.indices) or not len(sighting.indices):
-            continue
-        shared = np.isin(sighting.indices, seen.indices, kind="sort").sum()
-        if shared > SAME * min(len(sighting.indices), len(seen.indices)):
-            return True
-    return False
+def _picked_as(target: Target, project: Project) -> str | None:
+    """The target of the project that is the same surface, if there is one."""
+    # What is proposed may have the name of another one that was picked.
+    found = overlap_with(replace(target, name=""), project.targets)
+    return found.other if found is not None and found.is_same else None

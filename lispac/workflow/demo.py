@@ -12,7 +12,7 @@ from lispac.io.project_file import FILE_NAME
 from lispac.io.sbet import write_sbet, write_smrmsg
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Role, Settings, Triple
-from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.simulation.survey import POINTS_PER_SECOND, SimulatedSurvey, port_survey
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.calibration import estimate
 from lispac.workflow.picking import pick
@@ -27,10 +27,20 @@ seen along the normals of the two boards and averaged over the six lines."""
 RAW, MARKER = "raw", "demo"
 
 
-def make_demo(folder: Path, *, progress: Progress = no_progress) -> Project:
+def make_demo(
+    folder: Path,
+    *,
+    points_per_second: float = POINTS_PER_SECOND,
+    progress: Progress = no_progress,
+) -> Project:
     """Simulate the built-in survey and write it as a new project: raw files, nothing picked.
 
     An earlier demo in the folder is replaced, once the new survey is simulated.
+
+    Parameters
+    ----------
+    points_per_second : float
+        Of the scanner; fewer make a smaller survey of the same quay.
 
     Raises
     ------
@@ -43,7 +53,7 @@ def make_demo(folder: Path, *, progress: Progress = no_progress) -> Project:
         raise ProjectError(f"{folder}: this is a file; choose a folder for the demo.")
     if folder.exists() and any(folder.iterdir()) and not (raw / MARKER).is_file():
         raise ProjectError(f"{folder}: this folder holds other files; choose a new one.")
-    survey = port_survey(progress=part(progress, 0.0, 0.7))
+    survey = port_survey(points_per_second=points_per_second, progress=part(progress, 0.0, 0.7))
     with written_whole(raw / MARKER) as marker:
         marker.write_text("Built-in survey; remade by every run of the demo.\n")
     (folder / FILE_NAME).unlink(missing_ok=True)

@@ -14,7 +14,7 @@ from lispac.report.content import ReportContent, report_content
 from lispac.workflow.qualities import qualities
 from lispac.workflow.survey import Survey
 
-REPORT_ENDINGS = (".pdf", ".html", ".json")
+REPORT_ENDINGS = (".pdf", ".html", ".json", ".zip")
 
 
 def content_of(
@@ -48,7 +48,7 @@ def write_report(
     pictures: Mapping[str, Path] | None = None,
     progress: Progress = no_progress,
 ) -> None:
-    """Write the report as PDF, HTML or JSON by the ending of ``path``.
+    """Write the report as PDF, HTML, JSON or its tables as CSV, by the ending of ``path``.
 
     Parameters
     ----------
@@ -72,6 +72,10 @@ def write_report(
             from lispac.report.json_report import write_json
 
             write_json(content, temporary)
+        elif ending == ".zip":
+            from lispac.report.tables import write_tables
+
+            write_tables(content, temporary)
         elif ending == ".html":
             from lispac.report.html import write_html
 

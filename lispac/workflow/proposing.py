@@ -1,8 +1,9 @@
 """Targets and validation planes proposed without a click: the user accepts, edits or rejects."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from lispac.adjustment.blas import one_thread
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import ANGLES
+from lispac.adjustment.shown import listed
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.geometry.planes import fit_plane
@@ -20,6 +22,7 @@ from lispac.survey.cloud import Cloud, placed_with
 from lispac.targets.detection import DetectedPlane, Found, detect_planes
 from lispac.targets.finder import FinderSettings
 from lispac.targets.hidden import ends_within
+from lispac.targets.quality import SightingQuality
 from lispac.validation.comparison import reciprocal
 from lispac.workflow.calibration import observations_of
 from lispac.workflow.qualities import qualities
@@ -33,9 +36,10 @@ WORTH_IT = 0.85
 """A target that leaves more than this share of every sigma is left for validation."""
 LARGE = 2.0
 """Square metres from which a plane is large enough for validation, where there are others."""
-NOT_FLAT = 0.5
+MOSTLY = 0.5
 """Share of its sightings: a plane whose flatness is poor on so many is proposed for nothing. An RMS
-of more than three times the LiDAR noise is poor, and so are ripples and bends."""
+of more than three times the LiDAR noise is poor, and so are ripples and bends. One whose light is
+poor on so many is proposed for validation at most, where there are too few others."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,12 +52,15 @@ class Proposal:
         Named T1, T2 ... and V1, V2 ..., with their sightings in every line.
     reasons : dict of name to str
     sigma : ndarray of shape (3,), radians
-        Of roll, pitch, yaw that the proposed targets would give.
+        Of roll, pitch, yaw that the proposed targets would give, with those picked already.
+    picked : tuple of str
+        Targets of the project that would have been proposed.
     """
 
     targets: tuple[Target, ...]
     reasons: dict[str, str]
     sigma: Array
+    picked: tuple[str, ...] = ()
 
 
 def propose(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Proposal:
@@ -92,26 +99,22 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         for plane, name in zip(detected, names, strict=True)
     )
     everything = replace(project, targets=targets, result=None)
-    flat = _flat(everything, survey)
-    planes = [plane for plane, name in zip(detected, names, strict=True) if name in flat]
-    names = [name for name in names if name in flat]
+    judged = _judged(everything, survey)
+    spare = [p for p, n in zip(detected, names, strict=True) if judged[n].use == "at need"]
+    said_of = {id(p): judged[n].words for p, n in zip(detected, names, strict=True)}
+    planes = [p for p, n in zip(detected, names, strict=True) if judged[n].use == "any"]
+    names = [name for name in names if judged[name].use == "any"]
     if len(planes) < 2:
-        rough = len(detected) - len(planes)
-        others = f" ({rough} more {'is' if rough == 1 else 'are'} not flat)" if rough else ""
-        raise TargetNotFound(
-            f"{project.name}: only {len(planes)} flat surface{'' if len(planes) == 1 else 's'} "
-            f"{'is' if len(planes) == 1 else 'are'} seen on two lines or more{others}; "
-            "set seeds on the targets, or put up boards."
-        )
-    everything = replace(everything, targets=tuple(t for t in targets if t.name in flat))
+        raise TargetNotFound(_too_few(project, len(planes), list(judged.values())))
+    everything = replace(everything, targets=tuple(t for t in targets if t.name in names))
     progress(0.9, "Weighing what each plane tells of the boresight")
     linearised = _linearised(everything, survey)
     uneven = _unevenness(everything, placed_with(survey.clouds, linearised.state.mounting))
     linearised = _with_unevenness(linearised, uneven)
     one_way = _facing_one_way(project, planes, names)
     chosen, reasons, sigma = _chosen(linearised, names, _is_whole(planes, names), one_way)
-    left = [k for k, name in enumerate(names) if name not in chosen]
-    validation = _validation([planes[k] for k in left], survey)
+    left = [plane for plane, name in zip(planes, names, strict=True) if name not in chosen]
+    validation = _validation([*left, *spare[: max(LEAST_VALIDATION - len(left), 0)]], survey)
     proposed: list[Target] = []
     said: dict[str, str] = {}
     for number, name in enumerate(chosen, start=1):
@@ -121,9 +124,9 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     for number, plane in enumerate(validation, start=1):
         proposed.append(_target(survey, plane, f"V{number}", "validation", threshold))
         said[f"V{number}"] = (
-            f"Flat over {plane.area:.1f} m2, seen on {len(plane.found)} lines"
+            f"Flat over {plane.area:.1f}\u00a0m², seen on {len(plane.found)} lines"
             f"{', opposite ones among them' if _opposite(plane, survey) else ''}, "
-            f"{plane.centre[2]:.0f} m high."
+            f"{plane.centre[2]:.0f} m high.{said_of[id(plane)]}"
         )
     progress(1.0, f"Proposed {len(chosen)} targets and {len(validation)} validation planes")
     return Proposal(tuple(proposed), said, sigma)
@@ -152,12 +155,48 @@ def _target(
     return Target(name, role, seed, threshold, radius, sightings, missing=dict(plane.missing))
 
 
-def _flat(project: Project, survey: Survey) -> set[str]:
-    """Names of the targets that most lines show flat, or nearly so."""
-    poor: dict[str, list[bool]] = {target.name: [] for target in project.targets}
-    for (name, _), quality in qualities(project, survey).items():
-        poor[name].append(quality.flatness == "poor")
-    return {name for name, each in poor.items() if np.mean(each) < NOT_FLAT}
+@dataclass(frozen=True)
+class _Judged:
+    """What a plane is good for: anything, validation at need, or nothing; and why, in words."""
+
+    use: Literal["any", "at need", "not flat", "poor"]
+    words: str
+
+
+def _judged(project: Project, survey: Survey) -> dict[str, _Judged]:
+    """How good the lines show each target, by the judgement that its table shows."""
+    found: dict[str, dict[str, SightingQuality]] = {target.name: {} for target in project.targets}
+    for (name, line), quality in qualities(project, survey).items():
+        found[name][line] = quality
+    return {name: _judged_by(lines) for name, lines in found.items()}
+
+
+def _judged_by(lines: Mapping[str, SightingQuality]) -> _Judged:
+    poor = [line for line, quality in lines.items() if quality.light == "poor"]
+    rough = [line for line, quality in lines.items() if quality.flatness == "poor"]
+    words = f" Poor on {listed(poor)}: {lines[poor[0]].reasons[0]}" if poor else ""
+    if len(rough) >= MOSTLY * len(lines):
+        return _Judged("not flat", words)
+    if len(poor) < MOSTLY * len(lines):
+        return _Judged("any", words)
+    return _Judged("at need" if len(poor) == MOSTLY * len(lines) else "poor", words)
+
+
+def _too_few(project: Project, few: int, judged: Sequence[_Judged]) -> str:
+    """That there are too few planes, and why others do not count."""
+    rough = sum(each.use == "not flat" for each in judged)
+    poor = len(judged) - few - rough
+    others = [
+        f"{count} more {'is' if count == 1 else 'are'} {what}"
+        for count, what in ((rough, "not flat"), (poor, "seen poorly"))
+        if count
+    ]
+    why = f" ({', '.join(others)})" if others else ""
+    return (
+        f"{project.name}: only {few} flat surface{'' if few == 1 else 's'} "
+        f"{'is' if few == 1 else 'are'} seen on two lines or more{why}; "
+        "set seeds on the targets, or put up boards."
+    )
 
 
 def _linearised(project: Project, survey: Survey) -> Linearised:
@@ -262,13 +301,10 @@ def _chosen(
         if not np.isfinite(sigma).all():
             raise AdjustmentError("No two of the planes found determine the boresight.")
         text = ", ".join(
-            f"{angle} {np.degrees(value):.3f}" for angle, value in zip(ANGLES, sigma, strict=True)
+            f"{angle} {np.degrees(value):.3f}°" for angle, value in zip(ANGLES, sigma, strict=True)
         )
-        first, second = best
-        reasons = {
-            first: f"together with the next it gives sigmas of {text} deg.",
-            second: f"together with the one before it gives sigmas of {text} deg.",
-        }
+        words = f"one of the two that tell most of the boresight, with sigmas of {text}."
+        reasons = dict.fromkeys(best, words)
         spare = len(names) - LEAST_VALIDATION
         while len(chosen) < min(MOST_TARGETS, spare):
             added = {
@@ -281,8 +317,8 @@ def _chosen(
             if added[name][k] > WORTH_IT * sigma[k]:
                 break
             reasons[name] = (
-                f"it brings the sigma of {ANGLES[k]} from {np.degrees(sigma[k]):.3f} to "
-                f"{np.degrees(added[name][k]):.3f} deg."
+                f"it brings the sigma of {ANGLES[k]} from {np.degrees(sigma[k]):.3f}° to "
+                f"{np.degrees(added[name][k]):.3f}°."
             )
             chosen.append(name)
             sigma = added[name]

@@ -21,7 +21,9 @@ from lispac.targets.quality import (
     undetermined,
     with_remarks,
 )
+from lispac.targets.settings import FinderSettings
 from lispac.targets.smear import PRIOR_OFF, ROUGHLY_OFF
+from lispac.targets.twins import nearest_like
 from lispac.workflow.reselection import selected_again
 from lispac.workflow.survey import Survey
 
@@ -32,6 +34,8 @@ Key = tuple[str, str]
 
 STEP = 1e-5
 """Radians by which the boresight is turned to see how points move."""
+LOOKED_AT = 50_000
+"""Points about a sighting among which surfaces like it are sought."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,10 +182,35 @@ def _of_target(
     shown: list[Shown | None] = [None] * len(seen)
     if target.shape == "plane" and placing.nearly_meets:
         shown = _shown(target, placing, seen)
-    return [
+    judged = [
         _quality(project, placing, target, sighting, each, beside)
         for sighting, each, beside in zip(sightings, seen, shown, strict=True)
     ]
+    if target.shape == "plane" and not placing.nearly_meets:
+        judged = [
+            with_remarks(quality, _mistakable(target, survey, sighting))
+            for quality, sighting in zip(judged, sightings, strict=True)
+        ]
+    return judged
+
+
+def _mistakable(target: Target, survey: Survey, sighting: PickedSighting) -> tuple[str, ...]:
+    """What there is to say where another surface could be taken for the target's."""
+    cloud = survey.aligned.clouds[sighting.line]
+    points = cloud[sighting.indices]
+    try:
+        plane = fit_plane(points)
+    except LispacError:  # said of its quality
+        return ()
+    reach = FinderSettings().max_shift
+    about = cloud.within(points.mean(axis=0), reach + target.radius, most=LOOKED_AT)
+    apart = nearest_like(about.points, points, plane, target.threshold, reach)
+    if apart is None:
+        return ()
+    return (
+        f"A surface like it stands {apart:.2f} m beside it, and the scene does not tell which of "
+        "the two the line shows here: see in the section that it is the one meant.",
+    )
 
 
 def _shown(target: Target, placing: _Placing, seen: list[_Seen]) -> list[Shown | None]:

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from lispac.doubles import overlap_words
 from lispac.errors import ProjectError, TargetNotFound
 from lispac.io.seed_file import PointList, read_point_list
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Role, Target, Triple
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.accepting import same_surface
 from lispac.workflow.coordinates import axes_of, require_near
 from lispac.workflow.picking import find, next_name
 from lispac.workflow.survey import Survey
@@ -163,17 +163,9 @@ def pick_seeds(
         except TargetNotFound as error:
             outcomes.append(Outcome(seed, None, str(error)))
             continue
-        outcomes.append(Outcome(seed, target, _same_surface(target, project)))
+        outcomes.append(Outcome(seed, target, overlap_words(target, project.targets)))
         project = project.with_target(target)
     return project, tuple(outcomes)
-
-
-def _same_surface(target: Target, project: Project) -> str:
-    """Said of a target whose points another one of the project has."""
-    for other in project.targets:
-        if other.name != target.name and same_surface(target, other):
-            return f"The same surface as {other.name}; keep one of the two."
-    return ""
 
 
 def require_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
@@ -188,6 +180,23 @@ def require_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
         raise TargetNotFound(
             f"{seeds.points.path}: no target was found at any of the {len(outcomes)} seeds; "
             f"{first.seed.name} (row {first.seed.row}): {first.reason}"
+        )
+
+
+def require_all_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
+    """Refuse to pass over seeds that led to no target.
+
+    Raises
+    ------
+    TargetNotFound
+        Naming them with the reasons.
+    """
+    failed = [outcome.seed for outcome in outcomes if outcome.target is None]
+    if failed:
+        named = ", ".join(f"{seed.name} (row {seed.row})" for seed in failed)
+        raise TargetNotFound(
+            f"{seeds.points.path}: no target was found at {len(failed)} of the {len(outcomes)} "
+            f"seeds: {named}; the table says why. The others are saved."
         )
 
 

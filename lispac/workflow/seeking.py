@@ -48,6 +48,9 @@ SOUGHT = 50_000
 """Points about a seed among which a plane is sought; where a line has more there, a fair sample
 shows where the plane is, and then all points that lie on it are taken."""
 
+ABOUT = 0.1
+"""Metres from a clicked point within which its neighbours are looked for."""
+
 MET_SHIFT = 0.5
 """Metres that a target may be from one line to another where the lines nearly meet: what is left is
 the error of the POS, and what the rough boresight is off by."""
@@ -121,7 +124,8 @@ class Sought:
             region = cloud.within(checked_seed(seed), settings.radius)
             return _numbered(find_sphere(region.points, seed, self.radii, settings), region)
         region = cloud.within(checked_seed(seed), settings.radius, most=SOUGHT)
-        return _whole(find_plane(region.points, seed, settings), region, cloud)
+        beside = _beside(region, cloud, checked_seed(seed))
+        return _whole(find_plane(region.points, seed, settings, beside=beside), region, cloud)
 
     def in_lines(
         self,
@@ -159,7 +163,11 @@ def planes_in_lines(
 ) -> tuple[dict[str, PlanePatch], dict[str, str]]:
     """As `Sought.in_lines`, for a plane."""
     regions, points = _regions(clouds, seed, settings, most=SOUGHT)
-    found, missing = find_in_lines(points, seed, settings, first_line=first_line, progress=progress)
+    beside = {name: _beside(regions[name], cloud, seed) for name, cloud in clouds.items()}
+    found, missing = find_in_lines(
+        points, seed, settings, first_line=first_line, progress=progress,
+        beside={name: close for name, close in beside.items() if close is not None},
+    )  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         whole = pool.map(lambda name: _whole(found[name], regions[name], clouds[name]), found)
         return dict(zip(found, whole, strict=True)), missing
@@ -241,10 +249,23 @@ def _regions(
 ) -> tuple[dict[str, Region], dict[str, Array]]:
     """Of each line what the target may be in, and its points."""
     seed, reach = checked_seed(seed), settings.radius + settings.max_shift
+
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         read = pool.map(lambda cloud: cloud.within(seed, reach, most=most), clouds.values())
         regions = dict(zip(clouds, read, strict=True))
     return regions, {name: region.points for name, region in regions.items()}
+
+
+def _beside(region: Region, cloud: Cloud, seed: Array) -> Array | None:
+    """A sampled line's points close to a click in it, the nearest first.
+
+    The sample may lack all of them, and a click on the edge of a board would then seem to float
+    before the wall behind.
+    """
+    if region.one_in == 1 or len(cloud.within(seed, CLICK).numbers) == 0:
+        return None
+    points = cloud.within(seed, ABOUT).points
+    return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]
 
 
 def _numbered(patch: OnePatch, region: Region) -> OnePatch:

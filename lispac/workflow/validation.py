@@ -1,14 +1,28 @@
 """How far apart the lines are on planes that took no part, before and after."""
 
+import numpy as np
+
 from lispac.errors import NotComparable, ProjectError
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.validation.comparison import PlaneComparison, compare_plane
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.workflow.survey import Survey
 
 
-def validate(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Project:
+def validate(
+    project: Project,
+    survey: Survey,
+    *,
+    model: LocalModel = SIX_POINT_PLANE,
+    progress: Progress = no_progress,
+) -> Project:
     """Compare the lines on every validation plane with the prior and the estimated boresight.
+
+    Parameters
+    ----------
+    model : LocalModel
+        What stands for the surface between the points of a line.
 
     Raises
     ------
@@ -30,14 +44,20 @@ def validate(project: Project, survey: Survey, *, progress: Progress = no_progre
     for k, plane in enumerate(planes):
         step = part(progress, k / len(planes), (k + 1) / len(planes))
         step(0.0, f"Comparing the lines on {plane.name}")
-        before, after = {}, {}
+        before, after, ranges = {}, {}, {}
         for sighting in plane.used_sightings:
             before[sighting.line] = survey.clouds[sighting.line][sighting.indices]
             after[sighting.line] = placed[sighting.line][sighting.indices]
+            points_lidar, _ = survey.scans[sighting.line].take(sighting.indices)
+            ranges[sighting.line] = np.linalg.norm(points_lidar, axis=1)
+        facing = survey.trajectory.position.mean(axis=0) - np.array(plane.seed)
         try:
             comparisons.append(
-                compare_plane(plane.name, before, after, survey.heading, progress=step)
-            )
+                compare_plane(
+                    plane.name, before, after, survey.heading, model=model, facing=facing,
+                    ranges=ranges, progress=step,
+                )
+            )  # fmt: skip
         except NotComparable as error:
             not_compared[plane.name] = str(error)
     if not comparisons:

@@ -21,25 +21,30 @@ from lispac.workflow.picking import pick
 from lispac.workflow.survey import load_survey
 from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver
+from tests.sharing import once
 
 PICKED = ("T1", "T2", "V1")
 
 
 @pytest.fixture(scope="session")
-def demo(demo_project: Project) -> Demo:
+def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Demo:
     """The demo survey, loaded once and with some planes picked."""
     survey = load_survey(demo_project)
-    picked = demo_project
-    for name in PICKED:
-        role, seed = demo_seeds()[name]
-        picked = pick(picked, survey, seed, name=name, role=role)
-    return Demo(demo_project, picked, survey)
+
+    def pick_some(_folder: Path) -> Project:
+        picked = demo_project
+        for name in PICKED:
+            role, seed = demo_seeds()[name]
+            picked = pick(picked, survey, seed, name=name, role=role)
+        return picked
+
+    return Demo(demo_project, once(tmp_path_factory, "picked", pick_some), survey)
 
 
 @pytest.fixture(scope="session")
-def estimated(demo: Demo) -> Project:
+def estimated(demo: Demo, tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The picked demo survey with its boresight, cross-checks and all."""
-    return estimate(demo.picked, demo.survey)
+    return once(tmp_path_factory, "estimated", lambda _folder: estimate(demo.picked, demo.survey))
 
 
 @pytest.fixture
@@ -53,6 +58,19 @@ def driver(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]
     """An empty window with a recording viewport."""
     theme.apply_theme(qapp)
     made = Driver(qtbot, RecordingViewport(), tmp_path)
+    yield made
+    made.leave()
+
+
+@pytest.fixture
+def real(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
+    """An empty window that draws."""
+    if qapp.platformName() == "offscreen":
+        pytest.skip("OpenGL needs a screen, if only a virtual one")
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    theme.apply_theme(qapp)
+    made = Driver(qtbot, VtkViewport(), tmp_path)
     yield made
     made.leave()
 

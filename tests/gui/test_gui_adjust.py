@@ -17,6 +17,7 @@ from tests.gui.support import (
     Key,
     click,
     click_check,
+    estimate,
     open_step,
     press,
     seed,
@@ -24,6 +25,12 @@ from tests.gui.support import (
     settle,
     type_into,
 )
+
+
+@pytest.fixture
+def estimated(estimated: Project) -> Project:
+    """Without cross-checks, so that none follow from a tick: `test_gui_diagnostics` has them."""
+    return replace(estimated, cross_checks=None)
 
 
 def unfold(driver: Driver, fold: Fold) -> None:
@@ -165,8 +172,7 @@ def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
     picked.rest()
     unfold(picked, picked.window.adjust.also)
     click(picked, picked.window.adjust.parameters.switches["lever_x"])
-    press(picked, Key.Key_F9)
-    picked.rest()
+    estimate(picked)
     assert picked.project.result.estimated == ("roll", "pitch", "yaw", "lever_x")
     (found,) = picked.project.result.parameters
     assert abs(found.value - truth[0]) < 4 * found.sigma
@@ -179,8 +185,7 @@ def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
 def test_thesis_mode_keeps_its_warning(picked: Driver):
     open_step(picked, 2)
     click(picked, picked.window.adjust.findChild(QWidget, "model_independent"))
-    press(picked, Key.Key_F9)
-    picked.rest()
+    estimate(picked)
     assert not picked.project.result.model.correlated
     assert "Thesis mode" in picked.window.results.warnings.text()
     assert picked.window.results.warnings.isVisible()
@@ -197,8 +202,7 @@ def test_estimate_asks_about_a_plane_that_is_not_accepted(opened: Driver, demo: 
     assert not opened.window.runner.busy
     assert opened.window.controller.candidate is not None
     opened.dialogs.about_candidate = "accept"
-    press(opened, Key.Key_F9)
-    opened.rest()
+    estimate(opened)
     assert {s.sighting.target for s in opened.project.result.sightings} == {"T1", "T2"}
 
 
@@ -220,8 +224,7 @@ def test_nothing_is_shown_as_running_behind_an_error(picked: Driver):
 
 
 def test_a_tick_estimates_again_and_undo_takes_both_back(picked: Driver):
-    press(picked, Key.Key_F9)
-    picked.rest()
+    estimate(picked)
     first, whole = picked.project, angles(picked)
     assert picked.window.scene.which == "estimated"
     after = picked.viewport.clouds
@@ -324,8 +327,7 @@ def test_a_single_board_is_refused_until_that_is_accepted(
     unfold(driver, driver.window.adjust.advanced)
     click(driver, model.one_facing)
     assert driver.window.adjust.advanced.head.text() == "Advanced: one facing accepted"
-    press(driver, Key.Key_F9)
-    driver.rest()
+    estimate(driver)
     assert driver.project.settings.accept_one_facing
     seen = driver.project.result.observability
     assert any("T1 is the only target" in said for said in seen.sentences)

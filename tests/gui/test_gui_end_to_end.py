@@ -1,35 +1,18 @@
 """The whole way in the window with the real viewport, by mouse and keys, a picture at each step."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.projects import open_project
 from tests.gui.support import WAIT_MS, Driver
 
 Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 Control = Qt.KeyboardModifier.ControlModifier
-
-
-@pytest.fixture
-def real(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
-    """An empty window that draws."""
-    if qapp.platformName() == "offscreen":
-        pytest.skip("OpenGL needs a screen, if only a virtual one")
-    from lispac.gui.viewport.vtk import VtkViewport
-
-    theme.apply_theme(qapp)
-    made = Driver(qtbot, VtkViewport(), tmp_path)
-    yield made
-    made.leave()
 
 
 def colours_of(path: Path) -> int:

@@ -118,7 +118,7 @@ def test_quiet_work_gives_way_and_a_later_one_replaces_it(qtbot, runner):
 
 def test_progress_reaches_the_window_at_most_twenty_times_a_second(qtbot, runner):
     shown = []
-    runner.changed.connect(lambda: shown.append(time.monotonic()))
+    runner.moved.connect(lambda: shown.append(time.monotonic()))
 
     def chatty(progress):
         end = time.monotonic() + 0.5
@@ -180,6 +180,11 @@ def test_steps_say_what_is_there_and_what_comes_next(demo: Demo):
     first = demo.picked.target("T1")
     lonely = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))
     assert "fewer than two lines" in status.steps(lonely, demo.survey)[1].advice
+
+
+def test_many_points_are_counted_in_millions():
+    assert status.point_count(1_344_882) == "1.3 M points"
+    assert status.point_count(447_043) == "447,043 points"
 
 
 def test_a_serious_doubt_is_no_done_step(demo: Demo, estimated: Project):

@@ -23,7 +23,9 @@ from tests.gui.support import (
 # -- opening, saving, closing ------------------------------------------------------------------
 
 
-def test_a_project_opens_with_a_key_and_its_lines_are_drawn(driver: Driver, demo_copy: Path):
+def test_a_project_opens_with_a_key_and_its_lines_are_drawn(
+    driver: Driver, demo: Demo, demo_copy: Path
+):
     assert sentence(driver, 0) == "no project open"
     driver.dialogs.path = demo_copy / "project.json"
     press(driver, Key.Key_O, Control)
@@ -31,7 +33,8 @@ def test_a_project_opens_with_a_key_and_its_lines_are_drawn(driver: Driver, demo
     assert driver.project.folder == demo_copy
     assert list(driver.viewport.clouds) == [line.name for line in driver.project.lines]
     assert len(set(driver.viewport.colours.values())) == 6
-    assert sentence(driver, 0).startswith("6 lines, 1.")
+    points = sum(len(scan) for scan in demo.survey.scans.values())
+    assert sentence(driver, 0) == f"6 lines, {points:,} points"
     assert driver.window.settings.recent() == [demo_copy]
     assert not driver.window.isWindowModified()
 

@@ -1,10 +1,18 @@
 """Targets proposed, and a target found again, through the real dialogues."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QApplication, QDialog, QDoubleSpinBox, QPushButton, QTableWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QDoubleSpinBox,
+    QLabel,
+    QPushButton,
+    QTableWidget,
+)
 
 from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.project import Project
@@ -88,11 +96,36 @@ def test_what_is_picked_is_not_proposed_and_names_stay_apart(
 ) -> None:
     left = not_picked(demo.picked, proposal)
     assert len(left.targets) < len(proposal.targets)
+    assert set(left.picked) <= {"T1", "T2"}
+    taken = {target.name for target in demo.picked.targets}
+    assert taken.isdisjoint(target.name for target in left.targets)
+    assert set(left.reasons) == {target.name for target in left.targets}
     project, given = with_accepted(demo.picked, left, {target.name for target in left.targets})
+    assert given == tuple(target.name for target in left.targets), "as the list shows them"
     names = [target.name for target in project.targets]
     assert len(set(names)) == len(names) == len(demo.picked.targets) + len(given)
     for target in demo.picked.targets:
         assert project.target(target.name) is target
+
+
+@pytest.mark.parametrize(
+    ("known", "words"),
+    [
+        (0, "Expected sigmas of the boresight from all targets proposed: roll 0.0"),
+        (1, "from all targets proposed and of A1, picked already: roll 0.0"),
+        (9, "No further targets are proposed: what would serve is picked already (A1 and A2)."),
+    ],
+)
+def test_the_head_says_what_the_sigmas_are_of(
+    qtbot, demo: Demo, proposal: Proposal, known: int, words: str
+) -> None:
+    targets = [target for target in proposal.targets if target.role == "target"][:known]
+    named = tuple(replace(target, name=f"A{k + 1}") for k, target in enumerate(targets))
+    dialog = ProposalDialog(not_picked(replace(demo.project, targets=named), proposal))
+    qtbot.addWidget(dialog)
+    assert words in dialog.findChild(QLabel, "proposal_sigmas").text()
+    names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
+    assert names[0] == ("V1" if known == 9 else "T1")
 
 
 def test_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:

@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel
 
 from lispac.project import Project
-from tests.gui.support import Demo, Driver, settle
+from tests.gui.support import Demo, Driver, Key, open_step, press, seed, settle
 
 Role = Qt.ItemDataRole
 
@@ -80,3 +81,49 @@ def test_work_that_somebody_waits_for_goes_first(picked: Driver) -> None:
     picked.rest()
     assert done == [1]
     assert shown(picked, "T1", line).endswith("poor")
+
+
+def lights(driver: Driver) -> dict[str, str]:
+    """What the candidate's box tells of every line."""
+    box = driver.window.targets.candidate.lights
+    return {
+        light.objectName().removeprefix("light_"): light.toolTip()
+        for light in box.findChildren(QLabel)
+        if light.objectName() and light.isVisible()
+    }
+
+
+def test_a_candidate_has_its_lights_before_it_is_accepted(opened: Driver) -> None:
+    open_step(opened, 1)
+    seed(opened, "T2")
+    opened.bot.waitUntil(lambda: not any("Being judged" in tip for tip in lights(opened).values()))
+    opened.rest()
+    told = lights(opened)
+    assert list(told) == [line.name for line in opened.project.lines]
+    assert "Quality: good" in told["L1_000"]
+    assert " points, " in told["L1_000"]
+    assert "Quality: doubtful\n" in told["L3_045"]
+    assert "The beams meet it at 73 deg from its normal." in told["L3_045"]
+    box = opened.window.targets.candidate
+    assert box.lights.height() < 60, "six lines are two or three rows"
+    press(opened, Key.Key_Return)
+    opened.rest()
+    assert told["L3_045"].split("\n")[2] in shown(opened, "T1", "L3_045", Role.ToolTipRole)
+    seed(opened, "V1")
+    opened.rest()
+    assert set(lights(opened)) == {s.line for s in opened.window.controller.candidate.sightings}
+    assert all("Quality: " in tip for tip in lights(opened).values())
+    assert "L3_045: " in box.detail.toolTip(), "why it was not found there"
+
+
+def test_a_candidate_that_goes_is_not_judged_for_long(opened: Driver) -> None:
+    open_step(opened, 1)
+    seed(opened, "T1")
+    press(opened, Key.Key_Escape)
+    seed(opened, "T2")
+    opened.rest()
+    points = [len(s.indices) for s in opened.window.controller.candidate.sightings]
+    told = lights(opened)
+    for tip, count in zip(told.values(), points, strict=True):
+        assert f": {count:,} points, " in tip
+    assert all("Quality: " in tip for tip in told.values())

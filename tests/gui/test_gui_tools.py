@@ -121,6 +121,33 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert not panel.canvas.isVisible()
 
 
+def test_what_was_accepted_is_selected_and_has_its_section(opened: Driver) -> None:
+    window, panel = opened.window, opened.window.tools.sections.panel
+    press(opened, Key.Key_S)
+    opened.rest()
+    words = panel.words
+    assert words.isVisible()
+    assert words.height() >= words.heightForWidth(words.width()), "all of it is seen"
+    seed(opened, "T1")
+    press(opened, Key.Key_Return)
+    fits = [call for call in opened.viewport.calls if call[0] == "fit"]
+    assert window.targets.current == "T1"
+    press(opened, Key.Key_S)
+    opened.rest()
+    assert panel.through.text() == "Across T1"
+    assert not words.isVisible()
+    seed(opened, "T2")
+    press(opened, Key.Key_Return)
+    assert window.targets.current == "T2"
+    assert [call for call in opened.viewport.calls if call[0] == "fit"] == fits, "it stays there"
+    window.targets.line_choice.setCurrentIndex(1)
+    window.targets.table.clearSelection()
+    seed(opened, "V1")
+    press(opened, Key.Key_Return)
+    assert window.targets.current is None, "a click on that line seeks a new one"
+    assert window.scene.selected == ("V1", "")
+
+
 def test_a_section_between_two_points(picked: Driver) -> None:
     window, panel = picked.window, picked.window.tools.sections.panel
     press(picked, Key.Key_S)
@@ -254,5 +281,17 @@ def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None
     view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
     view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up + 300.0)))
     assert "hover" not in view.sketches
+    # What a click took is told by the candidate, and the preview would hide its label.
+    there = PickedPoint(sighting.line, (north, west, up))
+    view.signals.hovered.emit(there)
+    view.signals.seed_clicked.emit(there)
+    picked.rest()
+    assert window.controller.candidate is not None
+    assert "hover" not in view.sketches
+    view.signals.hovered.emit(there)
+    assert "hover" not in view.sketches
+    press(picked, Key.Key_Escape)
+    view.signals.hovered.emit(there)
+    assert "hover" in view.sketches
     press(picked, Key.Key_H)
     assert not view.hovering

@@ -7,10 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractItemView, QLineEdit
 
 from lispac.errors import PlaneNotFound, ProjectError
 from lispac.gui.viewport.base import PickedPoint
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from tests.gui.support import (
     Control,
     Demo,
@@ -19,6 +21,7 @@ from tests.gui.support import (
     Left,
     click,
     click_check,
+    estimate,
     open_step,
     press,
     seed,
@@ -230,8 +233,7 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
 
 
 def test_a_seed_on_the_lines_after_is_sought_where_it_lies_before(picked: Driver):
-    press(picked, Key.Key_F9)
-    picked.rest()
+    estimate(picked)
     line = picked.project.lines[1].name
     sighting = picked.project.target("T2").sighting(line)
     press(picked, Key.Key_F6)
@@ -247,6 +249,7 @@ def test_a_seed_on_the_lines_after_is_sought_where_it_lies_before(picked: Driver
 def test_cancel_changes_nothing_and_estimate_runs_afterwards(picked: Driver):
     before = picked.project
     open_step(picked, 2)
+    picked.window.adjust.cross_check.setChecked(False)
     click(picked, picked.window.adjust.estimate)
     assert picked.window.adjust.cancel.isVisible()
     click(picked, picked.window.adjust.cancel)
@@ -271,8 +274,7 @@ def test_an_edit_stops_the_adjustment_that_rests_on_the_old_project(picked: Driv
 def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     picked: Driver, tmp_path: Path
 ):
-    press(picked, Key.Key_F9)
-    picked.rest()
+    estimate(picked)
     open_step(picked, 3)
     click(picked, picked.window.validate.run)
     picked.rest()
@@ -287,6 +289,25 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     )
     axes = panel.canvas.figure.axes[0]
     assert len(axes.patches) + len(axes.collections) >= 2
+    panel.plot.setFocus()
+    QTest.keyClick(panel.plot, Qt.Key.Key_Down)
+    assert [axes.get_xlabel() for axes in panel.canvas.figure.axes] == ["Height (m)", "Range (m)"]
+
+    picked.window.validate.kind.setFocus()
+    QTest.keyClick(picked.window.validate.kind, Qt.Key.Key_Down)
+    assert picked.window.validate.neighbours.value() == 12
+    click(picked, picked.window.validate.run)
+    picked.rest()
+    assert picked.project.validation[0].model == LocalModel("quadric", 12)
+    assert "local quadric through 12 points" in panel.table.item(0, 0).toolTip()
+    # The fields follow the figures that are shown.
+    picked.window.document.undo_stack.undo()
+    picked.rest()
+    assert picked.window.validate.model == SIX_POINT_PLANE
+    assert picked.window.computing.distance_to == SIX_POINT_PLANE
+    picked.window.document.undo_stack.redo()
+    picked.rest()
+    assert picked.window.validate.model == LocalModel("quadric", 12)
 
     open_step(picked, 4)
     for name in ("calibration.json", "calibration.html"):

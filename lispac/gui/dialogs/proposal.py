@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.adjustment.result import ANGLES
+from lispac.adjustment.shown import listed
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.workflow.proposing import Proposal
@@ -94,12 +95,20 @@ class ProposalDialog(QDialog):
 
 
 def _said(proposal: Proposal) -> str:
+    return (
+        f"{_targets_said(proposal)} Validation planes take no part in the adjustment; the lines "
+        "are compared on them. Untick what you do not want."
+    )
+
+
+def _targets_said(proposal: Proposal) -> str:
+    """What the targets give, or that there are no further ones."""
+    picked = listed(proposal.picked) if proposal.picked else ""
+    if not any(target.role == "target" for target in proposal.targets):
+        return f"No further targets are proposed: what would serve is picked already ({picked})."
     sigmas = ", ".join(
         f"{angle} {value * 57.29578:.3f}°"
         for angle, value in zip(ANGLES, proposal.sigma, strict=True)
     )
-    return (
-        f"Expected sigmas of the boresight from all targets proposed: {sigmas}. Validation planes "
-        "take no part in the adjustment; the lines are compared on them. Untick what you do not "
-        "want."
-    )
+    also = f" and of {picked}, picked already" if picked else ""
+    return f"Expected sigmas of the boresight from all targets proposed{also}: {sigmas}."

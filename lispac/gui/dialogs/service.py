@@ -33,7 +33,9 @@ Answer = Literal["save", "discard", "cancel"]
 DropAnswer = Literal["add", "new", "cancel"]
 CandidateAnswer = Literal["accept", "reject", "cancel"]
 
-REPORT_FILTER = "PDF (*.pdf);;HTML (*.html);;Numbers as JSON (*.json)"
+REPORT_FILTER = (
+    "PDF (*.pdf);;HTML (*.html);;Numbers as JSON (*.json);;Tables as CSV in a ZIP file (*.zip)"
+)
 
 
 class Dialogs:
@@ -120,7 +122,7 @@ class Dialogs:
         if not name:
             return None
         path = Path(name)
-        endings = {"PDF": ".pdf", "HTML": ".html", "Numbers": ".json"}
+        endings = {"PDF": ".pdf", "HTML": ".html", "Numbers": ".json", "Tables": ".zip"}
         return path if path.suffix else path.with_suffix(endings[kind.split(" ")[0]])
 
     def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:

@@ -2,8 +2,10 @@
 
 from PySide6.QtWidgets import QFrame, QHBoxLayout
 
+from lispac.doubles import overlap_words
 from lispac.gui.panels import widgets
-from lispac.project import Target
+from lispac.gui.panels.line_lights import LineLights
+from lispac.project import Project, Target
 from lispac.workflow.survey import Survey
 
 
@@ -19,6 +21,10 @@ class CandidateBox(QFrame):
         self.detail = widgets.label("", wrap=True, name="candidate_detail")
         layout.addWidget(self.title)
         layout.addWidget(self.detail)
+        self.lights = LineLights("candidate_lights")
+        layout.addWidget(self.lights)
+        self.double = widgets.label("", "warning", wrap=True, name="candidate_double")
+        layout.addWidget(self.double)
         self.accept = widgets.button(
             "Accept  ⏎", "accept_candidate", icon="check-bold", primary=True, tip="Enter"
         )
@@ -28,12 +34,12 @@ class CandidateBox(QFrame):
         row.addWidget(self.reject, 1)
         layout.addLayout(row)
 
-    def fill(
-        self, candidate: Target, known: Target | None, lines: int, survey: Survey | None
-    ) -> None:
-        """Say what was found, and where not."""
+    def fill(self, candidate: Target, project: Project, survey: Survey | None) -> None:
+        """Say what was found, where not, and whether another target has the points already."""
+        known = any(target.name == candidate.name for target in project.targets)
+        lines = len(project.lines)
         what = "Target" if candidate.role == "target" else "Validation plane"
-        again = "" if known is None else " (in place of the present one)"
+        again = " (in place of the present one)" if known else ""
         self.title.setText(f"{what} {candidate.name}{again}")
         found = candidate.sightings
         points = sum(len(sighting.indices) for sighting in found)
@@ -49,6 +55,13 @@ class CandidateBox(QFrame):
         if candidate.missing:
             text += f" Not found on {', '.join(candidate.missing)}."
         self.detail.setText(text)
+        self.detail.setToolTip(
+            "\n".join(f"{line}: {reason}" for line, reason in candidate.missing.items())
+        )
+        self.lights.show_target(candidate)
+        double = overlap_words(candidate, project.targets)
+        self.double.setText(double)
+        self.double.setVisible(bool(double))
 
 
 def _unexpected(target: Target, survey: Survey) -> str:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QStackedLayout,
     QTableWidget,
     QTableWidgetItem,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -30,7 +31,7 @@ _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 def preload() -> None:
     """Import Matplotlib, which takes half a second: to be called in the worker."""
 
-    import lispac.report.figures  # noqa: F401
+    import lispac.report.profiles  # noqa: F401
 
 
 class HistogramsPanel(QWidget):
@@ -58,7 +59,16 @@ class HistogramsPanel(QWidget):
         self._row.setContentsMargins(6, 6, 6, 6)
         self.table = _table()
         self.table.itemSelectionChanged.connect(self._selected)
-        self._row.addWidget(self.table)
+        left = QVBoxLayout()
+        self.plot = widgets.Choice(
+            "comparison_plot", ("Histogram", "Against height and range"),
+            "What is drawn of the plane: how often each distance occurs, or how the distances grow "
+            "with height and range (before a calibration they do, after it they should not)",
+        )  # fmt: skip
+        self.plot.currentIndexChanged.connect(self._selected_again)
+        left.addWidget(self.plot)
+        left.addWidget(self.table)
+        self._row.addLayout(left)
         self._stack.addWidget(filled)
         self.canvas: QWidget | None = None
 
@@ -83,7 +93,7 @@ class HistogramsPanel(QWidget):
                 item.setFont(theme.tabular(self.table.font()))
                 if column:
                     item.setTextAlignment(_RIGHT)
-                item.setToolTip(f"{each.name}: {each.pooled_from} of lines")
+                item.setToolTip(f"{each.name}: {each.pooled_from} of lines, {each.model.in_words}")
                 self.table.setItem(row, column, item)
         self.table.clearSelection()
         self.table.blockSignals(False)
@@ -105,23 +115,31 @@ class HistogramsPanel(QWidget):
             self._draw(next(each for each in self._comparisons if each.name == name))
             self.plane_selected.emit(name)
 
+    def _selected_again(self) -> None:
+        name = self.current
+        if name is not None:
+            self._draw(next(each for each in self._comparisons if each.name == name))
+
     def _draw(self, comparison: PlaneComparison) -> None:
         # Imported here, so that the start of the window does not wait for it.
         from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 
         from lispac.report.figures import histogram_figure
+        from lispac.report.profiles import profile_figure
 
+        draw = profile_figure if self.plot.currentIndex() else histogram_figure
         if self.canvas is None:
-            figure = histogram_figure(comparison)
+            figure = draw(comparison)
             self.canvas = FigureCanvasQTAgg(figure)
             self.canvas.setObjectName("histogram_canvas")
             self.canvas.setMinimumSize(260, 140)
             self._row.addWidget(self.canvas, 1)
         else:
-            histogram_figure(comparison, figure=self.canvas.figure)
+            draw(comparison, figure=self.canvas.figure)
             self.canvas.draw_idle()
+        what = "against height and range" if self.plot.currentIndex() else "as histograms"
         self.canvas.setAccessibleName(
-            f"Histograms of {comparison.name}, before in blue and after in brown"
+            f"Distances on {comparison.name} {what}, before in blue and after in brown"
         )
 
 

@@ -1,6 +1,8 @@
 """What a result says besides its angles, in words: warnings, extra parameters, the fit."""
 
-from lispac.adjustment.doubts import FLAT, doubts
+from collections.abc import Sequence
+
+from lispac.adjustment.doubts import FLAT, Doubt, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.shown import component_shown, counted, mm, significance_words, surface_sigmas
 from lispac.gui.panels.adjust_parameters import KINDS
@@ -16,10 +18,13 @@ LEAST_SURFACE = 5e-5
 """Metres: below it a surface sigma shows as 0.0 mm."""
 
 
-def warnings(result: AdjustmentResult, checks: CrossChecks | None) -> list[str]:
+def warnings(
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
+) -> list[str]:
     """What the user has to know before using the angles, as the report and the terminal say it."""
     return [
-        f"{doubt.text} {ELSEWHERE.get(doubt.code, '')}".rstrip() for doubt in doubts(result, checks)
+        f"{doubt.text} {ELSEWHERE.get(doubt.code, '')}".rstrip()
+        for doubt in doubts(result, checks, also)
     ]
 
 
@@ -41,14 +46,16 @@ def surface_words(result: AdjustmentResult) -> str:
     return surface_sigmas(result.surface, result.offset)
 
 
-def verdict(result: AdjustmentResult, checks: CrossChecks | None) -> str:
+def verdict(
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
+) -> str:
     """What the chi-square test means, in words; no more than that where something is in doubt."""
     if result.chi_square.passed:
         words = "The residuals are as large as the stated sigmas say"
         if result.model.surface is None and result.surfaces.max() > FLAT:
             most = f"{mm(result.surfaces.max())}\u00a0mm"
             words += f", once the targets may differ by {most} from line to line"
-        doubtful = bool(doubts(result, checks))
+        doubtful = bool(doubts(result, checks, also))
         return f"{words}." if doubtful else f"{words}: the uncertainties can be used."
     if result.variance_factor > 1:
         return (
@@ -59,7 +66,7 @@ def verdict(result: AdjustmentResult, checks: CrossChecks | None) -> str:
         "The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are "
         "stated too large"
     )
-    doubtful = bool(doubts(result, checks))
+    doubtful = bool(doubts(result, checks, also))
     return f"{words}." if doubtful else f"{words}, so the uncertainties are on the safe side."
 
 

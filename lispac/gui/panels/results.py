@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from lispac.adjustment.doubts import HIGH_CORRELATION
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.doubles import doubles
 from lispac.gui import theme
 from lispac.gui.panels import result_words, widgets
 from lispac.project import Project, Triple
@@ -134,7 +135,7 @@ class ResultsPanel(QWidget):
         return area
 
     def _fill_words(self, project: Project, result: AdjustmentResult) -> None:
-        warnings = result_words.warnings(result, project.cross_checks)
+        warnings = result_words.warnings(result, project.cross_checks, doubles(project))
         self.warnings.setText("<br><br>".join(escape(each) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)
@@ -178,7 +179,7 @@ class ResultsPanel(QWidget):
         }
         for key, text in texts.items():
             self._values[key].setText(text)
-        words = result_words.verdict(result, project.cross_checks)
+        words = result_words.verdict(result, project.cross_checks, doubles(project))
         self._verdict.setText(f"{words} Errors by the data: {components}." if components else words)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from io import BytesIO
 from pathlib import Path
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
@@ -74,7 +74,6 @@ class SectionPanel(QWidget):
         self._left.addLayout(form)
         self._left.addWidget(self.points)
         self._left.addLayout(pictures)
-        self._left.addWidget(self.words)
         self._left.addStretch(1)
         side = QWidget()
         side.setLayout(self._left)
@@ -83,7 +82,10 @@ class SectionPanel(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 4, 0)
         self._row.addWidget(side)
-        self._row.addStretch(0)
+        # Where the picture comes: beside the settings there is no room for it all.
+        self._row.addWidget(self.words, 1)
+        self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.words.setContentsMargins(24, 0, 24, 0)
         self.canvas: QWidget | None = None
         self.laid.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())

@@ -134,11 +134,11 @@ class TargetsPanel(QWidget):
         self._show_default_threshold()
         self._list(project)
 
-    def show_candidate(self, candidate: Target | None, known: Target | None, lines: int) -> None:
-        """Offer what was just found; ``known`` is the target it would replace."""
+    def show_candidate(self, candidate: Target | None, project: Project | None) -> None:
+        """Offer what was just found."""
         self.candidate.setVisible(candidate is not None)
-        if candidate is not None:
-            self.candidate.fill(candidate, known, lines, self._survey)
+        if candidate is not None and project is not None:
+            self.candidate.fill(candidate, project, self._survey)
 
     def select(self, name: str) -> None:
         """Select a target in the list, without telling anyone."""

@@ -1,11 +1,23 @@
 """Step 4: how far apart the lines are on planes that took no part, before and after."""
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
 from lispac.project import Project
+from lispac.validation.local_models import (
+    FEWEST,
+    SIX_POINT_PLANE,
+    USUAL_NEIGHBOURS,
+    Kind,
+    LocalModel,
+)
+from lispac.validation.results import PlaneComparison
+
+KINDS: tuple[tuple[Kind, str], ...] = (
+    ("plane", "Local plane"), ("quadric", "Local quadric"), ("point", "Nearest point"),
+)  # fmt: skip
 
 
 class ValidatePanel(QWidget):
@@ -14,9 +26,12 @@ class ValidatePanel(QWidget):
     validate_asked = Signal()
     shown_changed = Signal(str)
     """Clouds are wanted with the "prior" or the "estimated" boresight."""
+    model_changed = Signal(object)
+    """The LocalModel that distances are to be measured to."""
 
     def __init__(self) -> None:
         super().__init__()
+        self._shown: tuple[PlaneComparison, ...] = ()
         layout = widgets.column(self)
         layout.addWidget(
             widgets.label(
@@ -26,6 +41,27 @@ class ValidatePanel(QWidget):
         )  # fmt: skip
         self.advice = widgets.label("", wrap=True, name="validate_advice")
         layout.addWidget(self.advice)
+        self.kind = widgets.Choice(
+            "distance_to", [words for _, words in KINDS],
+            "What stands for the surface between the points of a line. A plane suits walls and "
+            "boards, a quadric what bends; to the nearest point the spacing of the points counts "
+            "as distance",
+        )  # fmt: skip
+        self.neighbours = widgets.number(
+            "distance_neighbours", suffix="", decimals=0, low=3, high=200, step=1,
+            tip="Points the plane or quadric is fitted to: more smooth the noise, fewer follow the "
+            "surface (usually 6, 12 for a quadric)",
+        )  # fmt: skip
+        self.neighbours.setValue(SIX_POINT_PLANE.neighbours)
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setHorizontalSpacing(10)
+        form.setVerticalSpacing(6)
+        form.addRow("Distance to", self.kind)
+        form.addRow("Through points", self.neighbours)
+        layout.addLayout(form)
+        self.kind.currentIndexChanged.connect(self._kind_chosen)
+        self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))
         self.run = widgets.button(
             "Validate", "validate", icon="check-decagram-outline", primary=True,
             tip="Compare the lines on every validation plane, before and after (F10)",
@@ -51,8 +87,41 @@ class ValidatePanel(QWidget):
         self.before.setChecked(True)
         layout.addLayout(row)
 
+    @property
+    def model(self) -> LocalModel:
+        """What is chosen."""
+        return LocalModel(KINDS[self.kind.currentIndex()][0], int(self.neighbours.value()))
+
+    def _kind_chosen(self) -> None:
+        kind = KINDS[self.kind.currentIndex()][0]
+        self._fill_neighbours(kind, USUAL_NEIGHBOURS[kind])
+        self.model_changed.emit(self.model)
+
+    def _fill_neighbours(self, kind: Kind, number: int) -> None:
+        self.neighbours.blockSignals(True)
+        self.neighbours.setRange(FEWEST[kind], 200)
+        self.neighbours.setValue(number)
+        self.neighbours.setEnabled(kind != "point")
+        self.neighbours.blockSignals(False)
+
+    def _follow(self, project: Project) -> None:
+        """Show what the figures of a project were measured to, once for each validation."""
+        if project.validation is self._shown:
+            return
+        self._shown = project.validation
+        if project.validation:
+            model = project.validation[0].model
+            self.kind.blockSignals(True)
+            self.kind.setCurrentIndex([kind for kind, _ in KINDS].index(model.kind))
+            self.kind.blockSignals(False)
+            self._fill_neighbours(model.kind, model.neighbours)
+            # One within a radius, chosen at the command line, is kept until something else is.
+            self.model_changed.emit(model)
+
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
         """What can be done now."""
+        if project is not None:
+            self._follow(project)
         self.advice.setText(status.advice)
         self.run.allow(status.ready and not busy)
         self.after.setEnabled(project is not None and project.result is not None)

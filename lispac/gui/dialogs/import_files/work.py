@@ -39,7 +39,7 @@ class Work(QObject):
         self._asked: dict[Path, Entry] = {}
         self._done = 0
         self.runner = TaskRunner(self)
-        self.runner.changed.connect(self.moved)
+        self.runner.moved.connect(self.moved)
 
     def begin(self, intake: Intake) -> None:
         """Begin with files that an open project has."""

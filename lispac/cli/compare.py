@@ -1,0 +1,111 @@
+"""``lispac compare``: whether calibrations of one mounting agree."""
+
+import sys
+from argparse import Namespace
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import print_json
+from lispac.validation.repeatability import (
+    Calibration,
+    Difference,
+    Repeated,
+    difference,
+    repeated,
+)
+from lispac.workflow.repeating import calibrations_of
+
+DISTANCES_M = (10.0, 50.0, 100.0)
+
+
+def compare(arguments: Namespace) -> None:
+    """Compare each calibration with the first, and put all together."""
+    found, remarks = calibrations_of(arguments.projects)
+    against = [difference(found[0], each) for each in found[1:]]
+    together = repeated(found)
+    if arguments.json:
+        print_json(
+            {
+                "calibrations": [_calibration(each) for each in found],
+                "differences": [_difference(each) for each in against],
+                "together": _together(together),
+                "remarks": remarks,
+            }
+        )
+        return
+    _print(found, against, together)
+    sys.stdout.flush()
+    for remark in remarks:
+        print(f"note: {remark}", file=sys.stderr)
+
+
+def _print(found: Sequence[Calibration], against: Sequence[Difference], together: Repeated) -> None:
+    width = max(12, *(len(each.name) for each in found)) + 2
+    heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
+    print(f"{'calibration':{width}s}{heads}  deg")
+    for each in found:
+        print(f"{each.name:{width}s}{_values(each.boresight, each.sigma)}")
+    print(f"{'all together':{width}s}{_values(together.boresight, together.sigma)}")
+    print(f"{'spread':{width}s}" + "".join(f"{v:20.4f}" for v in np.degrees(together.spread)))
+    print(f"\nless {found[0].name}, and over its sigma")
+    for change in against:
+        cells = "".join(
+            f"{np.degrees(angle):+12.4f} {f'({significance:+.1f})':>7s}"
+            for angle, significance in zip(change.angles, change.significance, strict=True)
+        )
+        print(f"{change.second:{width}s}{cells}")
+        effects = ", ".join(
+            f"{100 * change.displacement(far):.1f} cm at {far:.0f} m" for far in DISTANCES_M
+        )
+        verdict = "DIFFER" if change.differ else "agree"
+        chance = f"chance {change.probability:.3f}"
+        print(f"{'':{width}s}  {verdict} ({chance}); a point moves {effects}")
+    if len(found) > 2:
+        words = "scatter MORE than their sigmas explain" if together.differ else "scatter as stated"
+        print(f"\nall of them {words} (chance {together.probability:.3f})")
+
+
+def _values(angles: np.ndarray, sigmas: np.ndarray) -> str:
+    return "".join(
+        f"{angle:+12.4f} {sigma:7.4f}"
+        for angle, sigma in zip(np.degrees(angles), np.degrees(sigmas), strict=True)
+    )
+
+
+def _calibration(each: Calibration) -> dict[str, Any]:
+    return {
+        "name": each.name,
+        "boresight_deg": np.degrees(each.boresight).tolist(),
+        "sigma_deg": np.degrees(each.sigma).tolist(),
+    }
+
+
+def _difference(each: Difference) -> dict[str, Any]:
+    return {
+        "first": each.first,
+        "second": each.second,
+        "angles_deg": np.degrees(each.angles).tolist(),
+        "sigma_deg": np.degrees(each.sigma).tolist(),
+        "significance": each.significance.tolist(),
+        "significant": list(each.significant),
+        "chi_square": each.statistic,
+        "probability": each.probability,
+        "differ": each.differ,
+        "turn_deg": float(np.degrees(each.turn)),
+        "distances_m": list(DISTANCES_M),
+        "displacement_m": [each.displacement(d) for d in DISTANCES_M],
+    }
+
+
+def _together(each: Repeated) -> dict[str, Any]:
+    return {
+        "boresight_deg": np.degrees(each.boresight).tolist(),
+        "sigma_deg": np.degrees(each.sigma).tolist(),
+        "spread_deg": np.degrees(each.spread).tolist(),
+        "chi_square": each.statistic,
+        "probability": each.probability,
+        "differ": each.differ,
+    }

@@ -1,0 +1,188 @@
+"""The same surface picked twice: targets that have points in common.
+
+Points that two targets of an adjustment share count twice, and a validation plane on a target's
+points checks nothing.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.doubts import MOST_NAMED, Doubt
+from lispac.picks import PickedSighting, Target
+from lispac.project import Project
+
+SHARED = 0.1
+"""Share of the points in common from which two targets are told of."""
+SAME = 0.3
+"""Share from which both are the same surface."""
+PROBED = 1000
+"""Points of a sighting that tell whether it has any in common with another."""
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """Two targets that have points in common.
+
+    Attributes
+    ----------
+    one, other : str
+        Their names, as they were given.
+    line : str
+        Where they have most in common.
+    share : float
+        Of the points of the smaller one there.
+    smaller : str
+        Its name.
+    """
+
+    one: str
+    other: str
+    line: str
+    share: float
+    smaller: str
+
+    @property
+    def is_same(self) -> bool:
+        """Whether both are the same surface."""
+        return self.share > SAME
+
+    @property
+    def where(self) -> str:
+        """``89 % on L1``."""
+        return f"{100 * self.share:.0f}\u00a0% on {self.line}"
+
+
+def overlaps(targets: Iterable[Target]) -> tuple[Overlap, ...]:
+    """Targets that take part and share a tenth of the smaller one's points on some line."""
+    used = [_Points.of(target, target.used_sightings) for target in targets]
+    found = (_overlap(one, other) for one, other in combinations(used, 2))
+    return tuple(each for each in found if each is not None)
+
+
+def overlap_with(target: Target, others: Iterable[Target]) -> Overlap | None:
+    """The target that one has most points in common with; None where it is on its own.
+
+    A target of its own name does not count: it is the one that is replaced.
+    """
+    own = _Points.of(target, target.sightings)
+    found = (
+        _overlap(own, _Points.of(other, other.sightings))
+        for other in others
+        if other.name != target.name
+    )
+    told = [each for each in found if each is not None]
+    return max(told, key=lambda each: each.share, default=None)
+
+
+def overlap_words(target: Target, others: Iterable[Target]) -> str:
+    """Said of a target just found that shares points with another one; empty where none does."""
+    others = tuple(others)
+    found = overlap_with(target, others)
+    if found is None:
+        return ""
+    other = next(each for each in others if each.name == found.other)
+    whose = "its points" if found.smaller == target.name else f"the points of {found.other}"
+    same = (
+        f"is the surface of {found.other} already"
+        if found.is_same
+        else f"shares points with {found.other}"
+    )
+    roles = {target.role, other.role}
+    so = {1: "they would count twice", 2: "a validation plane on a target checks nothing"}
+    why = "" if roles == {"validation"} else f": {so[len(roles)]}"
+    return (
+        f"{target.name} {same}: {100 * found.share:.0f} % of {whose} on {found.line} are the same. "
+        f"Keep one of the two{why}."
+    )
+
+
+# The window asks for the same project at every move of a progress bar.
+@lru_cache(maxsize=2)
+def doubles(project: Project) -> tuple[Doubt, ...]:
+    """What there is to know of an answer whose targets share points, serious things first."""
+    role = {target.name: target.role for target in project.targets}
+    found = overlaps(project.targets)
+    twice = [each for each in found if role[each.one] == role[each.other] == "target"]
+    mixed = [each for each in found if role[each.one] != role[each.other]]
+    doubts = []
+    if twice:
+        each_two = "the two" if len(twice) == 1 else "each two"
+        doubts.append(
+            Doubt(
+                "counted_twice",
+                True,
+                f"Targets have points in common: {_named(twice)}. These points count twice, and "
+                f"the sigmas of the angles come out too small; leave one of {each_two} out.",
+            )
+        )
+    if mixed:
+        turned = [each if role[each.one] == "validation" else _turned(each) for each in mixed]
+        one = len(mixed) == 1
+        doubts.append(
+            Doubt(
+                "no_independent_check",
+                False,
+                f"{'A validation plane has' if one else 'Validation planes have'} points in common "
+                f"with {'a target' if one else 'targets'}: {_named(turned)}. "
+                f"{'It is' if one else 'They are'} no independent check of the angles; leave one "
+                f"of {'the' if one else 'each'} two out.",
+            )
+        )
+    return tuple(doubts)
+
+
+def _turned(found: Overlap) -> Overlap:
+    return replace(found, one=found.other, other=found.one)
+
+
+def _named(found: Sequence[Overlap]) -> str:
+    """The first few, and how many more there are."""
+    named = [f"{each.one} with {each.other} ({each.where})" for each in found[:MOST_NAMED]]
+    more = len(found) - len(named)
+    return ", ".join(named) + (f" and {more} more" if more else "")
+
+
+@dataclass(frozen=True, eq=False)
+class _Points:
+    """The points of a target by line, their numbers in order."""
+
+    name: str
+    lines: dict[str, NDArray[np.int64]]
+
+    @classmethod
+    def of(cls, target: Target, sightings: Iterable[PickedSighting]) -> "_Points":
+        # In order already as a rule, and a stable sort is quick to see that.
+        return cls(target.name, {s.line: np.sort(s.indices, kind="stable") for s in sightings})
+
+
+def _overlap(one: _Points, other: _Points) -> Overlap | None:
+    """What two targets have in common on the line where that is most."""
+    found = []
+    for line, first in one.lines.items():
+        second = other.lines.get(line)
+        share = 0.0 if second is None else _share(first, second)
+        if second is not None and share >= SHARED:
+            smaller = one if len(first) <= len(second) else other
+            found.append(Overlap(one.name, other.name, line, share, smaller.name))
+    return max(found, key=lambda each: each.share, default=None)
+
+
+def _share(first: NDArray[np.int64], second: NDArray[np.int64]) -> float:
+    """Of the points of the smaller one that the other has too, from 0 to 1; both in order."""
+    small, large = sorted((first, second), key=len)
+    if not len(small):
+        return 0.0
+    # Most pairs have nothing in common, and some of the points tell that.
+    share = _within(small[:: 1 + len(small) // PROBED], large)
+    return share if share < SHARED / 2 else _within(small, large)
+
+
+def _within(numbers: NDArray[np.int64], among: NDArray[np.int64]) -> float:
+    """Share of the numbers that are among others, which are in order."""
+    places = np.minimum(np.searchsorted(among, numbers), len(among) - 1)
+    return float(np.mean(among[places] == numbers))

@@ -1,0 +1,85 @@
+"""A light for every line of a target, with the reason in its tooltip."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
+
+from lispac.gui import theme
+from lispac.gui.panels.sightings_table import quality_words
+from lispac.project import PickedSighting, Target
+from lispac.targets.quality import SightingQuality
+
+SIZE, GAP = 16, 14
+"""Pixels: side of a light, and between one line and the next."""
+WAITS = "circle-outline"
+
+
+class LineLights(QWidget):
+    """As many lines side by side as there is room for."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(4)
+        self._grid.setVerticalSpacing(3)
+        self._cells: dict[str, tuple[PickedSighting, QLabel, QLabel]] = {}
+        self._columns = 0
+
+    def show_target(self, target: Target) -> None:
+        """List the lines it was found on; how good they are is not known yet."""
+        for _, light, words in self._cells.values():
+            for each in (light, words):
+                each.hide()
+                each.deleteLater()
+        self._cells = {}
+        for sighting in target.sightings:
+            light, words = QLabel(self), QLabel(sighting.line, self)
+            light.setObjectName(f"light_{sighting.line}")
+            light.setFixedSize(SIZE, SIZE)
+            words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+            self._cells[sighting.line] = sighting, light, words
+        self.show_qualities({})
+        self._columns = 0
+        self._place()
+
+    def show_qualities(self, qualities: Mapping[str, SightingQuality]) -> None:
+        """Light up the lines whose quality is known."""
+        for line, (sighting, light, words) in self._cells.items():
+            quality = qualities.get(line)
+            icon = theme.icon(WAITS, theme.MUTED) if quality is None else theme.light(quality.light)
+            light.setPixmap(icon.pixmap(SIZE, SIZE))
+            said = "Being judged" if quality is None else quality_words(quality)
+            points = f"{len(sighting.indices):,} points, {sighting.rms * 1000:.1f} mm RMS"
+            tip = f"{line}: {points}\n{said}"
+            for each in (light, words):
+                each.setToolTip(tip)
+                each.setAccessibleName(f"{line}: {said}")
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place()
+
+    def _place(self) -> None:
+        """In rows, each column as wide as the longest name."""
+        if not self._cells:
+            return
+        widest = max(words.sizeHint().width() for _, _, words in self._cells.values())
+        columns = max(1, (self.width() + GAP) // (SIZE + 4 + widest + GAP))
+        columns = min(columns, len(self._cells))
+        if columns == self._columns:
+            return
+        for k in range(2 * self._columns + 1):
+            self._grid.setColumnStretch(k, 0)
+            self._grid.setColumnMinimumWidth(k, 0)
+        self._columns = columns
+        left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        for k, (_, light, words) in enumerate(self._cells.values()):
+            row, column = divmod(k, columns)
+            self._grid.addWidget(light, row, 2 * column, left)
+            self._grid.addWidget(words, row, 2 * column + 1, left)
+            self._grid.setColumnMinimumWidth(2 * column + 1, widest + GAP - 8)
+        self._grid.setColumnStretch(2 * columns, 1)

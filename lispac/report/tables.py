@@ -1,0 +1,63 @@
+"""Every table of the report as CSV, in one ZIP file, for a spreadsheet or a script.
+
+The texts are those of the report, so each number is the one that was signed; numbers alone in a
+cell are written as numbers: no thousands separators, a plain minus, no plus-minus sign before half
+an interval.
+"""
+
+import csv
+import re
+import zipfile
+from io import StringIO
+from pathlib import Path
+
+from lispac.report.blocks import Block, Table
+from lispac.report.document import document_of
+from lispac.report.values import ReportContent
+
+_NUMBER = re.compile(r"(?:\u00b1 ?)?([+-]?)(\d{1,3}(?:,\d{3})+|\d+)(\.\d+)?")
+_EPOCH = (1980, 1, 1, 0, 0, 0)
+"""Time of every file within: the same report gives the same bytes."""
+
+
+def write_tables(content: ReportContent, path: Path) -> None:
+    """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order."""
+    document = document_of(content, {})
+    blocks: list[Block] = [*document.summary]
+    for section in document.sections:
+        blocks += section.blocks
+    tables = [block for block in blocks if isinstance(block, Table)]
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for k, table in enumerate(tables, start=1):
+            entry = zipfile.ZipInfo(f"{k:02d}-{_slug(table.title)}.csv", _EPOCH)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, csv_text(table))
+
+
+def csv_text(table: Table) -> str:
+    """One table as CSV; the first row holds the heads where it has any."""
+    stream = StringIO()
+    # A spreadsheet takes the file for UTF-8 by its mark.
+    stream.write("\ufeff")
+    writer = csv.writer(stream)
+    heads = [column.title.replace("\n", " ") for column in table.columns]
+    if any(heads):
+        writer.writerow(heads)
+    for row in table.rows:
+        writer.writerow([_plain(cell) for cell in row])
+    return stream.getvalue()
+
+
+def _plain(cell: str) -> str:
+    text = cell.replace("\u2212", "-").replace("\u200b", "").strip()
+    number = _NUMBER.fullmatch(text)
+    if number is None:
+        return text.replace("\u00a0", " ")
+    sign, whole, decimals = number.groups()
+    return f"{sign}{whole.replace(',', '')}{decimals or ''}"
+
+
+def _slug(title: str) -> str:
+    """A file name that every system takes."""
+    words = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
+    return words[:60].rstrip("-") or "table"

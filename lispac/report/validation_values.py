@@ -1,0 +1,178 @@
+"""The values of the validation: a part of `values`, made from the comparisons of the lines."""
+
+from dataclasses import dataclass
+from math import degrees
+
+from lispac.validation.plane_offset import PlaneOffset
+from lispac.validation.profile import Profile
+from lispac.validation.results import (
+    DistanceStatistics,
+    PairComparison,
+    PairState,
+    PlaneComparison,
+    SignedStatistics,
+)
+
+
+@dataclass(frozen=True)
+class Distances:
+    """Statistics of the unsigned distances between lines; see `DistanceStatistics`."""
+
+    n: int
+    mean_m: float
+    median_m: float
+    rms_m: float
+    p68_m: float
+    p95_m: float
+    p99_m: float
+    maximum_m: float
+    robust_sigma_m: float | None
+    outliers: int | None
+
+    @classmethod
+    def of(cls, values: DistanceStatistics) -> "Distances":
+        """The same figures."""
+        return cls(
+            values.n, values.mean, values.median, values.rms, values.p68, values.p95, values.p99,
+            values.maximum, values.robust_sigma, values.outliers,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Signed:
+    """Distances of the first line from the second along the normal; see `SignedStatistics`."""
+
+    places: int
+    mean_m: float
+    median_m: float
+    robust_sigma_m: float
+    interval95_m: float
+    significant_share: float
+
+    @classmethod
+    def of(cls, values: SignedStatistics) -> "Signed":
+        """The same figures."""
+        return cls(
+            values.n, values.mean, values.median, values.robust_sigma, values.half_width,
+            values.significant,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Planes:
+    """The first line's plane from the second's; see `PlaneOffset`."""
+
+    offset_m: float
+    offset_interval95_m: float
+    turn_level_deg: float
+    turn_level_interval95_deg: float
+    turn_upright_deg: float
+    turn_upright_interval95_deg: float
+    angle_deg: float
+    strays: int
+
+    @classmethod
+    def of(cls, values: PlaneOffset) -> "Planes":
+        """The same figures, angles in degrees."""
+        return cls(
+            offset_m=values.offset,
+            offset_interval95_m=values.offset_95,
+            turn_level_deg=degrees(values.turn_level),
+            turn_level_interval95_deg=degrees(values.turn_level_95),
+            turn_upright_deg=degrees(values.turn_upright),
+            turn_upright_interval95_deg=degrees(values.turn_upright_95),
+            angle_deg=degrees(values.angle),
+            strays=values.strays,
+        )
+
+
+@dataclass(frozen=True)
+class State:
+    """Two lines with one boresight; what could not be measured is None."""
+
+    distances: Distances
+    signed: Signed | None
+    planes: Planes | None
+
+    @classmethod
+    def of(cls, state: PairState) -> "State":
+        """The same figures."""
+        return cls(
+            Distances.of(state.distances),
+            None if state.signed is None else Signed.of(state.signed),
+            None if state.planes is None else Planes.of(state.planes),
+        )
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two lines compared on one validation plane."""
+
+    line_a: str
+    line_b: str
+    reciprocal: bool
+    before: State
+    after: State
+
+    @classmethod
+    def of(cls, pair: PairComparison) -> "Pair":
+        """The same figures."""
+        return cls(
+            pair.line_a, pair.line_b, pair.reciprocal, State.of(pair.before), State.of(pair.after)
+        )
+
+
+@dataclass(frozen=True)
+class Against:
+    """Distances in steps of height or range; None where a step holds too few."""
+
+    edges_m: tuple[float, ...]
+    n: tuple[int, ...]
+    median_before_m: tuple[float | None, ...]
+    median_after_m: tuple[float | None, ...]
+    p95_before_m: tuple[float | None, ...]
+    p95_after_m: tuple[float | None, ...]
+
+    @classmethod
+    def of(cls, profile: Profile) -> "Against":
+        """The same figures."""
+        return cls(*(tuple(values) for values in profile.to_dict().values()))
+
+
+@dataclass(frozen=True)
+class ValidationPlane:
+    """Distances between the lines on one validation plane, with their histogram.
+
+    The last bin also holds the distances beyond it.
+    """
+
+    name: str
+    pooled_from: str
+    measured_to: str
+    before: Distances
+    after: Distances
+    pairs: tuple[Pair, ...]
+    not_compared: tuple[tuple[str, str], ...]
+    bin_edges_m: tuple[float, ...]
+    counts_before: tuple[int, ...]
+    counts_after: tuple[int, ...]
+    by_height: Against | None
+    by_range: Against | None
+
+    @classmethod
+    def of(cls, plane: PlaneComparison) -> "ValidationPlane":
+        """The same figures."""
+        return cls(
+            name=plane.name,
+            pooled_from=plane.pooled_from,
+            measured_to=plane.model.in_words,
+            before=Distances.of(plane.before),
+            after=Distances.of(plane.after),
+            pairs=tuple(map(Pair.of, plane.pairs)),
+            not_compared=plane.not_compared,
+            bin_edges_m=tuple(map(float, plane.bin_edges)),
+            counts_before=tuple(map(int, plane.counts_before)),
+            counts_after=tuple(map(int, plane.counts_after)),
+            by_height=None if plane.by_height is None else Against.of(plane.by_height),
+            by_range=None if plane.by_range is None else Against.of(plane.by_range),
+        )

@@ -1,0 +1,124 @@
+"""What stands for the surface between the points of a cloud: a point, a plane or a quadric."""
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from lispac.errors import InputError
+from lispac.geometry.knn import local_planes
+from lispac.geometry.quadrics import heights_above, local_quadrics
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
+Kind = Literal["point", "plane", "quadric"]
+
+FEWEST = {"point": 1, "plane": 3, "quadric": 6}
+"""Points that determine each model."""
+USUAL_NEIGHBOURS: dict[Kind, int] = {"point": 1, "plane": 6, "quadric": 12}
+"""Points each model is fitted to where nothing else is chosen; CloudCompare's six for a plane."""
+
+
+@dataclass(frozen=True)
+class LocalModel:
+    """The surface a distance is measured to, and the points it is fitted to.
+
+    Attributes
+    ----------
+    kind : "point", "plane" or "quadric"
+        The nearest point itself, or what is fitted to it and its neighbours by least squares.
+    neighbours : int
+        How many points, the nearest one counted.
+    radius : float, metres, optional
+        All points this near to the nearest one instead.
+
+    Raises
+    ------
+    InputError
+        Fewer neighbours than determine the model, or a radius that is not positive.
+    """
+
+    kind: Kind = "plane"
+    neighbours: int = 6
+    radius: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.kind not in FEWEST:
+            raise InputError(f"There is no local model {self.kind!r}; choose {', '.join(FEWEST)}.")
+        if self.radius is not None and not 0.0 < self.radius < np.inf:
+            raise InputError(
+                f"The radius of a local {self.kind} must be positive, and it is {self.radius} m."
+            )
+        if self.radius is None and self.neighbours < FEWEST[self.kind]:
+            raise InputError(
+                f"A local {self.kind} needs at least {FEWEST[self.kind]} neighbours, and "
+                f"{self.neighbours} were asked for."
+            )
+
+    @property
+    def in_words(self) -> str:
+        """As it stands in tables and reports."""
+        if self.kind == "point":
+            return "nearest point"
+        if self.radius is not None:
+            return f"local {self.kind} through the points within {self.radius:g} m"
+        return f"local {self.kind} through {self.neighbours} points"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON."""
+        return {"kind": self.kind, "neighbours": self.neighbours, "radius": self.radius}
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> "LocalModel":
+        """The inverse of `to_dict`."""
+        return cls(**data)
+
+    def distances(
+        self, compared: Array, nearest: Indices, reference: Array, tree: cKDTree
+    ) -> Array:
+        """Unsigned distance of each compared point to the surface at its nearest point.
+
+        Parameters
+        ----------
+        compared : ndarray of shape (n, 3), metres
+        nearest : ndarray of shape (n,)
+            Index of the reference point nearest to each.
+        reference : ndarray of shape (m, 3), metres
+        tree : cKDTree of the reference points
+
+        Returns
+        -------
+        ndarray of shape (n,), metres
+            NaN where the neighbours determine no surface, and for ``kind`` "point".
+        """
+        if self.kind == "point":
+            return np.full(len(compared), np.nan)
+        # Several compared points share a nearest point, and with it a surface.
+        centres, surface_of = np.unique(nearest, return_inverse=True)
+        groups, counts = self._groups(reference, centres, tree)
+        centroids, normals = local_planes(reference, groups, counts)
+        offsets = compared - centroids[surface_of]
+        if self.kind == "plane":
+            return np.abs(np.einsum("ij,ij->i", offsets, normals[surface_of]))
+        quadrics = local_quadrics(reference, groups, counts, centroids, normals)
+        return np.abs(heights_above(quadrics, offsets, surface_of))
+
+    def _groups(self, reference: Array, centres: Indices, tree: cKDTree) -> tuple[Indices, Indices]:
+        """Neighbours (c, k) of the points of these numbers, and how many of each row count."""
+        if self.radius is None:
+            k = min(self.neighbours, len(reference))
+            _, found = tree.query(reference[centres], k=range(1, k + 1))
+            return np.asarray(found, dtype=np.intp), np.full(len(centres), k, dtype=np.intp)
+        lists = tree.query_ball_point(reference[centres], self.radius)
+        counts = np.fromiter(map(len, lists), dtype=np.intp, count=len(lists))
+        padded = np.zeros((len(lists), int(counts.max(initial=1))), dtype=np.intp)
+        padded[np.arange(padded.shape[1]) < counts[:, None]] = np.concatenate(lists)
+        return padded, counts
+
+
+NEAREST_POINT = LocalModel("point", 1)
+"""Nearest neighbour alone: it also measures the spacing of the points."""
+SIX_POINT_PLANE = LocalModel("plane", 6)
+"""CloudCompare's usual choice, and the program's."""

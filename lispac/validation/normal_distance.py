@@ -1,0 +1,168 @@
+"""Signed distance between two clouds along the local normal, each with its confidence (M3C2).
+
+After Lague, Brodu and Leroux (2013, ISPRS Journal 82): at each core point the normal comes from the
+points of the reference within a scale; a cylinder along it takes points of either cloud, and the
+distance is that between the two means along the axis. Its interval follows from the scatter of the
+points in the cylinder. Unlike the distance to the nearest point it has a sign, and noise averages
+out.
+
+The interval is that of Welch (1947) for the means of two samples of unequal scatter, with
+Student's t: with few points in a cylinder the usual 1.96 sigma would be too short. It speaks of the
+noise of the points alone; what the points of a line have in common, the POS error, is what the
+distance measures.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from scipy.stats import t as student
+
+from lispac.errors import InputError, NotComparable
+from lispac.geometry.knn import planes_of
+from lispac.geometry.neighbours import Cells, PointGrid, gather
+
+Array = NDArray[np.float64]
+
+FEWEST = 4
+"""Points of either cloud in a cylinder below which there is no distance (Lague et al. 2013)."""
+
+
+@dataclass(frozen=True, eq=False)
+class NormalDistances:
+    """Distances at the core points that have one.
+
+    Attributes
+    ----------
+    cores : ndarray of shape (n, 3), metres
+    distance : ndarray of shape (n,), metres
+        Of the compared cloud from the reference, positive on the side the normals point to.
+    half_width : ndarray of shape (n,), metres
+        Half the 95 % interval of each distance.
+    no_distance : int
+        Core points that had none: too few points, or none that make a normal.
+    """
+
+    cores: Array
+    distance: Array
+    half_width: Array
+    no_distance: int
+
+    @property
+    def significant(self) -> float:
+        """Share of the distances that differ from zero with 95 % confidence."""
+        return float(np.mean(np.abs(self.distance) > self.half_width))
+
+
+def distances_along_normal(
+    compared: Array,
+    reference: Array,
+    cores: Array,
+    *,
+    facing: Array,
+    normal_scale: float,
+    diameter: float,
+    depth: float,
+) -> NormalDistances:
+    """Distance from the reference to the compared cloud at each core point.
+
+    Parameters
+    ----------
+    compared, reference : ndarrays of shape (n, 3) and (m, 3), metres, same frame
+    cores : ndarray of shape (k, 3), metres
+        Where distances are wanted: some of the reference points.
+    facing : ndarray of shape (3,)
+        Direction on whose side all normals are taken.
+    normal_scale : float, metres
+        Diameter of the sphere whose reference points make the normal.
+    diameter : float, metres
+        Of the cylinder.
+    depth : float, metres
+        How far the cylinder reaches on either side of the core point.
+
+    Raises
+    ------
+    InputError
+        A scale, diameter or depth that is not positive.
+    NotComparable
+        No core point has a distance.
+    """
+    for name, value in (
+        ("scale of the normals", normal_scale), ("diameter of the cylinder", diameter),
+        ("depth of the cylinder", depth),
+    ):  # fmt: skip
+        if not 0.0 < value < np.inf:
+            raise InputError(f"The {name} must be positive, and it is {value} m.")
+    # A cell as wide as a query is read whole with few others.
+    clouds = [PointGrid(points, max(diameter, depth) / 2).cells for points in (compared, reference)]
+    samples = _samples(
+        np.ascontiguousarray(cores, dtype=np.float64), clouds[0], clouds[1],
+        np.asarray(facing, dtype=np.float64), normal_scale / 2, diameter / 2, depth,
+    )  # fmt: skip
+    measured = (samples[:, :, 2] >= FEWEST).all(axis=1)
+    if not measured.any():
+        raise NotComparable(
+            f"No place has {FEWEST} points of both clouds within a cylinder of {diameter:.2f} m; "
+            "choose a wider one."
+        )
+    distance, half_width = _differences(samples[measured])
+    return NormalDistances(cores[measured], distance, half_width, int(np.count_nonzero(~measured)))
+
+
+@njit(nogil=True, cache=True)
+def _samples(
+    cores: Array, compared: Cells, reference: Cells, facing: Array, scale: float, radius: float,
+    depth: float,
+) -> Array:  # pragma: no cover - compiled  # fmt: skip
+    """Mean, variance and number (n, 2, 3) of either cloud's points in each core's cylinder."""
+    samples = np.zeros((len(cores), 2, 3))
+    for k in range(len(cores)):
+        core = cores[k]
+        near = gather(reference, core, scale)
+        _, normals = planes_of(reference[0], near.reshape((1, -1)), np.array([near.size]))
+        normal = normals[0]
+        if near.size < FEWEST or np.isnan(normal[0]):
+            continue
+        side = 0.0
+        for axis in range(3):
+            side += normal[axis] * facing[axis]
+        sign = 1.0 if side >= 0.0 else -1.0
+        for which in range(2):
+            cloud = compared if which == 0 else reference
+            found = gather(cloud, core, np.sqrt(depth * depth + radius * radius))
+            count, mean, squares = 0, 0.0, 0.0
+            for i in found:
+                along, beside = 0.0, 0.0
+                for axis in range(3):
+                    off = cloud[0][i, axis] - core[axis]
+                    along += sign * off * normal[axis]
+                    beside += off * off
+                if beside - along * along <= radius * radius and abs(along) <= depth:
+                    count += 1
+                    step = along - mean  # Welford 1962: no digits are lost
+                    mean += step / count
+                    squares += step * (along - mean)
+            samples[k, which, 0] = mean
+            samples[k, which, 1] = squares / max(count - 1, 1)
+            samples[k, which, 2] = count
+    return samples
+
+
+def _differences(samples: Array) -> tuple[Array, Array]:
+    """Differences of the means and half their 95 % intervals.
+
+    Parameters
+    ----------
+    samples : ndarray of shape (n, 2, 3)
+        Mean, variance and number of points of either cloud.
+    """
+    mean, variance, count = np.moveaxis(samples, 2, 0)
+    of_mean = variance / count
+    total = of_mean.sum(axis=1)
+    # Without any scatter (points that are exactly on a plane) there is nothing to be unsure of.
+    scattered = total > 0.0
+    freedom = np.ones(len(total))
+    own = (of_mean[scattered] ** 2 / (count[scattered] - 1)).sum(axis=1)
+    freedom[scattered] = total[scattered] ** 2 / own
+    return mean[:, 0] - mean[:, 1], student.ppf(0.975, freedom) * np.sqrt(total)

@@ -1,0 +1,143 @@
+"""Offset and angle between two clouds that saw the same plane, with their confidence.
+
+Either cloud gives a plane z = z0 + a u + b v over the frame of both; the difference of the two
+has the sum of their covariances. Unlike an angle between normals, which is never negative, its
+two turns have a sign, and an interval that holds.
+"""
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import t as student
+
+from lispac.errors import NotComparable
+from lispac.geometry.planes import fit_plane_resisting, in_plane_axes
+
+Array = NDArray[np.float64]
+
+UNKNOWNS, ROUNDS = 3, 4
+NMAD = 1.4826
+"""Standard deviation of normal noise over its median absolute value."""
+STRAY = 3.5
+"""Robust sigmas beyond which a point is no noise of the plane: left out, and counted."""
+NEAREST = 1e-4
+"""Metres; nearer to the plane all points weigh the same in its first fit."""
+
+
+@dataclass(frozen=True)
+class PlaneOffset:
+    """One cloud's plane against another's, at the middle of the part both saw.
+
+    Attributes
+    ----------
+    offset, offset_95 : float, metres
+        Positive towards ``facing``, and half the 95 % interval.
+    turn_level, turn_upright : float, radians
+        About the level axis in the plane (one looks down on the other) and about the axis up its
+        slope.
+    turn_level_95, turn_upright_95 : float, radians
+    strays : int
+        Points of both clouds that were left out, being farther off than noise explains.
+    """
+
+    offset: float
+    offset_95: float
+    turn_level: float
+    turn_level_95: float
+    turn_upright: float
+    turn_upright_95: float
+    strays: int
+
+    @property
+    def angle(self) -> float:
+        """Between the two normals, radians, in [0, pi/2]."""
+        return float(np.hypot(self.turn_level, self.turn_upright))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain numbers, for JSON."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> "PlaneOffset":
+        """The inverse of `to_dict`."""
+        return cls(**data)
+
+
+def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffset:
+    """Offset and turns of the compared cloud's plane from the reference's.
+
+    Parameters
+    ----------
+    compared, reference : ndarrays of shape (n, 3) and (m, 3), metres, same frame
+        Of the part that both saw.
+    facing : ndarray of shape (3,)
+        Direction on whose side the normal is taken.
+
+    Raises
+    ------
+    NotComparable
+        A cloud of fewer than four points, or on one straight line.
+    """
+    both = (compared, reference)
+    if min(map(len, both)) <= UNKNOWNS:
+        raise NotComparable("A plane with its confidence needs at least four points of each line.")
+    # Apart before the calibration, the two would tilt a plane through all of them at once.
+    middles = [np.median(points, axis=0) for points in both]
+    centred = np.concatenate(
+        [points - middle for points, middle in zip(both, middles, strict=True)]
+    )
+    normal = fit_plane_resisting(centred, NEAREST).facing(facing).normal
+    frame = np.vstack((in_plane_axes(normal), normal))
+    middle = np.mean(middles, axis=0)
+    fits = [_fit((points - middle) @ frame.T) for points in both]
+    difference = fits[0].values - fits[1].values
+    shares = np.array([fit.variances for fit in fits])
+    total = shares.sum(axis=0)
+    freedom = np.array([[fit.freedom] for fit in fits])
+    scattered = np.maximum((shares**2 / freedom).sum(axis=0), np.finfo(float).tiny)
+    # Welch 1947, as in `normal_distance`.
+    half = student.ppf(0.975, np.maximum(total**2 / scattered, 1.0)) * np.sqrt(total)
+    # z grows along the level axis u where the plane turns about the upright one, and the other way.
+    return PlaneOffset(
+        offset=float(difference[0]),
+        offset_95=float(half[0]),
+        turn_level=float(np.arctan(difference[2])),
+        turn_level_95=float(half[2]),
+        turn_upright=float(np.arctan(difference[1])),
+        turn_upright_95=float(half[1]),
+        strays=sum(fit.strays for fit in fits),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Fit:
+    values: Array
+    variances: Array
+    freedom: int
+    strays: int
+
+
+def _fit(placed: Array) -> _Fit:
+    """Least squares through points (n, 3): u, v, z; strays left out."""
+    terms = np.column_stack((np.ones(len(placed)), placed[:, :2]))
+    z = placed[:, 2]
+    kept = np.ones(len(z), dtype=bool)
+    for _ in range(ROUNDS):
+        values = np.linalg.lstsq(terms[kept], z[kept], rcond=None)[0]
+        off = z - terms @ values
+        sigma = NMAD * float(np.median(np.abs(off[kept])))
+        near = np.abs(off) <= STRAY * sigma
+        # Points that are exactly on a plane have no sigma; then all of them are kept.
+        if np.array_equal(near, kept) or np.count_nonzero(near) <= UNKNOWNS or sigma == 0.0:
+            break
+        kept = near
+    used = terms[kept]
+    values, _, rank, _ = np.linalg.lstsq(used, z[kept], rcond=None)
+    if rank < UNKNOWNS:
+        raise NotComparable("The points of a line lie in one row and make no plane.")
+    freedom = len(used) - UNKNOWNS
+    variance = float(((z[kept] - used @ values) ** 2).sum()) / freedom
+    variances = variance * np.diag(np.linalg.inv(used.T @ used))
+    return _Fit(np.asarray(values, dtype=np.float64), variances, freedom, len(z) - len(used))

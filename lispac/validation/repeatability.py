@@ -1,0 +1,177 @@
+"""Whether calibrations of the same mounting agree (thesis section 4.5.5, table 4.5).
+
+Each calibration comes with its covariance; those of two surveys are taken as independent. What the
+two differ by is tested angle by angle and jointly, and told as what it does to a point: the angle
+of the rotation from one mounting to the other, times the distance.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import chi2
+
+from lispac.errors import InputError
+from lispac.geometry.rotations import rotation_matrix
+
+Array = NDArray[np.float64]
+
+LEVEL = 0.05
+"""Chance of a difference where there is none, for all tests here."""
+NORMAL_95 = 1.96
+
+
+@dataclass(frozen=True, eq=False)
+class Calibration:
+    """A boresight with what is known of it.
+
+    Attributes
+    ----------
+    name : str
+    boresight : ndarray of shape (3,), radians; roll, pitch, yaw
+    covariance : ndarray of shape (3, 3), radians^2
+
+    Raises
+    ------
+    InputError
+        A covariance that is not one: of another shape, not finite, or without a positive variance.
+    """
+
+    name: str
+    boresight: Array
+    covariance: Array
+
+    def __post_init__(self) -> None:
+        shapes = np.shape(self.boresight), np.shape(self.covariance)
+        if shapes != ((3,), (3, 3)) or not np.isfinite(self.covariance).all():
+            raise InputError(f"{self.name}: three angles and their covariance are needed.")
+        if np.linalg.eigvalsh(self.covariance)[0] <= 0.0:
+            raise InputError(
+                f"{self.name}: its covariance is not positive; a calibration without uncertainty "
+                "cannot be compared."
+            )
+
+    @property
+    def sigma(self) -> Array:
+        """Standard deviations (3,), radians."""
+        return np.asarray(np.sqrt(np.diag(self.covariance)))
+
+
+@dataclass(frozen=True, eq=False)
+class Difference:
+    """A calibration against an earlier one.
+
+    Attributes
+    ----------
+    first, second : str
+    angles, sigma : ndarrays of shape (3,), radians
+        The second less the first, and the standard deviation of that.
+    statistic, probability : float
+        Of all three angles together: chi-square with three degrees of freedom, and the chance of
+        one as large where the mounting is the same.
+    turn : float, radians
+        Angle of the rotation from one mounting to the other.
+    """
+
+    first: str
+    second: str
+    angles: Array
+    sigma: Array
+    statistic: float
+    probability: float
+    turn: float
+
+    @property
+    def significance(self) -> Array:
+        """Differences over their sigmas, shape (3,)."""
+        return np.asarray(self.angles / self.sigma)
+
+    @property
+    def significant(self) -> tuple[bool, ...]:
+        """Which angles differ with 95 % confidence."""
+        return tuple(bool(abs(value) > NORMAL_95) for value in self.significance)
+
+    @property
+    def differ(self) -> bool:
+        """Whether the two mountings differ with 95 % confidence, all angles together."""
+        return self.probability < LEVEL
+
+    def displacement(self, distance: float) -> float:
+        """How far apart the two put a point so far off, metres: at most, over all directions."""
+        return float(2.0 * np.sin(self.turn / 2.0) * distance)
+
+
+def difference(first: Calibration, second: Calibration) -> Difference:
+    """Compare two calibrations of one mounting."""
+    # The short way round: a yaw of 179 degrees and one of -179 differ by two.
+    angles = (second.boresight - first.boresight + np.pi) % (2.0 * np.pi) - np.pi
+    covariance = first.covariance + second.covariance
+    statistic = float(angles @ np.linalg.solve(covariance, angles))
+    between = rotation_matrix(*second.boresight) @ rotation_matrix(*first.boresight).T
+    skew = between - between.T
+    sine = 0.5 * float(np.linalg.norm([skew[2, 1], skew[0, 2], skew[1, 0]]))
+    turn = float(np.arctan2(sine, 0.5 * (np.trace(between) - 1.0)))
+    return Difference(
+        first.name,
+        second.name,
+        angles,
+        np.sqrt(np.diag(covariance)),
+        statistic,
+        float(chi2.sf(statistic, 3)),
+        turn,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Repeated:
+    """Several calibrations of one mounting together.
+
+    Attributes
+    ----------
+    boresight, sigma : ndarrays of shape (3,), radians
+        Weighted mean by the covariances, and its standard deviation.
+    spread : ndarray of shape (3,), radians
+        Standard deviation of the calibrations about their plain mean: what a repetition differs by.
+    statistic, probability : float
+        Whether they scatter as their sigmas say: chi-square with 3 (n - 1) degrees of freedom.
+    """
+
+    boresight: Array
+    sigma: Array
+    spread: Array
+    statistic: float
+    probability: float
+
+    @property
+    def differ(self) -> bool:
+        """Whether they scatter more than their sigmas explain, at 95 %."""
+        return self.probability < LEVEL
+
+
+def repeated(calibrations: Sequence[Calibration]) -> Repeated:
+    """Put calibrations of one mounting together.
+
+    Raises
+    ------
+    InputError
+        Fewer than two.
+    """
+    if len(calibrations) < 2:
+        raise InputError("Repeatability needs at least two calibrations of the same mounting.")
+    start = calibrations[0].boresight
+    angles = np.array([
+        start + (each.boresight - start + np.pi) % (2.0 * np.pi) - np.pi for each in calibrations
+    ])  # fmt: skip
+    weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])
+    covariance = np.linalg.inv(weights.sum(axis=0))
+    mean = covariance @ np.einsum("nij,nj->i", weights, angles)
+    off = angles - mean
+    statistic = float(np.einsum("ni,nij,nj->", off, weights, off))
+    return Repeated(
+        mean,
+        np.sqrt(np.diag(covariance)),
+        angles.std(axis=0, ddof=1),
+        statistic,
+        float(chi2.sf(statistic, 3 * (len(calibrations) - 1))),
+    )

@@ -1,0 +1,71 @@
+"""Calibrations of one mounting by several surveys, from their projects."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from lispac.errors import ProjectError
+from lispac.project import Project
+from lispac.validation.repeatability import Calibration
+from lispac.workflow.projects import open_project
+
+
+def calibrations_of(folders: Sequence[Path]) -> tuple[list[Calibration], list[str]]:
+    """The calibration of each project, and what there is to say of comparing them.
+
+    Parameters
+    ----------
+    folders : projects, the earliest first
+
+    Raises
+    ------
+    ProjectError
+        Where a project has no answer yet, or one is given twice.
+    """
+    projects = [open_project(folder) for folder in folders]
+    seen: set[Path] = set()
+    for project in projects:
+        where = project.folder.resolve()
+        if where in seen:
+            raise ProjectError(f"{project.folder}: this project is given twice.")
+        seen.add(where)
+        if project.result is None:
+            raise ProjectError(f"{project.name}: there is no answer yet; estimate first.")
+    names = _names(projects)
+    found = [
+        Calibration(name, project.result.boresight, project.result.covariance)
+        for name, project in zip(names, projects, strict=True)
+        if project.result is not None
+    ]
+    return found, _remarks(names, projects)
+
+
+def _names(projects: Sequence[Project]) -> list[str]:
+    """Their own names; with the folder above them where two have the same."""
+    own = [project.name for project in projects]
+    return [
+        f"{project.folder.resolve().parent.name}/{name}" if own.count(name) > 1 else name
+        for name, project in zip(own, projects, strict=True)
+    ]
+
+
+def _remarks(names: Sequence[str], projects: Sequence[Project]) -> list[str]:
+    said = []
+    first = projects[0]
+    for name, project in zip(names[1:], projects[1:], strict=True):
+        files = {line.path.resolve() for line in project.lines}
+        if files & {line.path.resolve() for line in first.lines}:
+            said.append(
+                f"{name} rests on lines of {names[0]}: the two are not independent, and their "
+                "difference is less certain than it is said to be."
+            )
+        if project.settings.lever_arm != first.settings.lever_arm:
+            said.append(
+                f"{name} has another lever arm than {names[0]}: part of the difference may come "
+                "from it."
+            )
+        if project.settings.pos_errors != first.settings.pos_errors:
+            said.append(
+                f"{name} and {names[0]} have different models of the POS errors: their sigmas are "
+                "not of one kind."
+            )
+    return said

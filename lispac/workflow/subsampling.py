@@ -1,0 +1,90 @@
+"""How the answer depends on how far apart the points are that take part (thesis table 4.3).
+
+With errors that a sighting's points have in common, more points of the same sightings soon tell
+nothing new, and only take time.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, ProjectError
+from lispac.progress import Progress, no_progress, part
+from lispac.project import Project
+from lispac.workflow.calibration import select, solve
+from lispac.workflow.survey import Survey
+
+Array = NDArray[np.float64]
+
+USUAL = (0.0, 0.05, 0.10, 0.15, 0.20)
+"""Metres: all points, the thesis's distances, and one more."""
+
+
+@dataclass(frozen=True, eq=False)
+class Subsampled:
+    """The answer with one subsampling distance.
+
+    Attributes
+    ----------
+    distance : float, metres; 0 for all points
+    points : int
+        That took part; averaged ones count once.
+    boresight, sigma : ndarrays of shape (3,), radians
+    seconds : float
+        The adjustment took; the selection of the points, the same for all, is not in it.
+    """
+
+    distance: float
+    points: int
+    boresight: Array
+    sigma: Array
+    seconds: float
+
+
+def subsampling_study(
+    project: Project,
+    survey: Survey,
+    distances: Sequence[float] = USUAL,
+    *,
+    progress: Progress = no_progress,
+) -> tuple[Subsampled, ...]:
+    """Adjust the project's targets once for each distance; the project stays as it is.
+
+    Parameters
+    ----------
+    distances : metres; 0 for all points
+
+    Raises
+    ------
+    InputError
+        No distance, or a negative one.
+    ProjectError
+        No target has been picked.
+    AdjustmentError
+        Where targets and lines cannot give an answer.
+    """
+    if not distances or not all(0.0 <= distance < np.inf for distance in distances):
+        raise InputError("Give the subsampling distances in metres, 0 for all points.")
+    if not project.of_role("target"):
+        raise ProjectError(f"{project.name}: there is no target yet; pick targets first.")
+    chosen = sorted(set(distances))
+    selected = select(project, survey, progress=part(progress, 0.0, 0.4))
+    found = []
+    for k, distance in enumerate(chosen):
+        step = part(progress, 0.4 + 0.6 * k / len(chosen), 0.4 + 0.6 * (k + 1) / len(chosen))
+        step(0.0, f"Adjusting with {distance:g} m between the points")
+        settings = replace(project.settings, subsample=distance)
+        started = perf_counter()
+        solved = solve(
+            project.with_settings(settings), selected, survey,
+            cross_check=False, advise=False, progress=step,
+        )  # fmt: skip
+        seconds = perf_counter() - started
+        result = solved.result
+        assert result is not None
+        found.append(Subsampled(distance, result.points, result.boresight, result.sigma, seconds))
+    progress(1.0, f"Adjusted {len(found)} times")
+    return tuple(found)

@@ -1,0 +1,164 @@
+"""The same surface picked twice is told of: at the pick, with the answer, and in the report."""
+
+import json
+import shutil
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.doubts import doubts
+from lispac.cli.estimate import print_result, project_numbers
+from lispac.doubles import doubles, overlap_with, overlap_words, overlaps
+from lispac.gui.panels import result_words
+from lispac.gui.status import steps
+from lispac.project import PickedSighting, Project, Role, Target
+from lispac.workflow.demo import demo_seeds
+from tests.report_sample import sample_content, sample_project
+from tests.test_cli import run
+
+
+def picked(
+    name: str, points: Mapping[str, range], role: Role = "target", *, used: bool = True
+) -> Target:
+    """A target with these point numbers on these lines."""
+    sightings = tuple(
+        PickedSighting(line, np.array(numbers, dtype=np.int64), 0.002)
+        for line, numbers in points.items()
+    )
+    return Target(name, role, (0.0, 0.0, 0.0), 0.01, 1.25, sightings, used=used)
+
+
+BOARD = picked("T2", {"L1": range(1000, 2000), "L2": range(5000, 6000)})
+AGAIN = picked("T6", {"L1": range(1110, 2110), "L2": range(5500, 6500)})
+WALL = picked("V1", {"L1": range(0, 40_000, 3), "L2": range(7000, 9000)}, "validation")
+
+
+def test_the_share_is_that_of_the_smaller_one_on_the_line_where_it_is_largest() -> None:
+    (found,) = overlaps([BOARD, AGAIN])
+    assert (found.one, found.other, found.line) == ("T2", "T6", "L1")
+    assert found.share == pytest.approx(0.89)
+    assert found.where == "89\u00a0% on L1"
+    small = picked("T7", {"L2": range(8500, 8600)})
+    (found,) = overlaps([WALL, small])
+    assert (found.smaller, found.share) == ("T7", 1.0)
+    assert overlap_with(small, [BOARD, WALL, AGAIN]) == replace(found, one="T7", other="V1")
+
+
+@pytest.mark.parametrize(("shared", "told"), [(0, False), (99, False), (100, True), (299, True)])
+def test_from_a_tenth_on_it_is_told(shared: int, told: bool) -> None:
+    other = picked("T3", {"L1": range(2000 - shared, 3000 - shared), "L9": range(10)})
+    assert bool(overlaps([BOARD, other])) == told
+    words = overlap_words(other, [BOARD])
+    assert bool(words) == told
+    if told:
+        assert words.startswith(f"T3 shares points with T2: {shared / 10:.0f} % of its points on ")
+
+
+def test_order_of_the_numbers_does_not_matter() -> None:
+    mixed = np.random.default_rng(1).permutation(np.arange(1110, 2110))
+    sighting = replace(AGAIN.sightings[0], indices=mixed)
+    (found,) = overlaps([BOARD, replace(AGAIN, sightings=(sighting,))])
+    assert found.share == pytest.approx(0.89)
+
+
+def test_what_is_said_of_a_target_just_found() -> None:
+    assert overlap_words(AGAIN, [BOARD]) == (
+        "T6 is the surface of T2 already: 89 % of its points on L1 are the same. Keep one of the "
+        "two: they would count twice."
+    )
+    assert "% of the points of T6 on L1" in overlap_words(
+        picked("T8", {"L1": range(0, 5000)}), [AGAIN]
+    )
+    assert overlap_words(replace(AGAIN, name="T2"), [BOARD]) == "", "it takes the other's place"
+    assert overlap_words(replace(AGAIN, role="validation"), [BOARD]).endswith(
+        "Keep one of the two: a validation plane on a target checks nothing."
+    )
+    assert overlap_words(AGAIN, []) == ""
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("doubles") / "harbour")
+
+
+@pytest.mark.parametrize(
+    ("second", "code", "serious", "words"),
+    [
+        (AGAIN, "counted_twice", True, "T2 with T6 (89 % on L1). These points count twice, "
+         "and the sigmas of the angles come out too small; leave one of the two out."),
+        (replace(AGAIN, role="validation"), "no_independent_check", False,
+         "A validation plane has points in common with a target: T6 with T2 (89 % on L1). It "
+         "is no independent check of the angles; leave one of the two out."),
+    ],
+)  # fmt: skip
+def test_an_answer_with_shared_points_is_in_doubt_everywhere(
+    capsys: pytest.CaptureFixture[str], project: Project, second: Target, code: str,
+    serious: bool, words: str,
+) -> None:  # fmt: skip
+    assert doubles(project) == ()
+    both = replace(project, targets=(BOARD, second))
+    result, checks = both.result, both.cross_checks
+    assert result is not None
+    (doubt,) = doubles(both)
+    assert (doubt.code, doubt.serious) == (code, serious)
+    assert words in doubt.plain
+    assert doubts(result, checks, doubles(both))[0] == doubt
+    print_result(result, checks, doubles(both))
+    assert f"- {doubt.plain}\n" in capsys.readouterr().out
+    assert doubt.plain in [each["text"] for each in project_numbers(both)["doubts"]]
+    assert doubt.text in result_words.warnings(result, checks, doubles(both))
+    assert "can be used" not in result_words.verdict(result, checks, doubles(both))
+    (caution,) = [each for each in sample_content(both).cautions if each.code == code]
+    assert (caution.text, caution.severity == "serious") == (doubt.text, serious)
+    step = steps(both, None, waiting=False, refusal="")[2]
+    assert ("in doubt" in step.sentence) == serious
+
+
+def test_what_takes_no_part_does_not_count(project: Project) -> None:
+    left_out = replace(AGAIN, used=False)
+    assert doubles(replace(project, targets=(BOARD, left_out))) == ()
+    no_lines = replace(AGAIN, sightings=tuple(replace(s, used=False) for s in AGAIN.sightings))
+    assert doubles(replace(project, targets=(BOARD, no_lines))) == ()
+    planes = tuple(replace(each, role="validation") for each in (BOARD, AGAIN))
+    assert doubles(replace(project, targets=planes)) == ()
+
+
+def test_many_pairs_are_counted(project: Project) -> None:
+    targets = tuple(replace(AGAIN, name=f"T{k}") for k in range(4))
+    (doubt,) = doubles(replace(project, targets=targets))
+    assert "T0 with T1 (100 % on L1), " in doubt.plain
+    assert " and 2 more. These points" in doubt.plain
+    assert "one of each two" in doubt.plain
+
+
+def test_at_the_command_line(
+    capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
+) -> None:
+    folder = Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
+    for name in ("T1", "T2"):
+        x, y, z = demo_seeds()[name][1]
+        code, _, err = run(capsys, "pick", folder, "--name", name, "--seed", x, y, z)
+        assert (code, "already" in err) == (0, False)
+    code, _, err = run(capsys, "pick", folder, "--name", "T3", "--seed", x + 0.2, y, z)
+    assert code == 0
+    assert "note: T3 is the surface of T2 already: " in err
+    code, _, err = run(capsys, "pick", folder, "--name", "T3", "--seed", x + 0.1, y, z)
+    assert "note: T3 is the surface of T2 already: " in err, "T3 is replaced, and T2 still there"
+    words = ["pick", folder, "--name", "V1", "--role", "validation", "--seed", x, y, z, "--json"]
+    code, out, err = run(capsys, *words)
+    assert "a validation plane on a target checks nothing" in err
+    assert json.loads(out)["same_points_as"]["share_of_the_smaller"] > 0.9
+    code, out, _ = run(capsys, "estimate", folder, "--no-cross-checks")
+    assert code == 0
+    assert "\n- Targets have points in common: T2 with T3 (" in out
+    assert "\n- Validation planes have points in common with targets: V1 with T2 (" in out
+    code, out, _ = run(capsys, "validate", folder)
+    assert "\nnote: Validation planes have points in common with targets: V1 with T2 (" in out
+    said = json.loads(run(capsys, "validate", folder, "--json")[1])["doubts"]
+    assert [each.split(":")[0] for each in said] == [
+        "Targets have points in common",
+        "Validation planes have points in common with targets",
+    ]

@@ -1,0 +1,42 @@
+"""The subsampling study: the same adjustment as any other, once a distance."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError, ProjectError
+from lispac.project import Project
+from lispac.workflow.calibration import estimate
+from lispac.workflow.subsampling import subsampling_study
+from lispac.workflow.survey import Survey
+
+
+def test_each_row_is_an_adjustment(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    rows = subsampling_study(project, survey, (0.2, 0.1, 0.05))
+    assert [row.distance for row in rows] == [0.05, 0.1, 0.2]
+    points = [row.points for row in rows]
+    assert points == sorted(points, reverse=True)
+    settings = replace(project.settings, subsample=0.2)
+    alone = estimate(project, survey, settings=settings, cross_check=False).result
+    assert alone is not None
+    # An estimate also selects the points with its own distance; here all rows have one selection.
+    assert rows[-1].points == pytest.approx(alone.points, rel=0.02)
+    assert (np.abs(rows[-1].boresight - alone.boresight) < 0.2 * alone.sigma).all()
+    np.testing.assert_allclose(rows[-1].sigma, alone.sigma, rtol=0.05)
+    # The sightings' common errors stay whatever the density: sigmas hardly change, nor do angles.
+    for row in rows[:2]:
+        assert (np.abs(row.boresight - rows[-1].boresight) < 0.5 * row.sigma).all()
+        np.testing.assert_allclose(row.sigma, rows[-1].sigma, rtol=0.15)
+    assert all(row.seconds > 0.0 for row in rows)
+    assert project.settings.subsample != 0.2
+
+
+def test_what_cannot_be_studied(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    for distances in ((), (-0.1,), (0.1, float("nan"))):
+        with pytest.raises(InputError, match="in metres, 0 for all points"):
+            subsampling_study(project, survey, distances)
+    with pytest.raises(ProjectError, match="there is no target yet"):
+        subsampling_study(replace(project, targets=()), survey)
