@@ -167,10 +167,10 @@ def test_reciprocal_through_north(a_deg: float, b_deg: float, expected: bool) ->
 def test_histograms_share_edges_and_count_every_distance() -> None:
     before = {"L1": wall(1, noise=0.004), "L2": wall(2, noise=0.004, offset=0.08)}
     after = {"L1": wall(1, noise=0.004), "L2": wall(2, noise=0.004)}
-    result = compare_plane("V1", before, after, OPPOSITE, bins=25)
-    assert result.bin_edges.shape == (26,)
+    result = compare_plane("V1", before, after, OPPOSITE)
     assert result.bin_edges[0] == 0.0
     assert result.bin_edges[-1] >= result.before.p99
+    assert result.bin_edges[1] < result.after.p95 / 20  # what came after is more than two bars
     assert result.counts_before.sum() == result.before.n == result.after.n
     assert result.counts_after.sum() == result.after.n
     assert result.counts_before[-1] > 0  # what lies beyond the last edge is in the last bin
@@ -247,7 +247,7 @@ def test_statistics_of_known_numbers() -> None:
 def test_round_trip_through_json() -> None:
     clouds = {"L1": wall(1, noise=0.002), "L2": wall(2), "L3": wall(3, low=(9, 9), high=(10, 10))}
     headings = OPPOSITE | {"L3": 0.0}
-    result = compare_plane("V1", clouds, clouds, headings, bins=10)
+    result = compare_plane("V1", clouds, clouds, headings)
     back = PlaneComparison.from_dict(json.loads(json.dumps(result.to_dict())))
     assert back.to_dict() == result.to_dict()
     assert back.pairs[0].after == result.pairs[0].after

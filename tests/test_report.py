@@ -21,6 +21,7 @@ from lispac.errors import InputError, LispacError
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent
+from lispac.report.histograms import histogram_figure
 from lispac.report.html import html_text, write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
@@ -355,15 +356,16 @@ def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_pa
 
 def test_figures_draw_into_the_figure_given(project: Project) -> None:
     assert project.result is not None
-    figure = figures.histogram_figure(project.validation[0])
+    figure = histogram_figure(project.validation[0])
     title = figure.axes[0].get_title(loc="left")
     legend = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert title.startswith("V1")
     median = 1000 * project.validation[0].before.median
     assert f"median {median:.1f}" in legend[0]
-    again = figures.histogram_figure(project.validation[1], figure)
+    again = histogram_figure(project.validation[1], figure)
     assert again is figure
-    assert len(figure.axes) == 1
+    whole, enlarged = figure.axes
+    assert enlarged.get_xlim()[1] < whole.get_xlim()[1] / 2
     assert figures.residual_figure(project.result, figure) is figure
     assert len(figure.axes[0].patches) == 2 * len(project.result.sightings)
     assert figures.correlation_figure(project.result, figure) is figure

@@ -126,7 +126,7 @@ class Computing(QObject):
 
         def done(validated: Project) -> None:
             if self._document.project is project:
-                self._document.edit("validation", validated)
+                self._document.edit(f"validation, {model.in_words}", validated)
                 self.validated.emit()
                 for reason in validated.not_compared.values():
                     self._controller.noted.emit(reason)

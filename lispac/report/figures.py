@@ -19,7 +19,6 @@ from matplotlib.ft2font import FT2Font
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.report.validation_values import ValidationPlane
 from lispac.report.values import (
     Line,
     PickedPlane,
@@ -27,7 +26,6 @@ from lispac.report.values import (
     SightingFit,
 )
 from lispac.report.wording import parameter
-from lispac.validation.comparison import PlaneComparison
 
 Array = NDArray[np.float64]
 
@@ -47,30 +45,6 @@ LONGEST_LABEL = 24
 
 POS_COMPONENTS = ("North", "West", "Up", "Roll", "Pitch", "Heading")
 """In the order of `SightingReliability.pos_error`."""
-
-_Summary = tuple[int, float, float, float]  # n, and median, RMS, 95th percentile in metres
-
-
-def histogram_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Distances between lines on one validation plane, before and after over each other."""
-    summaries = [
-        (values.n, values.median, values.rms, values.p95)
-        for values in (comparison.before, comparison.after)
-    ]
-    counts = (comparison.counts_before, comparison.counts_after)
-    told = f"{comparison.pooled_from}, {comparison.model.in_words}"
-    return _histogram(figure, comparison.name, told, comparison.bin_edges, counts, summaries)
-
-
-def validation_figure(plane: ValidationPlane) -> Figure:
-    """`histogram_figure` of a report's content."""
-    summaries = [
-        (values.n, values.median_m, values.rms_m, values.p95_m)
-        for values in (plane.before, plane.after)
-    ]
-    counts = (plane.counts_before, plane.counts_after)
-    told = f"{plane.pooled_from}, {plane.measured_to}"
-    return _histogram(None, plane.name, told, plane.bin_edges_m, counts, summaries)
 
 
 def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
@@ -271,36 +245,6 @@ def _plain(text: str) -> str:
 def short_name(name: str) -> str:
     """A name of the user's, cut where it would push the plot aside."""
     return _plain(name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026")
-
-
-def _histogram(
-    figure: Figure | None,
-    name: str,
-    told: str,
-    edges_m: ArrayLike,
-    counts: Sequence[ArrayLike],
-    summaries: Sequence[_Summary],
-) -> Figure:
-    figure = blank(figure, (6.3, 2.5))
-    axes = figure.add_subplot()
-    edges = 1000 * np.asarray(edges_m)
-    for label, colour, heights, (n, median, rms, p95) in zip(
-        ("before", "after"), (BEFORE, AFTER), counts, summaries, strict=True
-    ):
-        values = np.asarray(heights)
-        text = (
-            f"{label}: n {n:,}\nmedian {1000 * median:.1f}, RMS {1000 * rms:.1f}, "
-            f"95 % {1000 * p95:.1f} mm"
-        )
-        axes.stairs(values, edges, fill=True, color=colour, alpha=0.5, label=text)
-        axes.stairs(values, edges, color=colour, linewidth=1.0)
-    axes.set_xlim(edges[0], edges[-1])
-    axes.set_ylim(bottom=0)
-    dress(axes, "Distance between lines (mm); the last bin holds all beyond", "Points")
-    axes.yaxis.set_major_formatter(lambda value, _: f"{value:,.0f}")
-    axes.set_title(f"{short_name(name)}, {told}", fontsize=TEXT + 1, color=INK, loc="left")
-    axes.legend(loc="upper right", fontsize=TEXT, frameon=False, labelcolor=INK)
-    return figure
 
 
 def _bars(

@@ -12,7 +12,8 @@ PLANES = "Planes of the two lines against each other, reciprocal pairs"
 
 
 def validation(content: ReportContent) -> list[Block]:
-    from lispac.report.figures import pictures_of, validation_figure
+    from lispac.report.figures import pictures_of
+    from lispac.report.histograms import validation_figure
     from lispac.report.profiles import profile_figure_of
 
     if not content.validation:

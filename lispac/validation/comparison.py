@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
 from lispac.progress import Progress, no_progress, part
+from lispac.validation.bins import counted, shared_edges
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.overlap import Overlap
@@ -45,9 +46,6 @@ RECIPROCAL_TOLERANCE = np.radians(20.0)
 MAX_POINTS_PER_LINE = 100_000
 # Fewer points are no sample of a surface, and percentiles of fewer distances say nothing.
 FEWEST_POINTS = 30
-# Histograms end at this percentile of both states; what lies beyond is counted in the last bin.
-_HISTOGRAM_PERCENTILE = 99.5
-_NARROWEST_HISTOGRAM = 1e-6
 
 
 def reciprocal(heading_a: float, heading_b: float) -> bool:
@@ -65,7 +63,6 @@ def compare_plane(
     model: LocalModel = SIX_POINT_PLANE,
     facing: Array | None = None,
     ranges: Mapping[str, Array] | None = None,
-    bins: int = 60,
     progress: Progress = no_progress,
 ) -> PlaneComparison:
     """Compare the lines on one validation plane, before and after.
@@ -87,15 +84,14 @@ def compare_plane(
         of the plane's normal whose largest component is positive.
     ranges : mapping of line name to ndarray of shape (n,), metres, optional
         From the scanner, of the same points; without it there is no profile against range.
-    bins : int
-        Of the histograms. They reach from zero to the 99.5th percentile of all distances of both
-        states; the last bin also holds what lies beyond, so that the counts add up to n.
 
     Returns
     -------
     PlaneComparison
         With every pair of lines that overlaps, reciprocal pairs first. The pooled statistics and
-        the histograms are of the reciprocal pairs, or of all pairs where there is none.
+        the histograms are of the reciprocal pairs, or of all pairs where there is none; these
+        reach from zero to the 99.5th percentile of both states, and the last bin also holds what
+        lies beyond, so that the counts add up to n.
 
     Raises
     ------
@@ -104,8 +100,6 @@ def compare_plane(
     InputError
         The two states do not hold the same points, a heading is missing, or points are not finite.
     """
-    if bins < 1:
-        raise InputError(f"A histogram needs at least one bin, and {bins} were asked for.")
     _check_same_points(name, before, after, headings)
     seen = [line for line in before if len(before[line]) >= FEWEST_POINTS]
     if len(seen) < 2:
@@ -176,15 +170,15 @@ def compare_plane(
             if pair.reciprocal or not any_reciprocal
         ]
     )
-    edges = _shared_edges(pool.before, pool.after, bins)
+    edges = shared_edges(pool.before, pool.after)
     return PlaneComparison(
         name=name,
         pairs=tuple(pairs),
         not_compared=tuple(not_compared),
         pooled_from="reciprocal pairs" if any_reciprocal else "all pairs",
         bin_edges=edges,
-        counts_before=_counts(pool.before, edges),
-        counts_after=_counts(pool.after, edges),
+        counts_before=counted(pool.before, edges),
+        counts_after=counted(pool.after, edges),
         before=DistanceStatistics.of(pool.before),
         after=DistanceStatistics.of(pool.after),
         model=model,
@@ -252,15 +246,3 @@ def _check_same_points(
             )
         if line not in headings:
             raise InputError(f"The heading of line {line}, seen on {name}, is not given.")
-
-
-def _shared_edges(before: Array, after: Array, bins: int) -> Array:
-    """Bin edges (bins + 1,), metres, for both histograms."""
-    top = max(float(np.percentile(d, _HISTOGRAM_PERCENTILE)) for d in (before, after))
-    return np.linspace(0.0, max(top, _NARROWEST_HISTOGRAM), bins + 1)
-
-
-def _counts(distances: Array, edges: Array) -> NDArray[np.int64]:
-    """Histogram (k,) whose last bin also takes what lies beyond."""
-    counts, _ = np.histogram(np.minimum(distances, edges[-1]), bins=edges)
-    return counts.astype(np.int64)

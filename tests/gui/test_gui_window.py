@@ -290,7 +290,7 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     axes = panel.canvas.figure.axes[0]
     assert len(axes.patches) + len(axes.collections) >= 2
     panel.plot.setFocus()
-    QTest.keyClick(panel.plot, Qt.Key.Key_Down)
+    QTest.keyClick(panel.plot, Qt.Key.Key_End)
     assert [axes.get_xlabel() for axes in panel.canvas.figure.axes] == ["Height (m)", "Range (m)"]
 
     picked.window.validate.kind.setFocus()
@@ -300,6 +300,9 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     picked.rest()
     assert picked.project.validation[0].model == LocalModel("quadric", 12)
     assert "local quadric through 12 points" in panel.table.item(0, 0).toolTip()
+    assert picked.window.document.undo_stack.undoText() == (
+        "validation, local quadric through 12 points"
+    )
     # The fields follow the figures that are shown.
     picked.window.document.undo_stack.undo()
     picked.rest()

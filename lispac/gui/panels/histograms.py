@@ -1,19 +1,23 @@
 """Each validation plane: distances between the lines before and after."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
+    QSizePolicy,
+    QSplitter,
     QStackedLayout,
     QTableWidget,
     QTableWidgetItem,
+    QTabWidget,
     QVBoxLayout,
     QWidget,
 )
 
 from lispac.gui import theme
-from lispac.gui.panels import widgets
+from lispac.gui.panels import distances, pairs_table, widgets
 from lispac.project import Project
 from lispac.validation.results import PlaneComparison
 
@@ -26,16 +30,23 @@ _TIPS = (
     "95 % of the distances are smaller, millimetres, before → after",
 )
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_SHARES = (3, 4)
+"""Of the width, for the tables and for the plot, until the user moves the handle between them."""
+PLOTS = ("Histogram", "Histogram, shares", "Against height and range")
+AGAINST = PLOTS.index("Against height and range")
+ZOOM = "Wheel: closer or farther; drag: move; double click: all of it"
+AGAINST_WORDS = {"Height (m)": "height", "Range (m)": "range"}
 
 
 def preload() -> None:
     """Import Matplotlib, which takes half a second: to be called in the worker."""
 
+    import lispac.report.histograms
     import lispac.report.profiles  # noqa: F401
 
 
 class HistogramsPanel(QWidget):
-    """A row of figures for each plane, and the two histograms of the selected one."""
+    """A row of figures for each plane and for each pair of lines, and the plots of one plane."""
 
     plane_selected = Signal(str)
 
@@ -54,29 +65,69 @@ class HistogramsPanel(QWidget):
         )  # fmt: skip
         layout.addStretch(1)
         self._stack.addWidget(empty)
-        filled = QWidget()
-        self._row = QHBoxLayout(filled)
-        self._row.setContentsMargins(6, 6, 6, 6)
+        filled = QSplitter(Qt.Orientation.Horizontal)
+        filled.setObjectName("comparison_splitter")
+        filled.setContentsMargins(6, 6, 6, 6)
+        filled.setChildrenCollapsible(False)
         self.table = _table()
         self.table.itemSelectionChanged.connect(self._selected)
-        left = QVBoxLayout()
-        self.plot = widgets.Choice(
-            "comparison_plot", ("Histogram", "Against height and range"),
-            "What is drawn of the plane: how often each distance occurs, or how the distances grow "
-            "with height and range (before a calibration they do, after it they should not)",
-        )  # fmt: skip
-        self.plot.currentIndexChanged.connect(self._selected_again)
-        left.addWidget(self.plot)
-        left.addWidget(self.table)
-        self._row.addLayout(left)
+        self.pairs = pairs_table.pairs_table()
+        self.tabs = QTabWidget()
+        self.tabs.setObjectName("comparison_tabs")
+        self.tabs.addTab(self.table, "Planes")
+        self.tabs.addTab(self.pairs, "Pairs of lines")
+        filled.addWidget(self.tabs)
+        plots = QWidget()
+        self._plots = QVBoxLayout(plots)
+        self._plots.setContentsMargins(0, 0, 0, 0)
+        self._plots.setSpacing(2)
+        self._plots.addLayout(self._tools())
+        self._plots.addWidget(self.reading)
+        filled.addWidget(plots)
+        for part, share in enumerate(_SHARES):
+            filled.setStretchFactor(part, share)
+        self._parts = filled
         self._stack.addWidget(filled)
         self.canvas: QWidget | None = None
+
+    def _tools(self) -> QHBoxLayout:
+        self.plot = widgets.Choice(
+            "comparison_plot", PLOTS,
+            "What is drawn of the plane: how often each distance occurs, which share of the points "
+            "has it, or how the distances grow with height and range (before a calibration they "
+            "do, after it they should not)",
+        )  # fmt: skip
+        self.plot.setMinimumContentsLength(len(PLOTS[AGAINST]))
+        self.plot.currentIndexChanged.connect(self._selected_again)
+        self.reading = widgets.label(ZOOM, "muted", name="comparison_reading")
+        # What it says is to be cut off rather than to widen the plot.
+        self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.copy_picture = widgets.button(
+            "Copy picture", "copy_plot", tip="Copy the plot as it is shown to the clipboard"
+        )
+        self.copy_picture.clicked.connect(self._copy_picture)
+        self.copy_numbers = widgets.button(
+            "Copy numbers", "copy_numbers",
+            tip="Copy what the plot is drawn from to the clipboard, as a table for a spreadsheet",
+        )  # fmt: skip
+        self.copy_numbers.clicked.connect(self._copy_numbers)
+        row = QHBoxLayout()
+        row.addWidget(self.plot)
+        row.addStretch(1)
+        row.addWidget(self.copy_picture)
+        row.addWidget(self.copy_numbers)
+        return row
 
     @property
     def current(self) -> str | None:
         """Name of the plane whose histograms are drawn."""
+        each = self._current
+        return None if each is None else each.name
+
+    @property
+    def _current(self) -> PlaneComparison | None:
         rows = self.table.selectionModel().selectedRows()
-        return self._comparisons[rows[0].row()].name if rows else None
+        return self._comparisons[rows[0].row()] if rows else None
 
     def show_project(self, project: Project | None) -> None:
         """Show the comparisons, where there are some."""
@@ -84,6 +135,8 @@ class HistogramsPanel(QWidget):
         self._stack.setCurrentIndex(1 if comparisons else 0)
         if comparisons is self._comparisons:
             return
+        if self.canvas is None:
+            self._parts.setSizes([share * self.width() for share in _SHARES])
         self._comparisons = comparisons
         self.table.blockSignals(True)
         self.table.setRowCount(len(comparisons))
@@ -110,37 +163,85 @@ class HistogramsPanel(QWidget):
             self._draw(self._comparisons[names.index(name)])
 
     def _selected(self) -> None:
-        name = self.current
-        if name is not None:
-            self._draw(next(each for each in self._comparisons if each.name == name))
-            self.plane_selected.emit(name)
+        if self._current is not None:
+            self._draw(self._current)
+            self.plane_selected.emit(self._current.name)
 
     def _selected_again(self) -> None:
-        name = self.current
-        if name is not None:
-            self._draw(next(each for each in self._comparisons if each.name == name))
+        if self._current is not None:
+            self._draw(self._current)
 
     def _draw(self, comparison: PlaneComparison) -> None:
         # Imported here, so that the start of the window does not wait for it.
-        from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-
-        from lispac.report.figures import histogram_figure
+        from lispac.report.histograms import histogram_figure
         from lispac.report.profiles import profile_figure
 
-        draw = profile_figure if self.plot.currentIndex() else histogram_figure
-        if self.canvas is None:
-            figure = draw(comparison)
-            self.canvas = FigureCanvasQTAgg(figure)
-            self.canvas.setObjectName("histogram_canvas")
-            self.canvas.setMinimumSize(260, 140)
-            self._row.addWidget(self.canvas, 1)
+        self.pairs.show_rows(pairs_table.pair_rows(comparison))
+        self.tabs.setTabText(1, f"Pairs of lines on {comparison.name}")
+        canvas = self._canvas()
+        if self.plot.currentIndex() == AGAINST:
+            profile_figure(comparison, canvas.figure)
         else:
-            draw(comparison, figure=self.canvas.figure)
-            self.canvas.draw_idle()
-        what = "against height and range" if self.plot.currentIndex() else "as histograms"
-        self.canvas.setAccessibleName(
-            f"Distances on {comparison.name} {what}, before in blue and after in brown"
+            histogram_figure(comparison, canvas.figure, share=self.plot.currentIndex() == 1)
+        self._zooming.keep(upright=self.plot.currentIndex() == AGAINST)
+        self.reading.setText(ZOOM)
+        canvas.draw_idle()
+        canvas.setAccessibleName(
+            f"Distances on {comparison.name}, {self.plot.currentText().lower()}, before in blue "
+            "and after in brown"
         )
+
+    def _canvas(self):
+        if self.canvas is None:
+            from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+            from matplotlib.figure import Figure
+
+            from lispac.gui.panels.zooming import Zooming
+
+            self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+            self.canvas.setObjectName("histogram_canvas")
+            self.canvas.setMinimumSize(260, 120)
+            self._zooming = Zooming(self.canvas)
+            self.canvas.mpl_connect("motion_notify_event", self._read)
+            self.canvas.mpl_connect("axes_leave_event", lambda _event: self.reading.setText(ZOOM))
+            self._plots.insertWidget(1, self.canvas, 1)
+        return self.canvas
+
+    def _read(self, event) -> None:
+        """Say what is under the mouse."""
+        comparison, axes = self._current, event.inaxes
+        if comparison is None or axes is None:
+            return
+        if self.plot.currentIndex() == AGAINST:
+            what = AGAINST_WORDS.get(axes.get_xlabel(), "")
+            profile = comparison.by_height if what == "height" else comparison.by_range
+            if profile is not None:
+                self.reading.setText(distances.profile_words(profile, what, event.xdata))
+            return
+        edges = axes.patches[0].get_data().edges
+        k = int(edges.searchsorted(event.xdata, side="right")) - 1
+        if 0 <= k < len(edges) - 1:
+            low, high = edges[k] / 1000.0, edges[k + 1] / 1000.0
+            self.reading.setText(distances.histogram_words(comparison, low, high))
+
+    def _copy_picture(self) -> None:
+        if self.canvas is not None:
+            QGuiApplication.clipboard().setPixmap(self.canvas.grab())
+            self.reading.setText("The picture is in the clipboard")
+
+    def _copy_numbers(self) -> None:
+        comparison = self._current
+        if comparison is None or self.canvas is None:
+            return
+        if self.plot.currentIndex() == AGAINST:
+            text = distances.profiles_text(comparison)
+        else:
+            from lispac.report.histograms import BARS
+
+            low, high = self.canvas.figure.axes[0].get_xlim()
+            text = distances.histogram_text(comparison, (high - low) / 1000.0, BARS)
+        QGuiApplication.clipboard().setText(text)
+        self.reading.setText("The numbers are in the clipboard, ready for a spreadsheet")
 
 
 def _texts(each: PlaneComparison) -> list[str]:

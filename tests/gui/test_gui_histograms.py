@@ -1,0 +1,125 @@
+"""The plots of the validation planes: what the mouse reads off them, zooms and copies."""
+
+import csv
+from io import StringIO
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QGuiApplication, QWheelEvent
+from PySide6.QtWidgets import QApplication
+
+from lispac.gui.panels.histograms import AGAINST, ZOOM, HistogramsPanel
+from lispac.project import Project
+from lispac.workflow.validation import validate
+from tests.gui.support import Demo, Driver
+from tests.sharing import once
+
+Left = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture(scope="session")
+def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """The demo survey with one plane compared."""
+    return once(tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey))
+
+
+@pytest.fixture
+def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
+    """The panel, in front, with V1 drawn."""
+    window = driver.window
+    window.document.open(validated, demo.survey)
+    window.docks["Histograms"].raise_()
+    driver.rest()
+    driver.bot.wait(300)
+    shown = window.histograms
+    assert shown.current == "V1"
+    assert shown.canvas.isVisible()
+    return shown
+
+
+def place(panel: HistogramsPanel, axes: int, x: float, y: float) -> QPoint:
+    """Where a value of a plot is on its canvas, logical pixels."""
+    at = panel.canvas.figure.axes[axes].transData.transform((x, y))
+    ratio = panel.canvas.devicePixelRatioF()
+    return QPoint(round(at[0] / ratio), round(panel.canvas.height() - at[1] / ratio))
+
+
+def wheel(panel: HistogramsPanel, at: QPoint, notches: int) -> None:
+    where = QPointF(at)
+    event = QWheelEvent(
+        where, QPointF(panel.canvas.mapToGlobal(at)), QPoint(), QPoint(0, 120 * notches),
+        Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )  # fmt: skip
+    QApplication.sendEvent(panel.canvas, event)
+
+
+def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPanel) -> None:
+    panel.canvas.draw()
+    axes = panel.canvas.figure.axes[0]
+    drawn = axes.patches[2].get_data()  # after
+    highest = int(np.argmax(drawn.values))
+    middle = drawn.edges[highest : highest + 2].mean()
+    driver.bot.mouseMove(panel.canvas, QPoint(2, 2))
+    driver.bot.mouseMove(panel.canvas, place(panel, 0, middle, drawn.values[highest] / 2))
+    driver.bot.waitUntil(lambda: "after" in panel.reading.text(), timeout=5000)
+    assert f"after {drawn.values[highest]:,.0f} points" in panel.reading.text()
+
+
+def test_the_wheel_shows_finer_bars_and_a_double_click_all_again(
+    driver: Driver, panel: HistogramsPanel
+) -> None:
+    panel.canvas.draw()
+    axes = panel.canvas.figure.axes[0]
+    whole, coarse = axes.get_xlim(), axes.patches[0].get_data()
+    bottom = place(panel, 0, 0.02 * whole[1], 0.5 * axes.get_ylim()[1])
+    wheel(panel, bottom, 8)
+    fine = axes.patches[0].get_data()
+    assert axes.get_xlim()[1] - axes.get_xlim()[0] < 0.3 * (whole[1] - whole[0])
+    assert axes.get_ylim()[0] == 0.0
+    assert np.diff(fine.edges)[0] < np.diff(coarse.edges)[0]
+    assert fine.values.sum() == coarse.values.sum()
+    driver.bot.mouseDClick(panel.canvas, Left, pos=bottom)
+    assert axes.get_xlim() == whole
+
+
+def test_the_shares_of_all_points_make_one(panel: HistogramsPanel) -> None:
+    panel.plot.setCurrentIndex(1)
+    for patch in panel.canvas.figure.axes[0].patches:
+        bars = patch.get_data()
+        assert (bars.values * np.diff(bars.edges)).sum() == pytest.approx(100.0)
+
+
+def test_numbers_and_picture_are_copied(
+    driver: Driver, panel: HistogramsPanel, validated: Project
+) -> None:
+    driver.bot.mouseClick(panel.copy_numbers, Left)
+    rows = list(csv.reader(StringIO(QGuiApplication.clipboard().text()), delimiter="\t"))
+    assert rows[0] == ["From (mm)", "To (mm)", "Points before", "Points after"]
+    points = validated.validation[0].before.n
+    assert [sum(int(row[k]) for row in rows[1:]) for k in (2, 3)] == [points, points]
+    driver.bot.mouseClick(panel.copy_picture, Left)
+    picture = QGuiApplication.clipboard().pixmap()
+    assert picture.size() == panel.canvas.size() * panel.canvas.devicePixelRatioF()
+    panel.plot.setCurrentIndex(AGAINST)
+    assert panel.reading.text() == ZOOM
+    driver.bot.mouseClick(panel.copy_numbers, Left)
+    text = QGuiApplication.clipboard().text()
+    height = validated.validation[0].by_height
+    assert height is not None
+    first = next(k for k in range(len(height.n)) if np.isfinite(height.median_after[k]))
+    assert f"{1000 * height.median_after[first]:.3f}" in text
+
+
+def test_pairs_of_lines_stand_beside_the_plane(panel: HistogramsPanel, validated: Project) -> None:
+    pairs = validated.validation[0].pairs
+    assert panel.pairs.rowCount() == len(pairs)
+    names = panel.pairs.item(0, 0).text()
+    assert pairs[0].line_a in names
+    assert "⇄" in names
+    assert panel.pairs.item(0, 3).text() == f"{1000 * pairs[0].after.distances.rms:.1f}"
+    signed = pairs[0].after.signed
+    assert signed is not None
+    shown = panel.pairs.item(0, 5).text().replace("−", "-")
+    assert shown == f"{1000 * signed.median:+.1f}"
