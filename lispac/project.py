@@ -16,6 +16,7 @@ from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.robust import LOSSES, LossName
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import InputError, ProjectError
+from lispac.identity import BLANK, Identity
 from lispac.picks import ROLES as ROLES
 from lispac.picks import SHAPES as SHAPES
 from lispac.picks import PickedSighting as PickedSighting
@@ -185,6 +186,7 @@ class Project:
     """Boresight put into a simulated survey; None for a real one."""
     trajectory_reading: Reading = USUAL
     accuracy_reading: Reading = USUAL
+    identity: Identity = BLANK
 
     @property
     def name(self) -> str:
@@ -268,6 +270,10 @@ class Project:
         """Remove a target or validation plane."""
         gone = self.target(name)
         return self._edited(tuple(t for t in self.targets if t.name != name), {gone.role})
+
+    def with_identity(self, identity: Identity) -> "Project":
+        """Change what the report says of who, when and with what; nothing is computed from it."""
+        return replace(self, identity=identity)
 
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; what follows from them has to be computed again."""

@@ -259,7 +259,7 @@ def test_tables_hold_the_numbers_of_the_json(content: ReportContent, tmp_path: P
         }
     assert names == sorted(names)
     assert len(names) > 10
-    boresight = tables["01-boresight.csv"]
+    boresight = tables["02-boresight.csv"]
     assert boresight[0][:3] == ["Angle", "Prior (deg)", "Estimated (deg)"]
     for row, angle in zip(boresight[1:], data["angles"], strict=True):
         assert float(row[2]) == pytest.approx(angle["estimated_deg"], abs=5e-5)

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from lispac import __version__
-from lispac.cli import estimate_options, pick_options
+from lispac.cli import estimate_options, pick_options, report_options
 from lispac.cli.values import (
     Commands,
     command,
@@ -38,7 +38,7 @@ def build_parser() -> argparse.ArgumentParser:
     _compare(commands)
     _georeference(commands)
     _export(commands)
-    _report(commands)
+    report_options.add(commands)
     _angles(commands)
     return parser
 
@@ -205,18 +205,6 @@ def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
     export.add_argument("--targets", nargs="+", metavar="NAME", help="these only (default all)")
     system_options(export, "local")
     json_option(export)
-
-
-def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
-    report = command(commands, "report", "write the report")
-    report.add_argument("project", type=Path, metavar="PROJECT")
-    report.add_argument(
-        "--output",
-        type=Path,
-        required=True,
-        metavar="FILE",
-        help=".pdf, .html, .json, or .zip for all tables as CSV",
-    )
 
 
 def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:

@@ -30,6 +30,7 @@ from lispac.gui.panels.sightings_table import SightingsTable
 from lispac.gui.panels.targets import TargetsPanel
 from lispac.gui.panels.validate import ValidatePanel
 from lispac.gui.panels.workflow import WorkflowPanel
+from lispac.gui.reporting import Reporting
 from lispac.gui.scene import Scene
 from lispac.gui.seeding import Seeding
 from lispac.gui.settings import AppSettings
@@ -92,6 +93,7 @@ class MainWindow(QMainWindow):
         self._join_work()
         TargetWork(self)
         Seeding(self)
+        Reporting(self)
         FileDrops(self).dropped.connect(self.life.take_in)
         self._refresh()
 
@@ -196,7 +198,6 @@ class MainWindow(QMainWindow):
         self.validate.validate_asked.connect(self.computing.validate)
         self.validate.shown_changed.connect(self.computing.show)
         self.validate.model_changed.connect(self.computing.measure_to)
-        self.report.report_asked.connect(self.life.export_report)
         self.report.lines_asked.connect(self.life.export)
         self.workflow.step_opened.connect(lambda _step: self._refresh())
 

@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.stochastic import POS_ERRORS
 from lispac.errors import InputError, ProjectError
+from lispac.identity import Identity
 from lispac.io.files import remove_abandoned, written_whole
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
 from lispac.io.values import decoded, encoded, in_one_line
@@ -98,6 +99,7 @@ def read_project(folder: Path) -> Project:
 def _require_consistent(project: Project) -> None:
     """Refuse values that only an edit by hand can have brought in."""
     project.settings.require_sound()
+    project.identity.require_sound()
     lines = {line.name for line in project.lines}
     for target in project.targets:
         if target.role not in ROLES:
@@ -130,6 +132,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
             }
             for line in project.lines
         ],
+        "identity": encoded(project.identity),
         "settings": encoded(project.settings),
         "targets": [
             {
@@ -183,6 +186,7 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
             for line in content["lines"]
         ),
         settings=decoded(content["settings"], Settings),
+        identity=decoded(content["identity"], Identity),
         targets=tuple(_decode_target(folder, target) for target in content["targets"]),
         result=decoded(content["result"], AdjustmentResult) if content["result"] else None,
         cross_checks=(

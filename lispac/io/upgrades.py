@@ -5,7 +5,7 @@ from typing import Any
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 5
+SCHEMA_VERSION = 6
 
 
 def upgraded(content: Content) -> Content:
@@ -69,9 +69,15 @@ def _from_4(content: Content) -> Content:
     return content | {"schema_version": 5, "validation": validation}
 
 
+def _from_5(content: Content) -> Content:
+    """Version 6 says who, when and with what; an older one leaves it blank."""
+    return content | {"schema_version": 6, "identity": {}}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _from_1,
     2: _from_2,
     3: _from_3,
     4: _from_4,
+    5: _from_5,
 }

@@ -1,7 +1,7 @@
 """What a report is set from: sections of paragraphs, lists, tables and pictures, all text."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 Status = Literal["bad", "fair", "good"]
@@ -35,12 +35,17 @@ class Column:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of text, one cell a column."""
+    """Rows of text, one cell a column.
+
+    A ``form`` has names and what is to be said of them, two beside each other; where nothing is
+    said, there is a line to be filled in by hand.
+    """
 
     title: str
     columns: tuple[Column, ...]
     rows: tuple[tuple[str, ...], ...]
     kind: str = "table"
+    form: bool = False
 
 
 def rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
@@ -51,6 +56,11 @@ def rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
 def facts(title: str, said: Iterable[tuple[str, str]]) -> Table:
     """A table of names and what is to be said of each, without heads."""
     return Table(title, (Column("", "left"), Column("", "left", wide=True)), tuple(said))
+
+
+def form(title: str, said: Iterable[tuple[str, str]]) -> Table:
+    """Names and what is to be said of each, with lines to fill in by hand where it is blank."""
+    return replace(facts(title, said), form=True)
 
 
 @dataclass(frozen=True)
@@ -66,9 +76,10 @@ class Picture:
 
 @dataclass(frozen=True)
 class Signature:
-    """Lines to be filled in by hand."""
+    """Lines to be filled in by hand, but for those whose ``values`` are known already."""
 
     fields: tuple[str, ...]
+    values: tuple[str, ...]
     kind: str = "signature"
 
 
@@ -85,7 +96,8 @@ class Section:
 
 @dataclass(frozen=True)
 class Document:
-    """The whole report; ``summary`` stands on page one below the warnings."""
+    """The whole report; ``identity`` and ``summary`` stand on page one, above and below the
+    warnings."""
 
     title: str
     project: str
@@ -93,6 +105,7 @@ class Document:
     generated: str
     status: Status
     verdict: str
+    identity: Table
     serious: tuple[str, ...]
     cautions: tuple[str, ...]
     summary: tuple[Block, ...]

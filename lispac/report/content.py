@@ -99,6 +99,7 @@ def report_content(
         program=f"LISPAC {lispac.__version__}",
         generated=stamp.isoformat(timespec="seconds"),
         project=project.name,
+        identity=project.identity,
         calibrated=project.result is not None,
         simulated=project.truth_deg is not None,
         cautions=(),

@@ -5,16 +5,15 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.report import sections
-from lispac.report.blocks import Block, Document, Picture, Section, Signature, Status
+from lispac.report.blocks import Block, Document, Picture, Section, Status
 from lispac.report.boresight_section import boresight
 from lispac.report.checks_section import cross_checks, reliability
+from lispac.report.identity_section import identity, signature
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
-
-SIGNATURE = Signature(("Surveyor", "Company", "Place and date", "Signature"))
 
 
 def document_of(content: ReportContent, pictures: Mapping[str, Path]) -> Document:
@@ -49,9 +48,10 @@ def document_of(content: ReportContent, pictures: Mapping[str, Path]) -> Documen
         generated=moment(content.generated),
         status=status,
         verdict=verdict,
+        identity=identity(content),
         serious=serious,
         cautions=tuple(c.text for c in content.cautions if c.severity != "serious"),
-        summary=(*sections.summary(content), SIGNATURE),
+        summary=(*sections.summary(content), signature(content)),
         sections=tuple(section for section in parts if section.blocks),
     )
 

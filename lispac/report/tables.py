@@ -23,7 +23,7 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 def write_tables(content: ReportContent, path: Path) -> None:
     """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order."""
     document = document_of(content, {})
-    blocks: list[Block] = [*document.summary]
+    blocks: list[Block] = [document.identity, *document.summary]
     for section in document.sections:
         blocks += section.blocks
     tables = [block for block in blocks if isinstance(block, Table)]
@@ -44,7 +44,8 @@ def csv_text(table: Table) -> str:
     if any(heads):
         writer.writerow(heads)
     for row in table.rows:
-        writer.writerow([_plain(cell) for cell in row])
+        # What was typed stays as it was typed: a serial number is no number.
+        writer.writerow(row if table.form else [_plain(cell) for cell in row])
     return stream.getvalue()
 
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from lispac.identity import Identity
 from lispac.report.validation_values import ValidationPlane
 
 
@@ -331,6 +332,7 @@ class ReportContent:
     program: str
     generated: str
     project: str
+    identity: Identity
     calibrated: bool
     simulated: bool
     cautions: tuple[Caution, ...]

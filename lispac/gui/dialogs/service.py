@@ -3,7 +3,7 @@
 The window gets such an object; a test gives it one that answers by itself.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -13,6 +13,7 @@ from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.error import error_box
 from lispac.gui.dialogs.export import ExportDialog
 from lispac.gui.dialogs.find_again import FindAgainDialog
+from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
@@ -20,6 +21,7 @@ from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
+from lispac.identity import Identity
 from lispac.project import LineSource, Project, Target, Triple
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.settings import FinderChoices
@@ -143,6 +145,13 @@ class Dialogs:
         """What to export besides the report, and where."""
         dialog = ExportDialog(what, which, project, trajectory, self.parent)
         answer = dialog.request() if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def identity(self, identity: Identity, dates: Callable[[], str]) -> Identity | None:
+        """Who, when and with what, for the report; ``dates`` are those the lines tell."""
+        dialog = IdentityDialog(identity, dates, self.parent)
+        answer = dialog.identity if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 

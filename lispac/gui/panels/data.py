@@ -30,6 +30,7 @@ class DataPanel(QWidget):
     new_asked = Signal()
     open_asked = Signal()
     demo_asked = Signal()
+    details_asked = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -81,6 +82,12 @@ class DataPanel(QWidget):
         row.addWidget(self.revert)
         row.addWidget(self.apply)
         filled.addLayout(row)
+        self.details = widgets.button(
+            "Details for the report…", "data_details", icon="card-account-details-outline",
+            tip="Surveyor, vessel, instruments, dates: what page one of the report says",
+        )  # fmt: skip
+        self.details.clicked.connect(self.details_asked)
+        filled.addWidget(self.details)
         self.apply.clicked.connect(self._apply)
         self.revert.clicked.connect(lambda: self._fill(self._settings))
         for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma):

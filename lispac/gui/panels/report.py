@@ -12,6 +12,7 @@ class ReportPanel(QWidget):
 
     report_asked = Signal()
     lines_asked = Signal()
+    details_asked = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -26,13 +27,21 @@ class ReportPanel(QWidget):
             "Export georeferenced lines…", "export_lines", icon="export-variant",
             tip="Every line as LAZ or LAS in a coordinate system of your choice (Ctrl+Shift+E)",
         )  # fmt: skip
+        self.details = widgets.button(
+            "Details for the report…", "report_details", icon="card-account-details-outline",
+            tip="Surveyor, vessel, instruments, dates: what page one says of who, when and with "
+            "what",
+        )  # fmt: skip
+        self.details.clicked.connect(self.details_asked)
         self.report.clicked.connect(self.report_asked)
         self.lines.clicked.connect(self.lines_asked)
+        layout.addWidget(self.details)
         layout.addWidget(self.report)
         layout.addWidget(self.lines)
 
     def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
         """What can be exported now."""
         self.advice.setText(status.advice)
+        self.details.setEnabled(data_ready)
         self.report.allow(status.ready and not busy)
         self.lines.allow(data_ready and not busy)

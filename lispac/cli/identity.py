@@ -1,0 +1,41 @@
+"""``lispac identity``: who, when and with what, as the report says it."""
+
+from argparse import Namespace
+from dataclasses import asdict
+
+from lispac.cli.console import print_json
+from lispac.errors import InputError
+from lispac.identity import LABELS, NAMES
+from lispac.project import Project
+from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.survey_dates import NOT_TOLD, survey_dates
+
+AUTO = "auto"
+
+
+def identity(arguments: Namespace) -> None:
+    """Set the fields that are given, and show all of them."""
+    project = open_project(arguments.project)
+    given = {name: getattr(arguments, name) for name in NAMES}
+    texts = {name: text for name, text in given.items() if text is not None}
+    if texts.get("dates") == AUTO:
+        texts["dates"] = _dates(project)
+    if texts:
+        project = project.with_identity(project.identity.changed(**texts))
+        save_project(project)
+    if arguments.json:
+        print_json(asdict(project.identity))
+        return
+    width = max(map(len, LABELS.values())) + 2
+    for name in NAMES:
+        first, *more = getattr(project.identity, name).splitlines() or ["-"]
+        print(f"{LABELS[name]:{width}s}{first}")
+        for line in more:
+            print(" " * width + line)
+
+
+def _dates(project: Project) -> str:
+    found = survey_dates(project)
+    if not found:
+        raise InputError(f"{project.name}: {NOT_TOLD}")
+    return found

@@ -1,0 +1,38 @@
+"""The commands of the report and of what it says of who, when and with what."""
+
+import argparse
+from pathlib import Path
+
+from lispac.cli.values import Commands, command, json_option
+from lispac.identity import HINTS, NAMES
+
+
+def add(commands: "Commands[argparse.ArgumentParser]") -> None:
+    """Describe them."""
+    _identity(commands)
+    _report(commands)
+
+
+def _identity(commands: "Commands[argparse.ArgumentParser]") -> None:
+    identity = command(
+        commands, "identity", "say who, when and with what, for the report, or show what is said"
+    )
+    identity.add_argument("project", type=Path, metavar="PROJECT")
+    for name in NAMES:
+        hint = HINTS[name]
+        if name == "dates":
+            hint += "; auto takes them from the times of the lines where these tell the day"
+        identity.add_argument(f"--{name.replace('_', '-')}", metavar="TEXT", help=hint)
+    json_option(identity)
+
+
+def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
+    report = command(commands, "report", "write the report")
+    report.add_argument("project", type=Path, metavar="PROJECT")
+    report.add_argument(
+        "--output",
+        type=Path,
+        required=True,
+        metavar="FILE",
+        help=".pdf, .html, .json, or .zip for all tables as CSV",
+    )

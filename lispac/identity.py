@@ -1,0 +1,100 @@
+"""Who calibrated what, when and with what: what a report needs beside the numbers.
+
+Everything is text as the user writes it, blank where it is not known. Nothing is computed from it.
+"""
+
+from dataclasses import asdict, dataclass, fields, replace
+
+from lispac.errors import InputError
+
+LONGEST = 200
+"""Letters of a field; remarks may be ten times as long."""
+
+
+@dataclass(frozen=True)
+class Identity:
+    """What a calibration is signed for.
+
+    Attributes
+    ----------
+    scanner, pos : maker and model of the LiDAR and of the INS/GNSS
+    dates : day or days of the survey
+    lever_arm_origin : where the lever arm comes from: a measurement, a drawing
+    """
+
+    surveyor: str = ""
+    company: str = ""
+    vessel: str = ""
+    site: str = ""
+    scanner: str = ""
+    scanner_serial: str = ""
+    pos: str = ""
+    pos_serial: str = ""
+    dates: str = ""
+    lever_arm_origin: str = ""
+    remarks: str = ""
+
+    def changed(self, **texts: str) -> "Identity":
+        """Other texts in these fields, without blanks around them.
+
+        Raises
+        ------
+        InputError
+            Where a text cannot stand in a report.
+        """
+        return replace(self, **{name: _tidy(name, text) for name, text in texts.items()})
+
+    def require_sound(self) -> None:
+        """Refuse texts that cannot stand in a report.
+
+        Raises
+        ------
+        InputError
+        """
+        self.changed(**asdict(self))
+
+
+BLANK = Identity()
+NAMES = tuple(field.name for field in fields(Identity))
+
+LABELS = {
+    "surveyor": "Surveyor",
+    "company": "Company",
+    "vessel": "Vessel",
+    "site": "Site",
+    "scanner": "Scanner",
+    "scanner_serial": "Scanner serial number",
+    "pos": "INS/GNSS",
+    "pos_serial": "INS/GNSS serial number",
+    "dates": "Survey dates",
+    "lever_arm_origin": "Origin of the lever arm",
+    "remarks": "Remarks",
+}
+"""What the fields are called wherever they are shown."""
+
+HINTS = {
+    "surveyor": "who answers for the calibration",
+    "company": "the surveyor's company",
+    "vessel": "name of the vessel",
+    "site": "where the lines were run",
+    "scanner": "maker and model of the LiDAR",
+    "scanner_serial": "its serial number",
+    "pos": "maker and model of the INS/GNSS",
+    "pos_serial": "its serial number",
+    "dates": "day or days of the survey, 2026-03-04 for example",
+    "lever_arm_origin": "how the lever arm was found: tacheometer in dock, 2026-03-04, for example",
+    "remarks": "what else the reader should know",
+}
+"""What belongs into each field."""
+
+
+def _tidy(name: str, text: str) -> str:
+    tidy = "\n".join(line.strip() for line in text.strip().splitlines())
+    if name != "remarks" and "\n" in tidy:
+        raise InputError(f"{LABELS[name]}: more than one line; put what is left to the remarks.")
+    if any(not letter.isprintable() and letter != "\n" for letter in tidy):
+        raise InputError(f"{LABELS[name]}: it holds a letter that cannot be printed; type it anew.")
+    longest = LONGEST * (10 if name == "remarks" else 1)
+    if len(tidy) > longest:
+        raise InputError(f"{LABELS[name]}: longer than {longest:,} letters; shorten it.")
+    return tidy

@@ -1,0 +1,71 @@
+"""The days of a survey, where the times of its lines tell them."""
+
+from datetime import UTC, datetime
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import LispacError
+from lispac.io.formats import format_of
+from lispac.io.line_times import line_times
+from lispac.project import LineSource, Project
+from lispac.survey.source import RESTART
+from lispac.survey.time_base import GPS_EPOCH, TimeBase, leap_seconds_at_gps, to_gps
+from lispac.survey.time_restart import NONE
+from lispac.workflow.reading import USUAL, format_of_line
+from lispac.workflow.stated_times import known_base
+from lispac.workflow.survey import Survey
+
+NOT_TOLD = (
+    "the times of the lines count seconds of a day or a week and do not tell the date; type it."
+)
+
+
+def survey_dates(project: Project, survey: Survey | None = None) -> str:
+    """First and last day (UTC) of the lines, as text; empty where not all of their times tell it.
+
+    Parameters
+    ----------
+    survey : Survey, optional
+        Where it is at hand, its times are taken; else the files are looked into, long ones here
+        and there.
+    """
+    days: set[str] = set()
+    for line in project.lines:
+        try:
+            found = _days(project, line, survey)
+        except (LispacError, OSError):
+            return ""  # it is an offer; what keeps a file from being read is said elsewhere
+        if not found:
+            return ""
+        days |= found
+    return " to ".join(sorted({min(days), max(days)})) if days else ""
+
+
+def _days(project: Project, line: LineSource, survey: Survey | None) -> set[str]:
+    """First and last day of a line; empty where its times do not tell them."""
+    format, choice, _ = format_of_line(line)
+    if survey is None:
+        restart = {RESTART: line.reading.restart or NONE}
+        times = line_times(line.path, format, {**choice, **restart}).sample
+        moved = line.reading.moved(times)
+    else:
+        scan = survey.scans[line.name]
+        moved = np.array([scan.first_time, scan.last_time])
+        times = line.reading.moved_back(moved)
+    own = known_base(format, line.path, choice, "time_base", stated=False)
+    # The trajectory's times may tell what the line's own do not.
+    track = known_base(
+        format_of(project.trajectory_reading.format or USUAL["trajectory"]), project.trajectory,
+        dict(project.trajectory_reading.options), "time", stated=False,
+    )  # fmt: skip
+    for known, seconds in ((own, times), (track, moved)):
+        if known.base is not None and known.base.period is None and known.fits(seconds):
+            return _days_of(seconds, known.base)
+    return set()
+
+
+def _days_of(times: NDArray[np.float64], base: TimeBase) -> set[str]:
+    gps = to_gps(np.array([times.min(), times.max()]), base)
+    utc = gps - leap_seconds_at_gps(gps) + GPS_EPOCH
+    return {f"{datetime.fromtimestamp(float(at), UTC):%Y-%m-%d}" for at in utc}

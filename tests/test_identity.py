@@ -1,0 +1,179 @@
+"""Who, when and with what: kept in the project, said at the command line, printed on page one."""
+
+import csv
+import json
+import shutil
+import zipfile
+from dataclasses import asdict, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import InputError, ProjectError
+from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
+from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.project import LineSource
+from lispac.report.document import document_of
+from lispac.report.html import html_text
+from lispac.report.pdf import write_pdf
+from lispac.report.tables import write_tables
+from lispac.workflow.survey_dates import survey_dates
+from tests.report_sample import sample_content, sample_project
+from tests.test_report import _page, _pdf_text
+
+FULL = Identity(
+    surveyor="Ève Tremblay",
+    company="Levés du Fleuve inc.",
+    vessel="F. J. Saucier",
+    site="Port of Quebec",
+    scanner="Profiler 16",
+    scanner_serial="AG-38204719",
+    pos="Inertial C",
+    pos_serial="1,218",
+    dates="2026-03-04 to 2026-03-05",
+    lever_arm_origin="tacheometer in dock, 2026-03-04",
+    remarks="Wind from the west.\nL4 was run twice.",
+)
+
+
+def test_every_field_has_a_name_and_a_hint() -> None:
+    assert tuple(LABELS) == tuple(HINTS) == NAMES == tuple(asdict(FULL))
+    assert all(asdict(FULL).values())
+
+
+def test_it_comes_back_and_drops_no_result(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    changed = project.with_identity(FULL)
+    assert changed.result is project.result
+    assert changed.validation is project.validation
+    write_project(changed)
+    assert read_project(project.folder).identity == FULL
+
+
+@pytest.mark.parametrize(
+    ("texts", "said"),
+    [
+        ({"vessel": "two\nlines"}, "Vessel: more than one line"),
+        ({"site": "a\x07b"}, "Site: it holds a letter that cannot be printed"),
+        ({"scanner_serial": "7" * 201}, "Scanner serial number: longer than 200 letters"),
+        ({"remarks": "7" * 2001}, "Remarks: longer than 2,000 letters"),
+    ],
+)
+def test_what_cannot_be_printed_is_refused(texts: dict[str, str], said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        FULL.changed(**texts)
+
+
+def test_blanks_around_go(tmp_path: Path) -> None:
+    assert BLANK.changed(vessel="  F. J. Saucier \n").vessel == "F. J. Saucier"
+
+
+def test_a_damaged_text_is_refused_with_the_file(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    write_project(project)
+    path = project.folder / FILE_NAME
+    content = json.loads(path.read_text())
+    content["identity"]["vessel"] = "\x00"
+    path.write_text(json.dumps(content))
+    with pytest.raises(ProjectError, match=r"project\.json: Vessel: it holds a letter"):
+        read_project(project.folder)
+
+
+def test_the_command_sets_what_is_given_and_shows_all(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "p"
+    write_project(sample_project(folder))
+    words = ["--surveyor", FULL.surveyor, "--lever-arm-origin", FULL.lever_arm_origin]
+    assert main(["identity", str(folder), *words]) == 0
+    shown = capsys.readouterr().out.splitlines()
+    assert [line.split("  ")[0] for line in shown] == list(LABELS.values())
+    assert f"Surveyor                 {FULL.surveyor}" in shown
+    assert main(["identity", str(folder), "--vessel", "Saucier", "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert {name: text for name, text in said.items() if text} == {
+        "surveyor": FULL.surveyor, "lever_arm_origin": FULL.lever_arm_origin, "vessel": "Saucier",
+    }  # fmt: skip
+    assert main(["identity", str(folder), "--vessel", ""]) == 0
+    assert read_project(folder).identity.vessel == ""
+    capsys.readouterr()
+    assert main(["identity", str(folder), "--vessel", "a\tb"]) == 1
+    assert capsys.readouterr().err.startswith("lispac: Vessel: it holds a letter")
+
+
+def test_page_one_says_it_and_blanks_are_lines(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    write_pdf(sample_content(project.with_identity(FULL)), tmp_path / "full.pdf", {})
+    first = _pdf_text(tmp_path / "full.pdf", "-f", "1", "-l", "1")
+    for name, text in asdict(FULL).items():
+        assert LABELS[name] in first
+        assert all(line in first for line in text.splitlines())
+    assert first.count(FULL.surveyor) == first.count(FULL.company) == 2  # over the signature too
+    assert first.index("CALIBRATED") < first.index(FULL.vessel) < first.index("Estimated")
+    page = html_text(sample_content(project.with_identity(replace(FULL, vessel=""))), {})
+    assert page.count("<dd></dd>") == 1
+    assert [word for word in _page(page).words if word == FULL.company] == [FULL.company] * 2
+    blank = document_of(sample_content(project), {})
+    assert {value for _, value in blank.identity.rows} == {""}
+    assert blank.cautions == ()
+
+
+def test_it_is_a_table_among_the_others(tmp_path: Path) -> None:
+    content = sample_content(sample_project(tmp_path / "p").with_identity(FULL))
+    write_tables(content, tmp_path / "r.zip")
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        text = archive.read("01-details-of-the-survey.csv").decode("utf-8-sig")
+    said = dict(csv.reader(text.splitlines()))
+    assert said["INS/GNSS serial number"] == "1,218"  # a text, though it looks like a number
+
+
+def _adjusted(*moment: int) -> float:
+    """Adjusted standard GPS time by the definition: 18 leap seconds since 2017."""
+    at = datetime(*moment, tzinfo=UTC)  # type: ignore[arg-type, misc]
+    return (at - datetime(1980, 1, 6, tzinfo=UTC)).total_seconds() + 18 - 1e9
+
+
+def _line(path: Path, times: list[float], *, absolute: bool) -> LineSource:
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.global_encoding.gps_time_type = (
+        laspy.header.GpsTimeType.STANDARD if absolute else laspy.header.GpsTimeType.WEEK_TIME
+    )
+    las = laspy.LasData(header)
+    las.x = las.y = las.z = np.arange(len(times), dtype=float)
+    las.gps_time = np.array(times)
+    las.write(path)
+    return LineSource(path.stem, path)
+
+
+def test_days_come_from_times_that_tell_them(tmp_path: Path, demo_folder: Path) -> None:
+    evening, night = _adjusted(2026, 3, 4, 23, 59, 58), _adjusted(2026, 3, 5, 0, 0, 1)
+    demo = read_project(demo_folder)
+    one = _line(tmp_path / "one.las", [evening - 5, evening], absolute=True)
+    two = _line(tmp_path / "two.las", [night, night + 5], absolute=True)
+    week = _line(tmp_path / "week.las", [259_200.0, 259_210.0], absolute=False)
+    # A header that says adjusted over times of the week is as usual as it is wrong.
+    lying = _line(tmp_path / "lying.las", [259_200.0, 259_210.0], absolute=True)
+
+    def days(*lines: LineSource) -> str:
+        return survey_dates(replace(demo, lines=lines))
+
+    assert days(one) == "2026-03-04"
+    assert days(one, two) == "2026-03-04 to 2026-03-05"
+    assert days(two, week) == days(lying) == ""
+    assert days(replace(one, path=tmp_path / "gone.las")) == ""
+
+
+@pytest.fixture
+def demo_folder(demo_project, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
+
+
+def test_auto_refuses_where_the_times_do_not_tell(
+    demo_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["identity", str(demo_folder), "--dates", "auto"]) == 1
+    assert "do not tell the date; type it" in capsys.readouterr().err
