@@ -18,6 +18,7 @@ from lispac.cli.estimate import print_result, project_numbers
 from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.export import export as export
 from lispac.cli.georeference import georeference as georeference
+from lispac.cli.history import history as history
 from lispac.cli.identity import identity as identity
 from lispac.cli.import_lines import import_lines as import_lines
 from lispac.cli.look import look as look

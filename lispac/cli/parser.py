@@ -10,6 +10,7 @@ from lispac.cli.values import (
     command,
     json_option,
     named_value,
+    picture_file,
     positive,
     system_options,
     triple,
@@ -36,6 +37,7 @@ def build_parser() -> argparse.ArgumentParser:
     _subsample(commands)
     _validate(commands)
     _compare(commands)
+    _history(commands)
     _georeference(commands)
     _export(commands)
     report_options.add(commands)
@@ -172,6 +174,21 @@ def _compare(commands: "Commands[argparse.ArgumentParser]") -> None:
         "projects", type=Path, nargs="+", metavar="PROJECT", help="two or more, the earliest first"
     )
     json_option(compare)
+
+
+def _history(commands: "Commands[argparse.ArgumentParser]") -> None:
+    history = command(
+        commands, "history", "list the calibrations of each system, and whether its mounting moved"
+    )
+    history.add_argument(
+        "folders", type=Path, nargs="+", metavar="FOLDER", help="searched for projects at any depth"
+    )
+    history.add_argument("--vessel", metavar="NAME", help="of this vessel only")
+    history.add_argument(
+        "--picture", type=picture_file, metavar="FILE",
+        help="control chart of the system with most calibrations, .png, .svg or .pdf",
+    )  # fmt: skip
+    json_option(history)
 
 
 def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:

@@ -5,6 +5,7 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from decimal import Decimal
+from pathlib import Path
 
 Commands = argparse._SubParsersAction  # the type argparse gives no public name
 
@@ -35,6 +36,14 @@ def named_value(text: str) -> tuple[str, str]:
 def surface(text: str) -> float | str:
     """A sigma, or ``auto``."""
     return text if text == "auto" else not_negative(text)
+
+
+def picture_file(text: str) -> Path:
+    """A file to draw to; its ending says in which form."""
+    path = Path(text)
+    if path.suffix.lower() not in (".png", ".svg", ".pdf"):
+        raise argparse.ArgumentTypeError(f"{text!r} does not end in .png, .svg or .pdf")
+    return path
 
 
 def json_option(parser: argparse.ArgumentParser) -> None:

@@ -159,19 +159,30 @@ def repeated(calibrations: Sequence[Calibration]) -> Repeated:
     """
     if len(calibrations) < 2:
         raise InputError("Repeatability needs at least two calibrations of the same mounting.")
-    start = calibrations[0].boresight
-    angles = np.array([
-        start + (each.boresight - start + np.pi) % (2.0 * np.pi) - np.pi for each in calibrations
-    ])  # fmt: skip
+    together, angles = mean_of(calibrations), _near(calibrations)
+    off = angles - together.boresight
     weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])
-    covariance = np.linalg.inv(weights.sum(axis=0))
-    mean = covariance @ np.einsum("nij,nj->i", weights, angles)
-    off = angles - mean
     statistic = float(np.einsum("ni,nij,nj->", off, weights, off))
     return Repeated(
-        mean,
-        np.sqrt(np.diag(covariance)),
+        together.boresight,
+        together.sigma,
         angles.std(axis=0, ddof=1),
         statistic,
         float(chi2.sf(statistic, 3 * (len(calibrations) - 1))),
     )
+
+
+def mean_of(calibrations: Sequence[Calibration], name: str = "mean") -> Calibration:
+    """The mean of one or more calibrations of one mounting, weighted by their covariances."""
+    weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])
+    covariance = np.linalg.inv(weights.sum(axis=0))
+    mean = covariance @ np.einsum("nij,nj->i", weights, _near(calibrations))
+    return Calibration(name, mean, covariance)
+
+
+def _near(calibrations: Sequence[Calibration]) -> Array:
+    """Their angles (n, 3), radians, each the short way round from the first."""
+    start = calibrations[0].boresight
+    return np.array([
+        start + (each.boresight - start + np.pi) % (2.0 * np.pi) - np.pi for each in calibrations
+    ])  # fmt: skip

@@ -30,25 +30,34 @@ def calibrations_of(folders: Sequence[Path]) -> tuple[list[Calibration], list[st
         seen.add(where)
         if project.result is None:
             raise ProjectError(f"{project.name}: there is no answer yet; estimate first.")
-    names = _names(projects)
+    names = names_of(projects)
     found = [
         Calibration(name, project.result.boresight, project.result.covariance)
         for name, project in zip(names, projects, strict=True)
         if project.result is not None
     ]
-    return found, _remarks(names, projects)
+    return found, remarks_on(names, projects)
 
 
-def _names(projects: Sequence[Project]) -> list[str]:
-    """Their own names; with the folder above them where two have the same."""
-    own = [project.name for project in projects]
+def names_of(projects: Sequence[Project]) -> list[str]:
+    """Their own names; with the folder above them, or all of it, where two have the same."""
+    paths = [project.folder.resolve() for project in projects]
+    kinds = [
+        [project.name for project in projects],
+        [
+            f"{path.parent.name}/{project.name}"
+            for path, project in zip(paths, projects, strict=True)
+        ],
+        [str(path) for path in paths],
+    ]
     return [
-        f"{project.folder.resolve().parent.name}/{name}" if own.count(name) > 1 else name
-        for name, project in zip(own, projects, strict=True)
+        next((kind[k] for kind in kinds if kind.count(kind[k]) == 1), kinds[-1][k])
+        for k in range(len(projects))
     ]
 
 
-def _remarks(names: Sequence[str], projects: Sequence[Project]) -> list[str]:
+def remarks_on(names: Sequence[str], projects: Sequence[Project]) -> list[str]:
+    """What makes the later ones hard to compare with the first."""
     said = []
     first = projects[0]
     for name, project in zip(names[1:], projects[1:], strict=True):

@@ -1,0 +1,84 @@
+"""``lispac history``: the calibrations of each system over the years."""
+
+import sys
+from argparse import Namespace
+from typing import Any
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.io.files import written_whole
+from lispac.validation.control_chart import limits
+from lispac.workflow.history import Entry, History, histories, verdict
+
+
+def history(arguments: Namespace) -> None:
+    """Print a table for each system; draw the first's chart where one is asked for."""
+    with ConsoleProgress() as progress:
+        found, remarks = histories(arguments.folders, vessel=arguments.vessel, progress=progress)
+    if arguments.picture is not None:
+        _draw(arguments, found[0])
+    if arguments.json:
+        print_json({"systems": [_system(each) for each in found], "remarks": list(remarks)})
+        return
+    for each in found:
+        _print(each)
+    sys.stdout.flush()
+    for remark in [*remarks, *(words for each in found for words in each.remarks)]:
+        print(f"note: {remark}", file=sys.stderr)
+
+
+def _print(history: History) -> None:
+    width = max(12, *(len(each.charted.calibration.name) for each in history.entries)) + 2
+    print(history.system.in_words)
+    heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
+    print(f"{'date':12s}{'calibration':{width}s}{heads}  deg")
+    for each in history.entries:
+        found = each.charted.calibration
+        cells = "".join(
+            f"{angle:+12.4f} {sigma:7.4f}"
+            for angle, sigma in zip(
+                np.degrees(found.boresight), np.degrees(found.sigma), strict=True
+            )
+        )
+        print(f"{each.day.isoformat():12s}{found.name:{width}s}{cells}")
+    for each in history.entries:
+        print(verdict(each))
+    print()
+
+
+def _draw(arguments: Namespace, history: History) -> None:
+    from lispac.report.control_charts import control_figure
+
+    figure = control_figure(
+        [each.day for each in history.entries], [each.charted for each in history.entries]
+    )
+    with written_whole(arguments.picture) as temporary:
+        figure.savefig(temporary, format=arguments.picture.suffix[1:].lower(), dpi=200)
+
+
+def _system(history: History) -> dict[str, Any]:
+    return {
+        "system": vars(history.system),
+        "calibrations": [_entry(each) for each in history.entries],
+        "remarks": list(history.remarks),
+    }
+
+
+def _entry(each: Entry) -> dict[str, Any]:
+    charted, reach = each.charted, limits(each.charted)
+    change = charted.change
+    return {
+        "day": each.day.isoformat(),
+        "name": charted.calibration.name,
+        "folder": str(each.project.folder),
+        "boresight_deg": np.degrees(charted.calibration.boresight).tolist(),
+        "sigma_deg": np.degrees(charted.calibration.sigma).tolist(),
+        "series": charted.series,
+        "limits_deg": None if reach is None else np.degrees(reach).tolist(),
+        "difference_deg": None if change is None else np.degrees(change.angles).tolist(),
+        "significance": None if change is None else change.significance.tolist(),
+        "probability": None if change is None else change.probability,
+        "moved": charted.moved,
+    }

@@ -1,0 +1,68 @@
+"""The control chart of a system: its calibrations over the years, angle by angle."""
+
+from collections.abc import Sequence
+from datetime import date
+
+import numpy as np
+from matplotlib.dates import AutoDateLocator, ConciseDateFormatter, date2num
+from matplotlib.figure import Figure
+
+from lispac.adjustment.result import ANGLES
+from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
+from lispac.validation.control_chart import Charted, limits
+from lispac.validation.repeatability import NORMAL_95
+
+LIMITS = "#dbe4ee"
+HALF = 0.35
+"""Of the time between two calibrations: how far limits reach to either side of theirs."""
+
+
+def control_figure(
+    days: Sequence[date], charted: Sequence[Charted], figure: Figure | None = None
+) -> Figure:
+    """Each angle with its 95 % interval, and the limits that those before it set for it.
+
+    Parameters
+    ----------
+    days : of the calibrations, the earliest first
+    """
+    figure = blank(figure, (6.3, 4.6))
+    panels = figure.subplots(3, 1, sharex=True)
+    # Calibrations of one day stand side by side.
+    at = np.array(date2num(list(days)), dtype=np.float64)  # type: ignore[no-untyped-call]
+    for k in range(1, len(at)):
+        at[k] = max(at[k], at[k - 1] + 0.03 * max(at[-1] - at[0], 1.0))
+    room = np.diff(at, prepend=at[0] - 30.0, append=at[-1] + 30.0)
+    moved = np.array([each.moved for each in charted])
+    for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
+        for j, each in enumerate(charted):
+            reach = limits(each)
+            if reach is not None and each.before is not None:
+                low, high = np.degrees(reach[:, k])
+                sides = at[j] - HALF * room[j], at[j] + HALF * room[j + 1]
+                axes.fill_between(sides, low, high, color=LIMITS, linewidth=0)
+                axes.hlines(np.degrees(each.before.boresight[k]), *sides, color=BEFORE, lw=1.0)
+        values = np.degrees([each.calibration.boresight[k] for each in charted])
+        reach = NORMAL_95 * np.degrees([each.calibration.sigma[k] for each in charted])
+        for own, colour in ((~moved, INK), (moved, AFTER)):
+            axes.errorbar(
+                at[own], values[own], yerr=reach[own], fmt="o", markersize=4, color=colour,
+                elinewidth=1.0, capsize=2.5,
+            )  # fmt: skip
+        dress(axes, "", f"{angle.capitalize()} (deg)")
+    for x, each in zip(at, charted, strict=True):
+        panels[0].annotate(
+            short_name(each.calibration.name), (x, 1.0), xycoords=("data", "axes fraction"),
+            xytext=(0, 3), textcoords="offset points", fontsize=SMALL, color=INK, rotation=25,
+            ha="left", va="bottom",
+        )  # fmt: skip
+    locator = AutoDateLocator()  # type: ignore[no-untyped-call]
+    panels[-1].xaxis.set_major_locator(locator)
+    formatter = ConciseDateFormatter(locator)  # type: ignore[no-untyped-call]
+    panels[-1].xaxis.set_major_formatter(formatter)
+    figure.supxlabel(
+        "Dot and bar: a calibration with its 95 % interval (brown: the mounting has moved). Line "
+        "and band:\nmean of those before, and three sigmas of the difference.",
+        fontsize=TEXT, color=INK,
+    )  # fmt: skip
+    return figure

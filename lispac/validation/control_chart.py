@@ -1,0 +1,80 @@
+"""Calibrations of one system in the order of time: has its mounting moved?
+
+Each calibration is held against the mean of those before it, as a control chart does (Shewhart),
+with limits of three sigmas of that very difference: calibrations are not equally good. One that
+lies beyond them begins a new series, whose mean no longer knows the mounting as it was.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import norm
+
+from lispac.validation.repeatability import Calibration, Difference, difference, mean_of
+
+Array = NDArray[np.float64]
+
+LIMIT = 3.0
+"""Sigmas of the difference from the mean, beyond which the mounting is said to have moved."""
+CHANCE = float(2.0 * norm.sf(LIMIT))
+"""Of that without a reason, taken for the three angles together."""
+
+
+@dataclass(frozen=True, eq=False)
+class Charted:
+    """A calibration in its chart.
+
+    Attributes
+    ----------
+    calibration : Calibration
+    series : int
+        Number of the series it belongs to, from 0.
+    before : Calibration, optional
+        Mean of those before it in the series that was running; None for the first of all.
+    change : Difference, optional
+        From that mean.
+    """
+
+    calibration: Calibration
+    series: int
+    before: Calibration | None = None
+    change: Difference | None = None
+
+    @property
+    def moved(self) -> bool:
+        """Whether the mounting has moved since the calibrations before."""
+        return self.change is not None and self.change.probability < CHANCE
+
+
+def control_chart(calibrations: Sequence[Calibration]) -> tuple[Charted, ...]:
+    """Hold each calibration against the mean of those before it.
+
+    Parameters
+    ----------
+    calibrations : of one system, the earliest first
+    """
+    charted: list[Charted] = []
+    running: list[Calibration] = []
+    for calibration in calibrations:
+        number = charted[-1].series if charted else 0
+        if not running:
+            each = Charted(calibration, number)
+        else:
+            mean = mean_of(running)
+            each = Charted(calibration, number, mean, difference(mean, calibration))
+        if each.moved:
+            each = Charted(calibration, number + 1, each.before, each.change)
+            running = []
+        running.append(calibration)
+        charted.append(each)
+    return tuple(charted)
+
+
+def limits(charted: Charted) -> Array | None:
+    """Lower and upper limits of the three angles, shape (2, 3), radians; None for the first."""
+    if charted.before is None or charted.change is None:
+        return None
+    reach = LIMIT * charted.change.sigma
+    return np.array([charted.before.boresight - reach, charted.before.boresight + reach])

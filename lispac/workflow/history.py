@@ -1,0 +1,224 @@
+"""The calibrations of a vessel's system over the years, from the projects that hold them."""
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.errors import LispacError, ProjectError
+from lispac.progress import Progress, no_progress
+from lispac.project import Project
+from lispac.validation.control_chart import Charted, control_chart
+from lispac.validation.repeatability import Calibration
+from lispac.workflow.projects import open_project
+from lispac.workflow.repeating import names_of, remarks_on
+from lispac.workflow.survey_dates import survey_dates
+
+_DAY = re.compile(r"(\d{4})-(\d{2})-(\d{2})")
+SYSTEM = ("vessel", "scanner", "scanner_serial", "pos", "pos_serial")
+"""Fields of the identity that tell one system from another."""
+
+
+@dataclass(frozen=True)
+class System:
+    """A scanner and an INS/GNSS on a vessel, as the projects name them; blank where they do not."""
+
+    vessel: str = ""
+    scanner: str = ""
+    scanner_serial: str = ""
+    pos: str = ""
+    pos_serial: str = ""
+
+    @classmethod
+    def of(cls, project: Project) -> "System":
+        """That of a project."""
+        return cls(*(getattr(project.identity, name) for name in SYSTEM))
+
+    @property
+    def in_words(self) -> str:
+        """Vessel, scanner and INS/GNSS with their serial numbers."""
+        parts = [
+            self.vessel,
+            f"{self.scanner} {self.scanner_serial}",
+            f"{self.pos} {self.pos_serial}",
+        ]
+        said = ", ".join(part.strip() for part in parts if part.strip())
+        return said or "a system that is not named"
+
+    def same(self, other: "System") -> bool:
+        """Whether the two have the same names, whatever capitals and blanks they are written in."""
+        return [_key(getattr(self, name)) for name in SYSTEM] == [
+            _key(getattr(other, name)) for name in SYSTEM
+        ]
+
+
+@dataclass(frozen=True, eq=False)
+class Entry:
+    """One calibration of the history."""
+
+    project: Project
+    day: date
+    charted: Charted
+
+
+@dataclass(frozen=True, eq=False)
+class History:
+    """The calibrations of one system, the earliest first, and what there is to say of them."""
+
+    system: System
+    entries: tuple[Entry, ...]
+    remarks: tuple[str, ...] = ()
+
+
+def projects_in(folders: Sequence[Path]) -> list[Path]:
+    """Folders of all projects in these folders, at any depth.
+
+    Raises
+    ------
+    ProjectError
+        One of them does not exist, or there is no project in any.
+    """
+    found: dict[Path, None] = {}
+    for folder in folders:
+        if not folder.is_dir():
+            raise ProjectError(f"{folder}: there is no such folder.")
+        for file in sorted(folder.rglob("project.json")):
+            found[file.parent] = None
+    if not found:
+        named = ", ".join(str(folder) for folder in folders)
+        raise ProjectError(
+            f"{named}: there is no project in it; name a folder that holds projects."
+        )
+    return list(found)
+
+
+def histories(
+    folders: Sequence[Path],
+    *,
+    vessel: str | None = None,
+    also: Iterable[Project] = (),
+    progress: Progress = no_progress,
+) -> tuple[tuple[History, ...], tuple[str, ...]]:
+    """The history of each system that has a calibration in these folders.
+
+    Parameters
+    ----------
+    folders : searched at any depth
+    vessel : only systems of this one
+    also : projects that are open, and are taken as they are instead of as they were saved
+
+    Returns
+    -------
+    histories : those with most calibrations first
+    remarks : what was left out, and why
+
+    Raises
+    ------
+    ProjectError
+        No project in the folders, or none with an answer and a date.
+    """
+    open_ones = {project.folder.resolve(): project for project in also}
+    paths = [path for path in projects_in(folders) if path.resolve() not in open_ones]
+    known: list[tuple[date, Project]] = []
+    remarks: list[str] = []
+    projects = list(open_ones.values())
+    for k, path in enumerate(paths):
+        progress(k / len(paths), f"Reading {path.name}")
+        try:
+            projects.append(open_project(path))
+        except LispacError as error:
+            remarks.append(f"Left out: {error}")
+    for project in projects:
+        day = _day_of(project)
+        if vessel is not None and _key(project.identity.vessel) != _key(vessel):
+            continue
+        if project.result is None:
+            remarks.append(f"Left out: {project.name} has no answer yet.")
+        elif day is None:
+            remarks.append(
+                f"Left out: {project.name} has no date; lispac identity {project.name} --dates, or "
+                "Details for the report, gives it one (2026-03-04)."
+            )
+        else:
+            known.append((day, project))
+    if not known:
+        raise ProjectError(" ".join([_nothing(vessel), *remarks]))
+    known.sort(key=lambda each: (each[0], str(each[1].folder)))
+    groups: list[list[tuple[date, Project]]] = []
+    for each in known:
+        system = System.of(each[1])
+        group = next((g for g in groups if System.of(g[0][1]).same(system)), None)
+        if group is None:
+            groups.append(group := [])
+        group.append(each)
+    found = sorted((_history(group) for group in groups), key=lambda each: -len(each.entries))
+    progress(1.0, f"{len(known)} calibrations of {len(found)} systems")
+    return tuple(found), tuple(remarks)
+
+
+def verdict(entry: Entry) -> str:
+    """What the calibrations before it say of one, in a sentence."""
+    charted = entry.charted
+    name, change = charted.calibration.name, charted.change
+    if change is None:
+        return f"{name} is the first."
+    largest = int(np.argmax(np.abs(change.significance)))
+    told = (
+        f"{ANGLES[largest]} by {np.degrees(change.angles[largest]):+.4f} deg, "
+        f"{abs(change.significance[largest]):.1f} of its sigmas"
+    ).replace("-", "\u2212")
+    if charted.moved:
+        return (
+            f"{name} differs from those before it ({told}): the mounting has moved, or one of the "
+            "calibrations is wrong. A new series begins."
+        )
+    return f"{name} agrees with those before it (most off: {told})."
+
+
+def _history(group: Sequence[tuple[date, Project]]) -> History:
+    projects = [project for _, project in group]
+    names = names_of(projects)
+    chart = control_chart([
+        Calibration(name, project.result.boresight, project.result.covariance)
+        for name, project in zip(names, projects, strict=True)
+        if project.result is not None
+    ])  # fmt: skip
+    remarks: list[str] = []
+    for k in range(1, len(projects)):
+        remarks += remarks_on(names[k - 1 : k + 1], projects[k - 1 : k + 1])
+    system = System.of(projects[0])
+    if not any(getattr(system, name) for name in SYSTEM):
+        remarks.append(
+            "These projects do not name vessel, scanner and INS/GNSS: whether they are of one "
+            "system is not known."
+        )
+    entries = [
+        Entry(project, day, charted) for (day, project), charted in zip(group, chart, strict=True)
+    ]
+    return History(system, tuple(entries), tuple(remarks))
+
+
+def _day_of(project: Project) -> date | None:
+    """First day of the survey: as it is stated, or else by the times of the lines."""
+    for text in (project.identity.dates, survey_dates(project)):
+        for found in _DAY.finditer(text):
+            try:
+                return date(*map(int, found.groups()))
+            except ValueError:
+                continue
+        if text:
+            return None  # stated, in words that are no date
+    return None
+
+
+def _nothing(vessel: str | None) -> str:
+    of = "" if vessel is None else f" of {vessel}"
+    return f"There is no calibration{of} with an answer and a date in these folders."
+
+
+def _key(text: str) -> str:
+    return " ".join(text.casefold().split())

@@ -1,0 +1,127 @@
+"""The history of a system: a mounting that moves is found, one that does not is left alone."""
+
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.identity import Identity
+from lispac.io.project_file import write_project
+from lispac.validation.control_chart import CHANCE, control_chart, limits
+from lispac.validation.repeatability import Calibration
+from lispac.workflow.history import System, histories
+from tests.report_sample import sample_project
+from tests.test_cli import answer, refused, run
+
+SIGMA = np.radians([0.008, 0.010, 0.025])
+
+
+def calibrations(rng: np.random.Generator, truth: np.ndarray) -> list[Calibration]:
+    """One of each row of ``truth`` (n, 3), not all equally good."""
+    made = []
+    for k, angles in enumerate(truth):
+        turned = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+        root = turned * SIGMA * rng.uniform(0.5, 2.0)
+        made.append(Calibration(f"C{k}", angles + root @ rng.normal(size=3), root @ root.T))
+    return made
+
+
+def test_alarms_without_a_reason_come_as_often_as_stated() -> None:
+    rng = np.random.default_rng(4)
+    alarms = total = 0
+    for _ in range(700):
+        chart = control_chart(calibrations(rng, np.zeros((6, 3))))
+        # After an alarm the series is short, and the next difference is no sample of the first.
+        for each in chart[1:]:
+            total += 1
+            if each.moved:
+                alarms += 1
+                break
+    expected = CHANCE * total
+    assert abs(alarms - expected) < 3.5 * np.sqrt(expected), (alarms, expected)
+
+
+def test_a_mounting_that_moved_begins_a_new_series() -> None:
+    truth = np.zeros((7, 3))
+    truth[4:, 1] = np.radians(0.2)
+    chart = control_chart(calibrations(np.random.default_rng(3), truth))
+    assert [each.series for each in chart] == [0, 0, 0, 0, 1, 1, 1]
+    assert [each.moved for each in chart] == [False] * 4 + [True] + [False] * 2
+    moved = chart[4]
+    assert moved.change is not None
+    assert np.degrees(moved.change.angles[1]) == pytest.approx(0.2, abs=4 * 0.022)
+    # The mean after it knows nothing of those before.
+    assert chart[6].before is not None
+    assert np.degrees(chart[6].before.boresight[1]) == pytest.approx(0.2, abs=4 * 0.022)
+    reach = limits(moved)
+    assert reach is not None
+    assert not reach[0, 1] < moved.calibration.boresight[1] < reach[1, 1]
+    assert limits(chart[0]) is None
+
+
+def surveyed(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "Nordlys") -> None:
+    project = sample_project(folder)
+    result = project.result
+    assert result is not None
+    turned = result.boresight + np.radians([0.0, pitch_deg, 0.0])
+    project = replace(
+        project,
+        result=replace(result, mounting=result.mounting.with_boresight(turned)),
+        identity=Identity(vessel=vessel, scanner="VZ-400i", scanner_serial="S1", dates=day),
+    )
+    write_project(project)
+
+
+def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    surveyed(tmp_path / "2024" / "spring", "2024-05-02", pitch_deg=0.001)
+    surveyed(tmp_path / "2025" / "spring", "2025-05-02 to 2025-05-03")
+    surveyed(tmp_path / "autumn", "2025-09-30", pitch_deg=0.3, vessel="nordlys ")
+    surveyed(tmp_path / "other", "2025-07-01", vessel="Aurora")
+    surveyed(tmp_path / "undated", "last summer")
+    picture = tmp_path / "chart.png"
+    found = answer(capsys, "history", tmp_path, "--picture", picture)
+    first, other = found["systems"]
+    assert first["system"]["vessel"] == "Nordlys"
+    assert [each["day"] for each in first["calibrations"]] == [
+        "2024-05-02", "2025-05-02", "2025-09-30",
+    ]  # fmt: skip
+    names = [each["name"] for each in first["calibrations"]]
+    assert names == ["2024/spring", "2025/spring", "autumn"]
+    assert [each["moved"] for each in first["calibrations"]] == [False, False, True]
+    assert first["calibrations"][2]["difference_deg"][1] == pytest.approx(0.2995, abs=1e-6)
+    assert [each["name"] for each in other["calibrations"]] == ["other"]
+    assert any("undated has no date" in remark for remark in found["remarks"])
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    code, out, error = run(capsys, "history", tmp_path, "--vessel", "AURORA")
+    assert code == 0
+    assert "Aurora, VZ-400i S1" in out
+    assert "spring" not in out
+    assert "undated" not in error  # it is of the other vessel
+    code, out, _ = run(capsys, "history", tmp_path, "--vessel", "Nordlys")
+    assert "autumn differs from those before it (pitch by +0.2995 deg" in out
+
+
+def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    assert "there is no such folder" in refused(capsys, "history", tmp_path / "gone")
+    (tmp_path / "empty").mkdir()
+    assert "there is no project in it" in refused(capsys, "history", tmp_path / "empty")
+    surveyed(tmp_path / "a", "2024-05-02")
+    assert "of Fram" in refused(capsys, "history", tmp_path, "--vessel", "Fram")
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b" / "project.json").write_text("{}")
+    found = answer(capsys, "history", tmp_path)
+    assert any("b" in remark and "Left out" in remark for remark in found["remarks"])
+
+
+def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
+    surveyed(tmp_path / "a", "2024-05-02")
+    surveyed(tmp_path / "b", "2025-05-02")
+    from lispac.io.project_file import read_project
+
+    opened = read_project(tmp_path / "b")
+    opened = replace(opened, identity=opened.identity.changed(dates="2023-01-01"))
+    (history,), _ = histories([tmp_path], also=[opened])
+    assert [each.day for each in history.entries] == [date(2023, 1, 1), date(2024, 5, 2)]
+    assert history.system.same(System("NORDLYS", "vz-400i", "s1"))
