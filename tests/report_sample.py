@@ -226,7 +226,9 @@ def sample_project(folder: Path, *, model: str = "correlated", target: str = "T1
     )
 
 
-def sample_content(project: Project, generated: datetime = MADE) -> ReportContent:
+def sample_content(
+    project: Project, generated: datetime = MADE, convention: str = ""
+) -> ReportContent:
     along = np.linspace(-40, 40, 9)
     tracks = {
         line: np.stack([along * np.cos(np.radians(h)), -along * np.sin(np.radians(h))], axis=1)
@@ -239,4 +241,5 @@ def sample_content(project: Project, generated: datetime = MADE) -> ReportConten
         track_local=tracks,
         notes=("the SBET times are taken as GPS seconds of week",),
         generated=generated,
+        convention=convention,
     )

@@ -13,14 +13,10 @@ from lispac.survey.conventions.conversion import Setup, mounting_of, mounting_of
 from lispac.survey.conventions.present import Present, present_of_matrix, replacement
 from lispac.survey.conventions.systems import system
 from lispac.survey.conventions.typed import matrix_of_text, product_of_matrix
+from lispac.survey.conventions.words import THESIS_MODE
 from lispac.workflow.projects import open_project
 
 Array = NDArray[np.float64]
-
-THESIS_MODE = (
-    "The POS errors were taken as independent (thesis mode): these sigmas are several times too "
-    "small."
-)
 
 
 def angles(arguments: Namespace) -> None:

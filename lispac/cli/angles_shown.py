@@ -13,7 +13,12 @@ from lispac.survey.conventions.conversion import Setup, Stated, state
 from lispac.survey.conventions.correction import SUM_MATTERS, Correction
 from lispac.survey.conventions.present import Replacement
 from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, SYSTEMS, Status
-from lispac.survey.conventions.words import boresight_words, lever_arm_words, offsets_words
+from lispac.survey.conventions.words import (
+    CHECK_FIRST,
+    boresight_words,
+    lever_arm_words,
+    offsets_words,
+)
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -27,10 +32,6 @@ _NEW: dict[Status, str] = {
 }
 """What the new angles are called: nobody should type in an assumption without reading it."""
 OF_PROJECT = "estimated"
-CHECK_FIRST = (
-    "These angles are right if the assumption above is: prove it on one line over a known "
-    "surface before use."
-)
 
 
 @dataclass(frozen=True, eq=False)

@@ -31,6 +31,7 @@ from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
 from lispac.workflow import demo as demo_survey
 from lispac.workflow import projects
 from lispac.workflow.export import write_report
+from lispac.workflow.report_options import report_options
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate as validated
 
@@ -129,9 +130,10 @@ def validate(arguments: Namespace) -> None:
 
 def report(arguments: Namespace) -> None:
     """Write the report."""
+    options = report_options(arguments.template, arguments.page or "", arguments.convention or "")
     project, survey = _open(arguments.project)
     with ConsoleProgress() as progress:
-        write_report(project, survey, arguments.output, progress=progress)
+        write_report(project, survey, arguments.output, options=options, progress=progress)
     print(arguments.output)
 
 

@@ -36,3 +36,13 @@ def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
         metavar="FILE",
         help=".pdf, .html, .json, or .zip for all tables as CSV",
     )
+    report.add_argument("--page", choices=("a4", "letter"), help="size of the paper (default a4)")
+    report.add_argument(
+        "--convention", metavar="SYSTEM",
+        help="also state the boresight as this program has it; `lispac angles` lists them",
+    )  # fmt: skip
+    report.add_argument(
+        "--template", type=Path, metavar="FILE",
+        help="TOML file with what a company always wants: logo (PNG or SVG beside it), company, "
+        "heading, closing, page, convention; --page and --convention go before it",
+    )  # fmt: skip

@@ -1,6 +1,5 @@
 """What is computed from a project: counts, the comparison, placed lines, and what is exported."""
 
-import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,7 +12,6 @@ from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
 from lispac.gui.tasks import TaskRunner
-from lispac.gui.viewport.base import Viewport
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -55,8 +53,6 @@ class Computing(QObject):
     counted = Signal(object)
     """A PointCount."""
     validated = Signal()
-    exported = Signal(object)
-    """The path that was written."""
 
     def __init__(
         self,
@@ -64,11 +60,10 @@ class Computing(QObject):
         runner: TaskRunner,
         scene: Scene,
         controller: Controller,
-        viewport: Viewport,
     ) -> None:
         super().__init__(controller)
         self._document, self._runner, self._scene = document, runner, scene
-        self._controller, self._viewport = controller, viewport
+        self._controller = controller
         self._subsample = 0.0
         self._stale_count = False
         self.distance_to = SIX_POINT_PLANE
@@ -159,25 +154,6 @@ class Computing(QObject):
             key="placed",
         )
 
-    def export_report(self, path: Path) -> None:
-        """Write the report with pictures of the view."""
-        project, survey = self._ready()
-        if project is None or survey is None:
-            return
-        folder = tempfile.TemporaryDirectory(prefix="lispac-")
-        pictures = self._pictures(Path(folder.name))
-
-        def work(progress: Progress) -> Path:
-            from lispac.workflow.export import write_report
-
-            try:
-                write_report(project, survey, path, pictures=pictures, progress=progress)
-            finally:
-                folder.cleanup()
-            return path
-
-        self._runner.run("Writing the report", work, self._written, lasting=True)
-
     def export(self, request: ExportRequest) -> None:
         """Write lines, targets or the trajectory."""
         project, survey = self._ready()
@@ -195,30 +171,8 @@ class Computing(QObject):
                 self._controller.noted.emit(note)
             count = "" if len(paths) == 1 else f" ({len(paths)} files)"
             self._controller.noted.emit(f"Wrote {request.output}{count}")
-            self.exported.emit(request.output)
 
         self._runner.run(f"Writing {WORDS[request.what]}", work, done, lasting=True)
-
-    def _written(self, path: Path) -> None:
-        self._controller.noted.emit(f"Wrote {path}")
-        self.exported.emit(path)
-
-    def _pictures(self, folder: Path) -> dict[str, Path]:
-        """The view as it is, before and after."""
-        shown = self._scene.which
-        captions: dict[Which, str] = {
-            "prior": "The lines placed with the prior boresight",
-            "estimated": "The lines placed with the estimated boresight",
-        }
-        pictures = {}
-        for which, caption in captions.items():
-            if which == "estimated" and not self._scene.has_estimated:
-                continue
-            self._scene.show(which)
-            pictures[caption] = folder / f"{which}.png"
-            self._viewport.screenshot(pictures[caption])
-        self._scene.show(shown)
-        return pictures
 
     def _ready(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current

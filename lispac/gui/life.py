@@ -149,14 +149,6 @@ class ProjectLife(QObject):
                 self._controller.reject()
         self._estimating.estimate(settings, cross_check)
 
-    def export_report(self) -> None:
-        """Ask where the report goes, and write it."""
-        project = self._document.project
-        if project is not None and project.result is not None:
-            path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
-            if path is not None:
-                self._computing.export_report(path)
-
     @property
     def exports(self) -> dict[str, Callable[[], None]]:
         """What is exported besides the report, by the name of its action."""

@@ -75,9 +75,7 @@ class MainWindow(QMainWindow):
         self.runner = TaskRunner(self)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
-        self.computing = Computing(
-            self.document, self.runner, self.scene, self.controller, viewport
-        )
+        self.computing = Computing(self.document, self.runner, self.scene, self.controller)
         self.estimating = Estimating(self.document, self.runner, self.scene, self.controller)
         self.life = ProjectLife(
             self.document, self.controller, self.computing, self.estimating, self.scene,
@@ -210,7 +208,6 @@ class MainWindow(QMainWindow):
             "add_lines": self.life.add_lines,
             "save": self.controller.save,
             "save_as": self.life.save_as,
-            "report": self.life.export_report,
             **self.life.exports,
             "quit": self.close,
             "seed_target": lambda: self._seed_as("target"),

@@ -1,9 +1,17 @@
-"""The report from the window: its details."""
+"""The report from the window: its details, how it is wanted, and writing it."""
 
+import tempfile
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from lispac.errors import InputError
+from lispac.gui.scene import Which
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.report.options import ReportOptions
+from lispac.workflow.survey import Survey
 from lispac.workflow.survey_dates import survey_dates
 
 if TYPE_CHECKING:
@@ -16,19 +24,94 @@ class Reporting(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._document, self._dialogs = window.document, window.dialogs
-        window.report.report_asked.connect(window.life.export_report)
+        self._runner, self._controller = window.runner, window.controller
+        self._scene, self._viewport = window.scene, window.viewport
+        self._panel, self._settings = window.report, window.settings
+        self._panel.show_choice(self._settings.report_choice())
+        self._panel.report_asked.connect(self.export)
+        self._panel.template_asked.connect(self.ask_template)
+        self._panel.changed.connect(self._remember)
+        window.actions_["report"].triggered.connect(lambda _=False: self.export())
         for panel in (window.data, window.report):
             panel.details_asked.connect(self.ask_details)
 
     def ask_details(self) -> None:
         """Ask who, when and with what: one undo step."""
-        project = self._document.project
+        project, survey = self._document.project, self._survey
         if project is None:
             return
-        survey = self._document.survey if self._document.survey_is_current else None
         answer = self._dialogs.identity(
             project.identity, lambda: "" if survey is None else survey_dates(project, survey)
         )
         current = self._document.project  # a task may have ended meanwhile
         if answer is not None and current is not None and answer != current.identity:
             self._document.edit("details for the report", current.with_identity(answer))
+
+    def ask_template(self) -> None:
+        """Ask for a template."""
+        last = self._settings.report_choice()[0]
+        path = self._dialogs.report_template(Path(last).parent if last else Path.home())
+        if path is not None:
+            self._panel.show_template(path)
+            self._remember()
+
+    def export(self) -> None:
+        """Ask where the report goes, and write it with pictures of the view."""
+        project, survey, options = self._document.project, self._survey, self._options()
+        if project is None or project.result is None or survey is None or options is None:
+            return
+        path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
+        if path is not None:
+            self._write(project, survey, options, path)
+
+    def _write(self, project: Project, survey: Survey, options: ReportOptions, path: Path) -> None:
+        folder = tempfile.TemporaryDirectory(prefix="lispac-")
+        pictures = self._pictures(Path(folder.name))
+
+        def work(progress: Progress) -> Path:
+            from lispac.workflow.export import write_report
+
+            try:
+                write_report(
+                    project, survey, path, pictures=pictures, options=options, progress=progress
+                )
+            finally:
+                folder.cleanup()
+            return path
+
+        self._runner.run("Writing the report", work, self._written, lasting=True)
+
+    def _written(self, path: Path) -> None:
+        self._controller.noted.emit(f"Wrote {path}")
+
+    def _options(self) -> ReportOptions | None:
+        """How the report is wanted; None where that has been refused."""
+        try:
+            return self._panel.options()
+        except InputError as error:
+            self._controller.refused.emit(error)
+            return None
+
+    def _remember(self) -> None:
+        self._settings.keep_report_choice(self._panel.choice)
+
+    @property
+    def _survey(self) -> Survey | None:
+        return self._document.survey if self._document.survey_is_current else None
+
+    def _pictures(self, folder: Path) -> dict[str, Path]:
+        """The view as it is, before and after."""
+        shown = self._scene.which
+        captions: dict[Which, str] = {
+            "prior": "The lines placed with the prior boresight",
+            "estimated": "The lines placed with the estimated boresight",
+        }
+        pictures = {}
+        for which, caption in captions.items():
+            if which == "estimated" and not self._scene.has_estimated:
+                continue
+            self._scene.show(which)
+            pictures[caption] = folder / f"{which}.png"
+            self._viewport.screenshot(pictures[caption])
+        self._scene.show(shown)
+        return pictures

@@ -4,6 +4,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from lispac.report.options import Page
+
 Status = Literal["bad", "fair", "good"]
 
 
@@ -95,6 +97,18 @@ class Section:
 
 
 @dataclass(frozen=True)
+class Letterhead:
+    """What a company wants on page one: logo and name above the title, a text below it."""
+
+    logo: Picture | None = None
+    company: str = ""
+    heading: str = ""
+
+
+NO_LETTERHEAD = Letterhead()
+
+
+@dataclass(frozen=True)
 class Document:
     """The whole report; ``identity`` and ``summary`` stand on page one, above and below the
     warnings."""
@@ -110,3 +124,5 @@ class Document:
     cautions: tuple[str, ...]
     summary: tuple[Block, ...]
     sections: tuple[Section, ...]
+    page: Page = "a4"
+    letterhead: Letterhead = NO_LETTERHEAD

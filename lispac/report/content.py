@@ -20,6 +20,7 @@ from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
 from lispac.report.cautions import cautions_of
+from lispac.report.convention_values import in_convention, scanner_to_body
 from lispac.report.diagnostics import (
     components_of,
     cross_checked,
@@ -64,6 +65,7 @@ def report_content(
     notes: Sequence[str],
     generated: datetime,
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
+    convention: str = "",
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Gather what a report says about a project, finished or not.
@@ -78,6 +80,12 @@ def report_content(
     generated : datetime
         Taken as UTC where it has no time zone.
     qualities : by the names of target and line
+    convention : key of another program, to state the boresight as that has it; empty for none
+
+    Raises
+    ------
+    InputError
+        Where there is no such program.
 
     Notes
     -----
@@ -116,6 +124,8 @@ def report_content(
         qualities=tuple(
             _judged(*key, each, by_hand=key in edited) for key, each in (qualities or {}).items()
         ),
+        in_convention=in_convention(project, convention) if convention else None,
+        matrix=scanner_to_body(project),
     )
     also = doubles(project)
     found = doubts(project.result, project.cross_checks, also) if project.result else also

@@ -5,10 +5,20 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.report import sections
-from lispac.report.blocks import Block, Document, Picture, Section, Status
+from lispac.report.blocks import (
+    Block,
+    Document,
+    Letterhead,
+    Paragraph,
+    Picture,
+    Section,
+    Status,
+)
 from lispac.report.boresight_section import boresight
 from lispac.report.checks_section import cross_checks, reliability
+from lispac.report.convention_section import other_programs
 from lispac.report.identity_section import identity, signature
+from lispac.report.options import USUAL, ReportOptions
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
 from lispac.report.validation_section import validation
@@ -16,22 +26,26 @@ from lispac.report.values import ReportContent
 from lispac.report.wording import moment
 
 
-def document_of(content: ReportContent, pictures: Mapping[str, Path]) -> Document:
+def document_of(
+    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
+) -> Document:
     """Put a report's content into words.
 
     Parameters
     ----------
     pictures : file of a PNG or SVG picture by its caption
+    options : its page and letterhead; the convention is a matter of the content
 
     Raises
     ------
     InputError
-        Where a picture cannot be read.
+        Where a picture or the logo cannot be read.
     """
     serious = tuple(c.text for c in content.cautions if c.severity == "serious")
     status, verdict = _verdict(content, bool(serious))
     parts = [
         _section("Boresight and its uncertainty", boresight(content)),
+        _section("Values for other programs", other_programs(content)),
         _section("Targets and residuals", sections.residuals(content)),
         _section("Quality of the sightings", quality_of_sightings(content)),
         _section("Reliability of the sightings", reliability(content)),
@@ -51,8 +65,18 @@ def document_of(content: ReportContent, pictures: Mapping[str, Path]) -> Documen
         identity=identity(content),
         serious=serious,
         cautions=tuple(c.text for c in content.cautions if c.severity != "serious"),
-        summary=(*sections.summary(content), signature(content)),
+        summary=(
+            *sections.summary(content),
+            *(Paragraph(text) for text in options.closing.split("\n\n") if text),
+            signature(content),
+        ),
         sections=tuple(section for section in parts if section.blocks),
+        page=options.page,
+        letterhead=Letterhead(
+            None if options.logo is None else _picture("", options.logo),
+            options.company,
+            options.heading,
+        ),
     )
 
 

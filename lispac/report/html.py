@@ -7,12 +7,15 @@ from pathlib import Path
 
 from lispac.report.blocks import Picture
 from lispac.report.document import document_of
+from lispac.report.options import USUAL, ReportOptions
 from lispac.report.values import ReportContent
 
 _MEDIA = {".png": "image/png", ".svg": "image/svg+xml"}
 
 
-def html_text(content: ReportContent, pictures: Mapping[str, Path]) -> str:
+def html_text(
+    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
+) -> str:
     """The report as HTML; every text in it is escaped, every picture is inside."""
     from jinja2 import Environment, StrictUndefined
 
@@ -22,17 +25,22 @@ def html_text(content: ReportContent, pictures: Mapping[str, Path]) -> str:
     environment.filters["data_uri"] = _data_uri
     template = files("lispac.report") / "templates" / "report.html.j2"
     page = environment.from_string(template.read_text(encoding="utf-8"))
-    return page.render(document=document_of(content, pictures)) + "\n"
+    return page.render(document=document_of(content, pictures, options)) + "\n"
 
 
-def write_html(content: ReportContent, path: Path, pictures: Mapping[str, Path]) -> None:
+def write_html(
+    content: ReportContent,
+    path: Path,
+    pictures: Mapping[str, Path],
+    options: ReportOptions = USUAL,
+) -> None:
     """Write the report as one HTML file.
 
     Parameters
     ----------
     pictures : file of a PNG or SVG picture by its caption
     """
-    path.write_text(html_text(content, pictures), encoding="utf-8", newline="\n")
+    path.write_text(html_text(content, pictures, options), encoding="utf-8", newline="\n")
 
 
 def _data_uri(picture: Picture) -> str:

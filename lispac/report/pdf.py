@@ -16,13 +16,19 @@ from typing import Any
 from lispac.errors import LispacError
 from lispac.report.blocks import Document
 from lispac.report.document import document_of
+from lispac.report.options import USUAL, ReportOptions
 from lispac.report.values import ReportContent
 
 LONGEST_WORD = 24
 """Letters after which a word may break: file names have no blanks."""
 
 
-def write_pdf(content: ReportContent, path: Path, pictures: Mapping[str, Path]) -> None:
+def write_pdf(
+    content: ReportContent,
+    path: Path,
+    pictures: Mapping[str, Path],
+    options: ReportOptions = USUAL,
+) -> None:
     """Write the report as PDF.
 
     Parameters
@@ -36,7 +42,7 @@ def write_pdf(content: ReportContent, path: Path, pictures: Mapping[str, Path]) 
     """
     import typst
 
-    document = document_of(content, pictures)
+    document = document_of(content, pictures, options)
     with tempfile.TemporaryDirectory(prefix="lispac-report-") as name:
         folder = Path(name)
         text = _lay_out(document, folder)
@@ -76,6 +82,9 @@ def _lay_out(document: Document, folder: Path) -> str:
                 block["file"] = f"picture-{pictures}{block['suffix']}"
                 (folder / block["file"]).write_bytes(block.pop("data"))
                 pictures += 1
+    if logo := values["letterhead"]["logo"]:
+        logo["file"] = f"logo{logo['suffix']}"
+        (folder / logo["file"]).write_bytes(logo.pop("data"))
     text = json.dumps(values, ensure_ascii=False)
     (folder / "document.json").write_text(text, encoding="utf-8")
     return text

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.identity import Identity
+from lispac.report.convention_values import InConvention, ScannerToBody
 from lispac.report.validation_values import ValidationPlane
 
 
@@ -347,3 +348,5 @@ class ReportContent:
     files: tuple[InputFile, ...]
     notes: tuple[str, ...]
     qualities: tuple[SightingJudged, ...] = ()
+    in_convention: InConvention | None = None
+    matrix: ScannerToBody | None = None

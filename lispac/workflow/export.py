@@ -11,6 +11,7 @@ from lispac.io.files import written_whole
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
+from lispac.report.options import USUAL, ReportOptions
 from lispac.workflow.qualities import qualities
 from lispac.workflow.survey import Survey
 
@@ -22,6 +23,7 @@ def content_of(
     survey: Survey,
     *,
     generated: datetime | None = None,
+    convention: str = "",
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Numbers of the report."""
@@ -37,6 +39,7 @@ def content_of(
         notes=survey.notes,
         generated=generated or datetime.now(UTC),
         qualities=qualities(project, survey, progress=progress),
+        convention=convention,
     )
 
 
@@ -46,6 +49,8 @@ def write_report(
     path: Path,
     *,
     pictures: Mapping[str, Path] | None = None,
+    options: ReportOptions = USUAL,
+    generated: datetime | None = None,
     progress: Progress = no_progress,
 ) -> None:
     """Write the report as PDF, HTML, JSON or its tables as CSV, by the ending of ``path``.
@@ -53,6 +58,8 @@ def write_report(
     Parameters
     ----------
     pictures : mapping of caption to PNG file, optional
+    options : page, convention and letterhead; see `lispac.workflow.report_options`
+    generated : the moment the report says it was made at; now, if not given
 
     Raises
     ------
@@ -65,7 +72,10 @@ def write_report(
             f"{path}: a report is written as {', '.join(REPORT_ENDINGS)}; end its name so."
         )
     progress(0.0, "Collecting the report")
-    content = content_of(project, survey, progress=part(progress, 0.0, 0.3))
+    content = content_of(
+        project, survey, generated=generated, convention=options.convention,
+        progress=part(progress, 0.0, 0.3),
+    )  # fmt: skip
     progress(0.3, f"Writing {path.name}")
     with written_whole(path) as temporary:
         if ending == ".json":
@@ -79,9 +89,9 @@ def write_report(
         elif ending == ".html":
             from lispac.report.html import write_html
 
-            write_html(content, temporary, pictures or {})
+            write_html(content, temporary, pictures or {}, options)
         else:
             from lispac.report.pdf import write_pdf
 
-            write_pdf(content, temporary, pictures or {})
+            write_pdf(content, temporary, pictures or {}, options)
     progress(1.0, "Report written")

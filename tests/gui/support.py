@@ -67,6 +67,9 @@ class ScriptedDialogs(Dialogs):
     def report_file(self, start: Path) -> Path | None:
         return self.path
 
+    def report_template(self, start: Path) -> Path | None:
+        return self.path
+
     def seed_list_file(self, start: Path) -> Path | None:
         return self.path
 

@@ -1,8 +1,13 @@
-"""The report from the window: its details."""
+"""The report from the window: its details, and how it is wanted."""
+
+from pathlib import Path
 
 from PySide6.QtWidgets import QLabel, QLineEdit, QPlainTextEdit, QPushButton, QWidget
 
+from lispac.gui.panels.report import ReportPanel
+from lispac.gui.panels.widgets import Choice
 from lispac.identity import NAMES
+from lispac.report.options import ReportOptions
 from tests.gui.support import Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_at import hand
 
@@ -60,3 +65,54 @@ def test_what_is_wrong_is_said_and_cancel_changes_nothing(opened: Driver) -> Non
     click(opened, opened.window.data.details)
     assert opened.project is before
     assert opened.window.document.undo_stack.count() == 0
+
+
+def choose(driver: Driver, box: Choice, index: int) -> None:
+    """Open the list and take an entry by the keyboard."""
+    box.setFocus()
+    driver.bot.keyClick(box, Key.Key_Home)
+    for _ in range(index):
+        driver.bot.keyClick(box, Key.Key_Down)
+    assert box.currentIndex() == index
+
+
+def test_page_convention_and_template_reach_the_file_and_are_remembered(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    open_step(adjusted, REPORT)
+    panel = adjusted.window.report
+    template = tmp_path / "own.toml"
+    template.write_text('heading = "Order 4711"\npage = "letter"\nconvention = "qinsy"\n')
+    adjusted.dialogs.path = template
+    click(adjusted, panel.findChild(QPushButton, "report_template_choose"))
+    assert panel.options() == ReportOptions("letter", "qinsy", heading="Order 4711")
+    names = [panel.convention.itemText(k) for k in range(panel.convention.count())]
+    choose(adjusted, panel.convention, names.index("Applanix POS MV, LVX, POSPac (verified)"))
+    adjusted.dialogs.path = tmp_path / "r.html"
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert adjusted.dialogs.errors == []
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "Order 4711" in text
+    assert "size: letter;" in text
+    assert "Convention of Applanix" in text
+    assert adjusted.window.settings.report_choice() == (str(template), "letter", "applanix")
+    fresh = ReportPanel()
+    fresh.show_choice(adjusted.window.settings.report_choice())
+    assert fresh.options() == panel.options()
+    click(adjusted, panel.no_template)
+    assert panel.options() == ReportOptions("letter", "applanix")
+
+
+def test_a_bad_template_is_said_at_once_and_refused(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT)
+    panel = adjusted.window.report
+    adjusted.dialogs.path = tmp_path / "own.toml"
+    adjusted.dialogs.path.write_text("colour = 'red'")
+    click(adjusted, panel.findChild(QPushButton, "report_template_choose"))
+    assert "has no colour" in panel.said.text()
+    assert panel.said.isVisible()
+    click(adjusted, panel.report)
+    (error,) = adjusted.dialogs.errors
+    assert "has no colour" in str(error)
+    assert not adjusted.window.runner.active

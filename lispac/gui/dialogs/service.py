@@ -127,6 +127,13 @@ class Dialogs:
         endings = {"PDF": ".pdf", "HTML": ".html", "Numbers": ".json", "Tables": ".zip"}
         return path if path.suffix else path.with_suffix(endings[kind.split(" ")[0]])
 
+    def report_template(self, start: Path) -> Path | None:
+        """The template of a company's reports."""
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent, "Template of the report", str(start), "Report template (*.toml)"
+        )
+        return Path(name) if name else None
+
     def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
         """Where a picture goes; the ending chooses its kind, else the filter does."""
         filters = ";;".join(f"{kind} (*.{kind.lower()})" for kind in kinds)

@@ -1,24 +1,47 @@
 """Step 5: what leaves the program."""
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QWidget
+from dataclasses import replace
+from pathlib import Path
 
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
+
+from lispac.errors import InputError
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
+from lispac.report.options import PAGES, USUAL, ReportOptions
+from lispac.survey.conventions.systems import LISPAC, STATUS_WORDS, SYSTEMS
+from lispac.workflow.report_options import report_options
+
+OTHERS = tuple(each for each in SYSTEMS if each.key != LISPAC.key)
+NO_TEMPLATE = "None"
 
 
 class ReportPanel(QWidget):
-    """Exports the report and the georeferenced lines."""
+    """Says how the report is wanted; exports it and the georeferenced lines."""
 
     report_asked = Signal()
     lines_asked = Signal()
     details_asked = Signal()
+    template_asked = Signal()
+    changed = Signal()
+    """How the report is wanted is another."""
 
     def __init__(self) -> None:
         super().__init__()
+        self._template: Path | None = None
         layout = widgets.column(self)
         self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
         layout.addWidget(self.advice)
+        self.details = widgets.button(
+            "Details for the report…", "report_details", icon="card-account-details-outline",
+            tip="Surveyor, vessel, instruments, dates: what page one says of who, when and with "
+            "what",
+        )  # fmt: skip
+        layout.addWidget(self.details)
+        layout.addLayout(self._choices())
+        self.said = widgets.label("", "error", wrap=True, name="report_said")
+        layout.addWidget(self.said)
         self.report = widgets.button(
             "Export report…", "export_report", icon="file-document-outline", primary=True,
             tip="PDF, HTML or JSON; pictures of the view before and after go into it (Ctrl+E)",
@@ -27,17 +50,58 @@ class ReportPanel(QWidget):
             "Export georeferenced lines…", "export_lines", icon="export-variant",
             tip="Every line as LAZ or LAS in a coordinate system of your choice (Ctrl+Shift+E)",
         )  # fmt: skip
-        self.details = widgets.button(
-            "Details for the report…", "report_details", icon="card-account-details-outline",
-            tip="Surveyor, vessel, instruments, dates: what page one says of who, when and with "
-            "what",
-        )  # fmt: skip
         self.details.clicked.connect(self.details_asked)
         self.report.clicked.connect(self.report_asked)
         self.lines.clicked.connect(self.lines_asked)
-        layout.addWidget(self.details)
         layout.addWidget(self.report)
         layout.addWidget(self.lines)
+        self.show_template(None)
+
+    @property
+    def choice(self) -> tuple[str, str, str]:
+        """Template, page and convention, to be remembered."""
+        template = "" if self._template is None else str(self._template)
+        options = self._chosen(USUAL)
+        return template, options.page, options.convention
+
+    def options(self) -> ReportOptions:
+        """How the report is wanted.
+
+        Raises
+        ------
+        InputError
+            Where the template cannot be used any more.
+        """
+        return self._chosen(report_options(self._template))
+
+    def show_choice(self, choice: tuple[str, str, str]) -> None:
+        """Fill in what was chosen last; what is no longer there is left out."""
+        template, page, convention = choice
+        self.show_template(Path(template) if template else None)
+        if page in PAGES:
+            self.page.setCurrentIndex(list(PAGES).index(page))
+        keys = ["", *(each.key for each in OTHERS)]
+        if template or convention:
+            self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
+
+    def show_template(self, path: Path | None) -> None:
+        """Take a template's page and convention over, or say what is wrong with it."""
+        self._template = path
+        self.template.setText(NO_TEMPLATE if path is None else path.name)
+        self.template.setToolTip("" if path is None else str(path))
+        self.no_template.setVisible(path is not None)
+        self.said.setText("")
+        if path is not None:
+            try:
+                options = report_options(path)
+            except InputError as error:
+                self.said.setText(str(error))
+            else:
+                self.page.setCurrentIndex(list(PAGES).index(options.page))
+                keys = ["", *(each.key for each in OTHERS)]
+                if options.convention in keys:
+                    self.convention.setCurrentIndex(keys.index(options.convention))
+        self.said.setVisible(bool(self.said.text()))
 
     def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
         """What can be exported now."""
@@ -45,3 +109,46 @@ class ReportPanel(QWidget):
         self.details.setEnabled(data_ready)
         self.report.allow(status.ready and not busy)
         self.lines.allow(data_ready and not busy)
+
+    def _choices(self) -> QFormLayout:
+        self.page = widgets.Choice("report_page", list(PAGES.values()), "Size of the paper")
+        names = [f"{each.name} ({STATUS_WORDS[each.status].lower()})" for each in OTHERS]
+        self.convention = widgets.Choice(
+            "report_convention", ["This program alone", *names],
+            "Also state the boresight as another program has it",
+        )  # fmt: skip
+        self.template = widgets.label(name="report_template")
+        self.template.setTextFormat(Qt.TextFormat.PlainText)
+        # A long name is cut off rather than to widen the panel; the tip has all of it.
+        self.template.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        choose = widgets.button(
+            "Choose…", "report_template_choose",
+            tip="TOML file with logo, company, own texts, page and convention",
+        )  # fmt: skip
+        self.no_template = widgets.button("Without", "report_template_none", tip="Use no template")
+        choose.clicked.connect(self.template_asked)
+        self.no_template.clicked.connect(lambda: self._changed(None))
+        row = QHBoxLayout()
+        row.addWidget(self.template, 1)
+        row.addWidget(self.no_template)
+        row.addWidget(choose)
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow("Page", self.page)
+        form.addRow("Values also for", self.convention)
+        form.addRow("Template", row)
+        for box in (self.page, self.convention):
+            box.activated.connect(lambda _index: self.changed.emit())
+        return form
+
+    def _changed(self, template: Path | None) -> None:
+        self.show_template(template)
+        self.changed.emit()
+
+    def _chosen(self, options: ReportOptions) -> ReportOptions:
+        keys = ["", *(each.key for each in OTHERS)]
+        return replace(
+            options,
+            page=list(PAGES)[self.page.currentIndex()],
+            convention=keys[self.convention.currentIndex()],
+        )

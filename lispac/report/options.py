@@ -1,0 +1,34 @@
+"""What can be chosen of a report: its page, whose convention its values are in, its letterhead."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+Page = Literal["a4", "letter"]
+PAGES: dict[Page, str] = {"a4": "A4", "letter": "Letter"}
+"""Sizes of paper and what they are called."""
+
+
+@dataclass(frozen=True)
+class ReportOptions:
+    """How a report is wanted.
+
+    Attributes
+    ----------
+    convention : key of the program whose convention the boresight is stated in, besides this
+        program's; empty for none
+    logo : PNG or SVG file at the top of page one
+    company : line or lines beside it
+    heading : text under the title
+    closing : text above the signature
+    """
+
+    page: Page = "a4"
+    convention: str = ""
+    logo: Path | None = None
+    company: str = ""
+    heading: str = ""
+    closing: str = ""
+
+
+USUAL = ReportOptions()

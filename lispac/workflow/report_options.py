@@ -1,0 +1,88 @@
+"""The options of a report, of which a template holds what a company always wants."""
+
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from lispac.errors import InputError
+from lispac.io.files import require_file
+from lispac.report.options import PAGES, USUAL, Page, ReportOptions
+from lispac.survey.conventions.systems import system
+
+KEYS = ("logo", "company", "heading", "closing", "page", "convention")
+LONGEST = 2000
+"""Letters of a text of a template."""
+
+
+def report_options(
+    template: Path | None = None, page: str = "", convention: str = ""
+) -> ReportOptions:
+    """Options from a template, if there is one, and what is chosen besides, which goes before it.
+
+    Raises
+    ------
+    InputError
+        With what is wrong in the template or of the choice.
+    """
+    options = USUAL if template is None else _of_template(Path(template))
+    if page:
+        options = replace(options, page=_page(page))
+    if convention:
+        options = replace(options, convention=system(convention).key)
+    return options
+
+
+def _of_template(path: Path) -> ReportOptions:
+    require_file(path, "report template")
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise InputError(
+            f"{path}: this report template is no TOML file ({error}); it holds lines such as "
+            'company = "Levés du Fleuve".'
+        ) from error
+    for key, value in content.items():
+        if key not in KEYS:
+            raise InputError(
+                f"{path}: a report template has no {key}; it can have {', '.join(KEYS)}."
+            )
+        if not isinstance(value, str):
+            raise InputError(f"{path}: {key} must be a text in quotation marks.")
+    try:
+        return ReportOptions(
+            page=_page(content.get("page", USUAL.page)),
+            convention=system(content["convention"]).key if content.get("convention") else "",
+            logo=_logo(path.parent / content["logo"]) if content.get("logo") else None,
+            **{key: _text(key, content.get(key, "")) for key in ("company", "heading", "closing")},
+        )
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
+
+
+def _page(text: Any) -> Page:
+    for page in PAGES:
+        if text.strip().lower() == page:
+            return page
+    raise InputError(f"There is no page {text}; choose one of {', '.join(PAGES)}.")
+
+
+def _logo(path: Path) -> Path:
+    require_file(path, "logo")
+    suffix = path.suffix.lower()
+    start = path.read_bytes()[:4096]
+    if suffix == ".png" and start.startswith(b"\x89PNG\r\n\x1a\n"):
+        return path
+    if suffix == ".svg" and b"<svg" in start:
+        return path
+    raise InputError(f"{path}: a logo is a PNG or SVG picture; this file is neither.")
+
+
+def _text(key: str, text: str) -> str:
+    tidy = "\n".join(line.strip() for line in text.strip().splitlines())
+    if len(tidy) > LONGEST or any(not (c.isprintable() or c == "\n") for c in tidy):
+        raise InputError(
+            f"{key} is longer than {LONGEST:,} letters or holds one that cannot be printed; "
+            "change it."
+        )
+    return tidy

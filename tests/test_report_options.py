@@ -1,0 +1,247 @@
+"""What can be chosen of a report: page, convention of the values, and a company's template."""
+
+import csv
+import json
+import re
+import zipfile
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import InputError
+from lispac.project import Project
+from lispac.report.content import ReportContent
+from lispac.report.html import html_text
+from lispac.report.options import USUAL, ReportOptions
+from lispac.report.pdf import write_pdf
+from lispac.report.tables import write_tables
+from lispac.survey.conventions.conversion import Setup, mounting_of, mounting_of_angles
+from lispac.survey.conventions.systems import SYSTEMS, system
+from lispac.survey.conventions.words import CHECK_FIRST
+from lispac.survey.georeferencing import Mounting
+from lispac.workflow.report_options import KEYS, report_options
+from tests.report_sample import sample_content, sample_project
+from tests.test_report import _page, _pdf_text
+
+LOGO = (
+    b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10">'
+    b'<rect width="20" height="9"/></svg>'
+)
+TEMPLATE = '''
+logo = "art/logo.svg"
+company = """Levés du Fleuve inc.
+12, rue du Quai"""
+heading = "Order 4711"
+closing = "Valid until an instrument is moved."
+page = "Letter"
+convention = "Applanix"
+'''
+LEVER_ARM = np.array([-0.1856, 0.0377, 2.4191])
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    made = sample_project(tmp_path_factory.mktemp("options") / "harbour")
+    assert made.result is not None
+    mounting = Mounting(LEVER_ARM, made.result.mounting.boresight)
+    return replace(made, result=replace(made.result, mounting=mounting))
+
+
+@pytest.fixture
+def template(tmp_path: Path) -> Path:
+    (tmp_path / "art").mkdir()
+    (tmp_path / "art" / "logo.svg").write_bytes(LOGO)
+    path = tmp_path / "fleuve.toml"
+    path.write_text(TEMPLATE, encoding="utf-8")
+    return path
+
+
+def _content(project: Project, key: str) -> ReportContent:
+    return sample_content(project, convention=key)
+
+
+def test_a_template_holds_what_a_company_wants(template: Path) -> None:
+    options = report_options(template)
+    assert options == ReportOptions(
+        "letter", "applanix", template.parent / "art" / "logo.svg",
+        "Levés du Fleuve inc.\n12, rue du Quai", "Order 4711",
+        "Valid until an instrument is moved.",
+    )  # fmt: skip
+    assert set(KEYS) == set(asdict(options))
+    chosen = report_options(template, "a4", "qinsy")
+    assert (chosen.page, chosen.convention) == ("a4", "qinsy")
+    assert report_options() == USUAL
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("colour = 'red'", "has no colour; it can have logo, company"),
+        ("page = 'a5'", "There is no page a5; choose one of a4, letter"),
+        ("page = 4", "page must be a text in quotation marks"),
+        ("convention = 'lidarsoft'", "There is no system named lidarsoft"),
+        ("company = Fleuve", "this report template is no TOML file"),
+        ("logo = 'none.png'", r"none\.png: there is no such logo file"),
+        ("logo = 'own.toml'", "a logo is a PNG or SVG picture; this file is neither"),
+        ('heading = "a\\u0007b"', "heading is longer than 2,000 letters or holds one that"),
+    ],
+)
+def test_a_bad_template_is_refused_in_one_sentence(tmp_path: Path, text: str, said: str) -> None:
+    path = tmp_path / "own.toml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=said) as refusal:
+        report_options(path)
+    assert str(refusal.value).startswith(str(path))
+    assert "\n" not in str(refusal.value)
+
+
+def test_a_template_that_is_not_there_or_not_text_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="there is no such report template file"):
+        report_options(tmp_path / "gone.toml")
+    (tmp_path / "odd.toml").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(InputError, match="is no TOML file"):
+        report_options(tmp_path / "odd.toml")
+
+
+def test_letterhead_and_texts_stand_in_pdf_and_html(
+    project: Project, template: Path, tmp_path: Path
+) -> None:
+    options = report_options(template)
+    content = _content(project, options.convention)
+    write_pdf(content, tmp_path / "r.pdf", {}, options)
+    first = _pdf_text(tmp_path / "r.pdf", "-f", "1", "-l", "1")
+    places = [
+        first.index(text)
+        for text in ("12, rue du Quai", "Order 4711", "CALIBRATED", "Valid until", "Signature")
+    ]
+    assert places == sorted(places)
+    page = _page(html_text(content, {}, options))
+    words = "".join(page.words)
+    assert all(text in words for text in ("12, rue du Quai", "Order 4711", "Valid until"))
+    assert page.sources[0].startswith("data:image/svg+xml;base64,")
+
+
+def test_pages_have_the_size_that_is_chosen(project: Project, tmp_path: Path) -> None:
+    content = sample_content(project)
+    boxes = {}
+    for page in ("a4", "letter"):
+        options = replace(USUAL, page=page)
+        write_pdf(content, tmp_path / f"{page}.pdf", {}, options)
+        data = (tmp_path / f"{page}.pdf").read_bytes()
+        boxes[page] = {
+            tuple(map(float, box.split())) for box in re.findall(rb"/MediaBox ?\[([^]]*)\]", data)
+        }
+        assert f"size: {'A4' if page == 'a4' else 'letter'};" in html_text(content, {}, options)
+    (a4,), (letter,) = boxes["a4"], boxes["letter"]
+    # 210 by 297 mm, and 8.5 by 11 inches, at 72 points an inch
+    assert a4[2:] == pytest.approx((210 / 25.4 * 72, 297 / 25.4 * 72), abs=0.01)
+    assert letter[2:] == (612, 792)
+
+
+@pytest.mark.parametrize("key", [each.key for each in SYSTEMS if each.has_angles])
+def test_angles_of_a_convention_lead_back_to_the_boresight(project: Project, key: str) -> None:
+    found = _content(project, key).in_convention
+    assert found is not None
+    assert project.result is not None
+    angles = np.radians([angle.value_deg for angle in found.angles])
+    back = mounting_of_angles(Setup(system(key)), angles, np.array(found.lever_arm_m))
+    np.testing.assert_allclose(
+        back.rotation_body_lidar, project.result.mounting.rotation_body_lidar, atol=1e-12
+    )
+    np.testing.assert_allclose(back.lever_arm, LEVER_ARM, atol=1e-12)
+    assert all(angle.sigma_deg for angle in found.angles)
+
+
+def test_applanix_turns_the_pitch_round(project: Project) -> None:
+    found = _content(project, "applanix").in_convention
+    assert found is not None
+    roll, pitch, heading = found.angles
+    # For angles so small the two conventions differ by signs: X forward, Y starboard, Z down.
+    assert roll.value_deg == pytest.approx(0.43951, abs=1e-9)
+    assert pitch.value_deg == pytest.approx(1.86812, abs=1e-9)
+    assert heading.value_deg == pytest.approx(0.39923, abs=1e-9)
+    assert [a.sigma_deg for a in found.angles] == pytest.approx([0.0163, 0.0291, 0.0376])
+    assert found.check_first == ""
+
+
+@pytest.mark.parametrize("key", ["applanix", "qinsy", "hypack", "pdal", "riprocess"])
+def test_report_tells_values_and_how_sure_they_are(
+    project: Project, key: str, tmp_path: Path
+) -> None:
+    content = _content(project, key)
+    found = content.in_convention
+    assert found is not None
+    write_pdf(content, tmp_path / "r.pdf", {})
+    pdf = re.sub(r"\s+", " ", _pdf_text(tmp_path / "r.pdf"))
+    html = " ".join(_page(html_text(content, {})).words).replace("\u2212", "-")
+    for text in (pdf, html):
+        for angle in found.angles:
+            assert f"{angle.value_deg:+.4f}" in text
+            assert f"{angle.sigma_deg:.4f}" in text
+        assert found.status_in_words in text
+        assert (CHECK_FIRST in text) == (found.status != "verified")
+        assert found.assumption[:40] in text
+    assert bool(found.angles) == system(key).has_angles
+
+
+def test_thesis_mode_says_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
+    content = sample_content(
+        sample_project(tmp_path / "t", model="independent"), convention="qinsy"
+    )
+    assert content.in_convention is not None
+    assert content.in_convention.caution in "".join(_page(html_text(content, {})).words)
+    assert "several times too small" in content.in_convention.caution
+
+
+def test_the_matrix_is_that_of_the_boresight(project: Project, tmp_path: Path) -> None:
+    content = sample_content(project)
+    assert content.matrix is not None
+    assert project.result is not None
+    transform = np.array(content.matrix.transform)
+    np.testing.assert_array_equal(content.matrix.rotation, transform[:3, :3])
+    back = mounting_of(Setup(system("pdal")), transform[:3, :3], transform[:3, 3])
+    np.testing.assert_allclose(back.boresight, project.result.mounting.boresight, atol=1e-14)
+    np.testing.assert_allclose(back.lever_arm, LEVER_ARM, atol=1e-15)
+    # By hand: PDAL's body is forward, starboard, down, so Y and Z are turned round.
+    point = np.array([3.0, -20.0, 5.0])
+    ours = project.result.mounting.rotation_body_lidar @ point + LEVER_ARM
+    np.testing.assert_allclose((transform @ [*point, 1])[:3], ours * [1, -1, -1], atol=1e-12)
+    write_tables(content, tmp_path / "r.zip")
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        (name,) = (n for n in archive.namelist() if "matrix-from-scanner" in n)
+        head, *rows = csv.reader(archive.read(name).decode("utf-8-sig").splitlines())
+    assert head == ["Scanner X", "Scanner Y", "Scanner Z", "Lever arm (m)"]
+    np.testing.assert_allclose(np.array(rows, dtype=float), transform, atol=0.51e-10)
+
+
+def test_nothing_is_stated_of_what_is_not_estimated(project: Project) -> None:
+    content = _content(replace(project, result=None, validation=()), "applanix")
+    assert content.in_convention is None
+    assert content.matrix is None
+    assert "Values for other programs" not in html_text(content, {})
+
+
+def test_the_command_takes_page_convention_and_template(
+    demo_project: Project, template: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def words(output: str, *more: object) -> list[str]:
+        where = ["report", demo_project.folder, "--output", tmp_path / output]
+        return [str(word) for word in (*where, *more)]
+
+    assert main(words("r.html", "--template", template, "--page", "a4")) == 0
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "size: A4;" in text
+    assert "Order 4711" in text
+    with pytest.raises(SystemExit):
+        main(words("r.html", "--page", "a5"))
+    capsys.readouterr()
+    assert main(words("none.json", "--convention", "lidarsoft")) == 1
+    assert "There is no system named lidarsoft" in capsys.readouterr().err
+    assert not (tmp_path / "none.json").exists()
+    assert main(words("r.json", "--convention", "applanix")) == 0
+    data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
+    assert data["calibrated"] is False  # the demo as it is made: nothing is estimated
+    assert data["in_convention"] is None
