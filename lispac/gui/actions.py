@@ -61,6 +61,10 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                  "Adjust boresight and planes together"),
     "validate": ("&Validate", "Validate", "check-decagram-outline", "F10",
                  "Compare the lines on the validation planes"),
+    "history": ("Calibrations over the &years…", "History", "", "F11",
+                "All calibrations of a vessel's system: has its mounting moved?"),
+    "subsampling": ("&Subsampling study…", "Subsampling", "", "Shift+F9",
+                    "Adjust with points nearer together and farther apart, and compare"),
     "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
                "Stop; nothing is changed"),
     "before": ("&Before (prior boresight)", "Before", "history", "",
@@ -117,8 +121,8 @@ _MENUS: dict[str, Menu] = {
         "lasso_add",
         "lasso_remove",
     ),
-    "&Adjust": ("estimate", "", "cancel"),
-    "Va&lidate": ("validate",),
+    "&Adjust": ("estimate", "", "subsampling", "", "cancel"),
+    "Va&lidate": ("validate", "", "history"),
     "&Help": ("keys", "about"),
 }
 _TOOLBAR = (

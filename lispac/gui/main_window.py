@@ -35,6 +35,7 @@ from lispac.gui.scene import Scene
 from lispac.gui.seeding import Seeding
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
+from lispac.gui.studies import Studies
 from lispac.gui.target_work import TargetWork
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import undressed
@@ -92,6 +93,7 @@ class MainWindow(QMainWindow):
         TargetWork(self)
         Seeding(self)
         Reporting(self)
+        Studies(self)
         FileDrops(self).dropped.connect(self.life.take_in)
         self._refresh()
 

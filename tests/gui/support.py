@@ -73,6 +73,9 @@ class ScriptedDialogs(Dialogs):
     def seed_list_file(self, start: Path) -> Path | None:
         return self.path
 
+    def folder_of_projects(self, start: Path) -> Path | None:
+        return self.path
+
     def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
         self.asked.append(start.name)
         return self.path

@@ -13,12 +13,14 @@ from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.error import error_box
 from lispac.gui.dialogs.export import ExportDialog
 from lispac.gui.dialogs.find_again import FindAgainDialog
+from lispac.gui.dialogs.history import HistoryDialog
 from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
+from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
@@ -27,9 +29,11 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.settings import FinderChoices
 from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
+from lispac.workflow.history import History
 from lispac.workflow.intake import ImportRequest
 from lispac.workflow.proposing import Proposal
 from lispac.workflow.seed_lists import ListedSeed, Outcome
+from lispac.workflow.subsampling import Subsampled
 
 Answer = Literal["save", "discard", "cancel"]
 DropAnswer = Literal["add", "new", "cancel"]
@@ -115,6 +119,25 @@ class Dialogs:
             self.parent, "Save project as: name of its new folder", str(start), "Folder (*)"
         )
         return Path(name) if name else None
+
+    def folder_of_projects(self, start: Path) -> Path | None:
+        """A folder that holds projects."""
+        name = QFileDialog.getExistingDirectory(
+            self.parent, "Folder with the projects of all calibrations", str(start)
+        )
+        return Path(name) if name else None
+
+    def history(self, histories: Sequence[History], remarks: Sequence[str]) -> None:
+        """Show the calibrations of each system."""
+        dialog = HistoryDialog(histories, remarks, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def subsampling(self, found: Sequence[Subsampled], used: float) -> None:
+        """Show the answers with other distances between the points; ``used`` is the project's."""
+        dialog = SubsamplingDialog(found, used, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
 
     def report_file(self, start: Path) -> Path | None:
         """Where the report goes; the ending chooses its kind."""

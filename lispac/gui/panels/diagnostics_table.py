@@ -124,6 +124,15 @@ class DiagnosticsTable(QTableWidget):
         if selected is not None:
             self.select(*selected)
 
+    def as_text(self) -> str:
+        """What it shows, tabs between the columns: a spreadsheet takes them apart."""
+        heads = [column.title for column in self._columns]
+        rows = [
+            [self.item(row, column).text().replace("−", "-") for column in range(len(heads))]
+            for row in range(self.rowCount())
+        ]
+        return "".join("\t".join(row) + "\n" for row in [heads, *rows])
+
     def key(self, row: int) -> Key | None:
         """What a row is about."""
         item = self.item(row, 0)

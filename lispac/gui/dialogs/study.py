@@ -1,0 +1,67 @@
+"""What a study found: a table, sentences, a plot where there is one, and both to copy."""
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
+
+from lispac.gui.panels import widgets
+from lispac.gui.panels.diagnostics_table import DiagnosticsTable
+
+
+class StudyDialog(QDialog):
+    """Shown until it is closed; nothing in it changes the project.
+
+    Parameters
+    ----------
+    name : of the dialogue, for its widgets
+    """
+
+    def __init__(
+        self, name: str, title: str, words: str, table: DiagnosticsTable, parent: QWidget | None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName(f"{name}_dialog")
+        self.setWindowTitle(title)
+        self.table = table
+        self.body: QVBoxLayout = widgets.column(self, 16)
+        self.body.addWidget(widgets.label(words, wrap=True))
+        self.body.addWidget(table, 1)
+        self.said = widgets.label("", wrap=True, name=f"{name}_said")
+        self.body.addWidget(self.said)
+        self.canvas: QWidget | None = None
+        self.copy_numbers = widgets.button(
+            "Copy numbers", f"{name}_numbers", tip="Copy the table for a spreadsheet"
+        )
+        self.copy_numbers.clicked.connect(
+            lambda: QGuiApplication.clipboard().setText(table.as_text())
+        )
+        self.copy_picture = widgets.button(
+            "Copy picture", f"{name}_picture", tip="Copy the plot as it is shown"
+        )
+        self.copy_picture.clicked.connect(self._copy_picture)
+        self.copy_picture.hide()
+        close = widgets.button("Close", f"{name}_close", primary=True)
+        close.setDefault(True)
+        close.clicked.connect(self.accept)
+        row = QHBoxLayout()
+        row.addWidget(self.copy_numbers)
+        row.addWidget(self.copy_picture)
+        row.addStretch(1)
+        row.addWidget(close)
+        self._buttons = row
+        self.body.addLayout(row)
+
+    def figure(self):
+        """The figure of the plot, which stands below the table."""
+        if self.canvas is None:
+            from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+            from matplotlib.figure import Figure
+
+            self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+            self.canvas.setMinimumSize(560, 340)
+            self.body.insertWidget(self.body.indexOf(self._buttons), self.canvas, 2)
+            self.copy_picture.show()
+        return self.canvas.figure
+
+    def _copy_picture(self) -> None:
+        if self.canvas is not None:
+            QGuiApplication.clipboard().setPixmap(self.canvas.grab())

@@ -1,0 +1,123 @@
+"""Studies in the window: calibrations over the years, and the distance between points."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication, QDialog
+
+from lispac.gui.dialogs.history import HistoryDialog
+from lispac.gui.dialogs.subsampling import SubsamplingDialog
+from lispac.identity import Identity
+from lispac.io.project_file import write_project
+from lispac.project import Project
+from tests.gui.support import Driver
+from tests.report_sample import sample_project
+
+Key, Left = Qt.Key, Qt.MouseButton.LeftButton
+SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
+
+
+def answered(driver: Driver, look) -> None:
+    """Look at the dialogue that comes, and close it with Enter; its errors are the test's."""
+    failed: list[BaseException] = []
+    tries = 0
+
+    def wait() -> None:
+        nonlocal tries
+        dialog = QApplication.activeModalWidget()
+        tries += 1
+        if not isinstance(dialog, QDialog) and tries < 1200:
+            QTimer.singleShot(50, wait)
+            return
+        try:
+            look(dialog)
+        except BaseException as error:
+            failed.append(error)
+        finally:
+            if isinstance(dialog, QDialog):
+                driver.bot.keyClick(dialog, Key.Key_Return)
+
+    QTimer.singleShot(50, wait)
+    driver.rest()
+    assert QApplication.activeModalWidget() is None
+    if failed:
+        raise failed[0]
+
+
+@pytest.fixture
+def surveys(tmp_path: Path) -> Path:
+    """A folder with last year's calibration of the vessel."""
+    folder = tmp_path / "surveys" / "2025"
+    project = sample_project(folder)
+    write_project(replace(project, identity=replace(SYSTEM, dates="2025-04-02")))
+    return folder.parent
+
+
+def test_the_open_answer_is_held_against_last_years(
+    adjusted: Driver, surveys: Path, estimated: Project
+) -> None:
+    document = adjusted.window.document
+    document.edit("details", document.project.with_identity(replace(SYSTEM, dates="2026-04-05")))
+    adjusted.rest()
+    adjusted.dialogs.path = surveys
+    assert estimated.result is not None
+    pitch = np.degrees(estimated.result.boresight[1])
+
+    def look(dialog: HistoryDialog) -> None:
+        assert isinstance(dialog, HistoryDialog)
+        assert dialog.table.rowCount() == 2
+        days = [dialog.table.item(row, 0).text() for row in range(2)]
+        assert days == ["2025-04-02", "2026-04-05"]
+        assert dialog.table.item(1, 4).text().replace("−", "-") == f"{pitch:+.4f}"
+        assert dialog.table.item(1, 12).text() == "has moved"  # another system's angles
+        assert "Nordlys, VZ-400i" in dialog.system.currentText()
+        assert len(dialog.canvas.figure.axes) == 3
+        adjusted.bot.mouseClick(dialog.copy_numbers, Left)
+        assert "2026-04-05\t" in QGuiApplication.clipboard().text()
+        adjusted.bot.mouseClick(dialog.copy_picture, Left)
+        assert QGuiApplication.clipboard().pixmap().width() >= 560
+
+    adjusted.bot.keyClick(adjusted.window, Key.Key_F11)
+    answered(adjusted, look)
+
+
+def test_a_folder_without_projects_is_told(driver: Driver, tmp_path: Path) -> None:
+    driver.dialogs.path = tmp_path
+    driver.bot.keyClick(driver.window, Key.Key_F11)
+    driver.rest()
+    (error,) = driver.dialogs.errors
+    assert "there is no project in it" in str(error)
+
+
+def test_fewer_points_and_more(adjusted: Driver) -> None:
+    project = adjusted.project
+
+    def look(dialog: SubsamplingDialog) -> None:
+        assert isinstance(dialog, SubsamplingDialog)
+        points = [
+            int(dialog.table.item(row, 1).text().replace(",", ""))
+            for row in range(dialog.table.rowCount())
+        ]
+        assert points == sorted(points, reverse=True)
+        assert dialog.table.item(0, 0).text() == "all points"
+        used = [dialog.table.item(row, 0).text() for row in range(len(points))]
+        own = used.index(f"{project.settings.subsample:.2f}")
+        assert project.result is not None
+        assert points[own] == project.result.points
+        shown = dialog.table.item(own, 2).text().replace("−", "-")
+        assert shown == f"{np.degrees(project.result.boresight[0]):+.4f}"
+
+    action = adjusted.window.actions_["subsampling"]
+    assert action.isEnabled()
+    action.trigger()
+    answered(adjusted, look)
+    assert adjusted.project is project
+
+
+def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:
+    assert not opened.window.actions_["subsampling"].isEnabled()
+    assert opened.window.actions_["history"].isEnabled()
