@@ -166,7 +166,7 @@ def _plane(name: str, scale: float, pairs: tuple[tuple[str, str, bool], ...]) ->
     states = [
         PairState(
             distances,
-            SignedStatistics(400, off, off, 0.002, 0.0011, share),
+            SignedStatistics(400, off, off, 0.002, 0.0011, share, float(np.hypot(off, 0.002))),
             PlaneOffset(off, 0.0002, tilt, 1e-5, -tilt / 3, 2e-5, 3),
         )
         for distances, off, share, tilt in zip(

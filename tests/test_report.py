@@ -94,6 +94,13 @@ def _shown_numbers(data: dict) -> list[str]:
     test = adjustment["chi_square"]
     numbers += [f"{test[key]:,.1f}" for key in ("statistic", "lower", "upper")]
     numbers += [f"{100 * v:.2f}" for e in adjustment["effects"] for v in e["displacement_m"]]
+    numbers += [
+        f"{100 * at[key]:.2f}" for at in adjustment["s44"] for key in ("thu95_m", "tvu95_m")
+    ]
+    for each in data["swath_overlap"]:
+        numbers += [f"{1000 * each[f'rmsd_{when}_m']:,.1f}" for when in ("before", "after")]
+        numbers.append(f"{each['places']:,}")
+    numbers += [f"{value:.10f}" for row in data["matrix"]["transform"] for value in row]
     fits = [*adjustment["targets"], *adjustment["sightings"]]
     numbers += [f"{1000 * fit[f'rms_{w}_m']:.1f}" for fit in fits for w in ("before", "after")]
     numbers += [f"{1000 * s['mean_after_m']:+.1f}" for s in adjustment["sightings"]]

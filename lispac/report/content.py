@@ -1,7 +1,6 @@
 """What a report says, as numbers: the one content behind PDF, HTML and JSON."""
 
 import hashlib
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -16,7 +15,6 @@ from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubles
-from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
 from lispac.report.cautions import cautions_of
@@ -29,13 +27,13 @@ from lispac.report.diagnostics import (
     reliability_of,
     seen,
 )
+from lispac.report.displacement import EFFECT_DISTANCES_M, effects, in_words_of_s44
 from lispac.report.settings_used import CONVENTION, settings_used
-from lispac.report.validation_values import ValidationPlane
+from lispac.report.validation_values import ValidationPlane, swath_overlap
 from lispac.report.values import (
     Adjustment,
     Angle,
     Chi2,
-    Effect,
     InputFile,
     Line,
     PickedPlane,
@@ -52,8 +50,6 @@ Array = NDArray[np.float64]
 
 NORMAL_95 = 1.96
 """Half width of the 95 % interval of a normal variable, in standard deviations."""
-
-EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
 
 
 def report_content(
@@ -115,6 +111,7 @@ def report_content(
         adjustment=_adjustment(project.result, headings_deg) if project.result else None,
         cross_checks=cross_checked(project.cross_checks),
         validation=tuple(ValidationPlane.of(plane) for plane in project.validation),
+        swath_overlap=swath_overlap(project.validation),
         not_compared=tuple(project.not_compared.values()),
         planes=tuple(_picked(target) for target in project.targets),
         lines=lines,
@@ -202,7 +199,8 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
         rms_before_m=result.rms_before,
         rms_after_m=result.rms_after,
         effect_distances_m=EFFECT_DISTANCES_M,
-        effects=_effects(result),
+        effects=effects(result),
+        s44=in_words_of_s44(result),
         targets=tuple(
             TargetFit(
                 t.target,
@@ -280,24 +278,6 @@ def _chi_square(result: AdjustmentResult) -> Chi2:
             "the angles."
         )
     return Chi2(test.statistic, test.lower, test.upper, test.passed, words)
-
-
-def _effects(result: AdjustmentResult) -> tuple[Effect, ...]:
-    """Displacements by each angle's sigma, and by all together where they add up worst.
-
-    A small change of the angles turns the cloud by a vector w with covariance W = J C J'. It moves
-    a point at distance d in direction u by d (w x u), whose mean square length is
-    d^2 (trace W - u' W u): largest along the eigenvector of W's smallest eigenvalue.
-    """
-    rotation = rotation_matrix(*result.boresight)
-    turning = rotation_derivatives(*result.boresight) @ rotation.T  # skew matrices of J's columns
-    jacobian = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]])
-    eigenvalues = np.linalg.eigvalsh(jacobian @ result.covariance @ jacobian.T)
-    rates = [*result.sigma, math.sqrt(eigenvalues[1] + eigenvalues[2])]
-    return tuple(
-        Effect(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
-        for name, rate in zip((*ANGLES, "worst direction"), rates, strict=True)
-    )
 
 
 def _picked(target: Target) -> PickedPlane:

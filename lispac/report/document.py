@@ -21,6 +21,7 @@ from lispac.report.identity_section import identity, signature
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
+from lispac.report.standards_section import standards
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
@@ -45,6 +46,7 @@ def document_of(
     status, verdict = _verdict(content, bool(serious))
     parts = [
         _section("Boresight and its uncertainty", boresight(content)),
+        _section("Figures in the words of standards", standards(content)),
         _section("Values for other programs", other_programs(content)),
         _section("Targets and residuals", sections.residuals(content)),
         _section("Quality of the sightings", quality_of_sightings(content)),

@@ -1,7 +1,8 @@
 """The values of the validation: a part of `values`, made from the comparisons of the lines."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import degrees
+from math import degrees, sqrt
 
 from lispac.validation.plane_offset import PlaneOffset
 from lispac.validation.profile import Profile
@@ -48,13 +49,14 @@ class Signed:
     robust_sigma_m: float
     interval95_m: float
     significant_share: float
+    rms_m: float | None
 
     @classmethod
     def of(cls, values: SignedStatistics) -> "Signed":
         """The same figures."""
         return cls(
             values.n, values.mean, values.median, values.robust_sigma, values.half_width,
-            values.significant,
+            values.significant, values.rms,
         )  # fmt: skip
 
 
@@ -176,3 +178,50 @@ class ValidationPlane:
             by_height=None if plane.by_height is None else Against.of(plane.by_height),
             by_range=None if plane.by_range is None else Against.of(plane.by_range),
         )
+
+
+@dataclass(frozen=True)
+class SwathDifference:
+    """Root mean square of the signed distances between the lines that overlap on a plane.
+
+    ``plane`` is empty where all planes are taken together; ``places`` are those after.
+    """
+
+    plane: str
+    pairs: int
+    places: int
+    rmsd_before_m: float
+    rmsd_after_m: float
+
+
+def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, ...]:
+    """Of each plane, then of all together; empty where no distances along the normal are known."""
+    per_plane = [(plane.name, _measured(plane)) for plane in planes]
+    known = [(name, pairs) for name, pairs in per_plane if pairs]
+    if not known:
+        return ()
+    every = [pair for _, pairs in known for pair in pairs]
+    return tuple(_difference(name, pairs) for name, pairs in (*known, ("", every)))
+
+
+_Measured = tuple[SignedStatistics, SignedStatistics]
+"""The signed distances of a pair of lines, before and after."""
+
+
+def _measured(plane: PlaneComparison) -> list[_Measured]:
+    return [
+        (before, after)
+        for before, after in ((pair.before.signed, pair.after.signed) for pair in plane.pairs)
+        if before is not None and after is not None
+        if before.rms is not None and after.rms is not None
+    ]
+
+
+def _difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
+    def pooled(found: Sequence[SignedStatistics]) -> float:
+        squares = sum(each.n * (each.rms or 0.0) ** 2 for each in found)
+        return sqrt(squares / sum(each.n for each in found))
+
+    before, after = [b for b, _ in pairs], [a for _, a in pairs]
+    places = sum(each.n for each in after)
+    return SwathDifference(name, len(pairs), places, pooled(before), pooled(after))

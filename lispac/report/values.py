@@ -10,7 +10,7 @@ from typing import Literal
 
 from lispac.identity import Identity
 from lispac.report.convention_values import InConvention, ScannerToBody
-from lispac.report.validation_values import ValidationPlane
+from lispac.report.validation_values import SwathDifference, ValidationPlane
 
 
 @dataclass(frozen=True)
@@ -108,6 +108,18 @@ class Effect:
 
     angle: str
     displacement_m: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class S44Contribution:
+    """What the boresight adds to the uncertainty of a point, for the beam where it shows most.
+
+    Horizontal (THU) and vertical (TVU), at 95 % as IHO S-44 has it, for a level vessel.
+    """
+
+    distance_m: float
+    thu95_m: float
+    tvu95_m: float
 
 
 @dataclass(frozen=True)
@@ -275,6 +287,7 @@ class Adjustment:
     rms_after_m: float
     effect_distances_m: tuple[float, ...]
     effects: tuple[Effect, ...]
+    s44: tuple[S44Contribution, ...]
     targets: tuple[TargetFit, ...]
     one_facing: bool
     sightings: tuple[SightingFit, ...]
@@ -341,6 +354,7 @@ class ReportContent:
     adjustment: Adjustment | None
     cross_checks: CrossChecked | None
     validation: tuple[ValidationPlane, ...]
+    swath_overlap: tuple[SwathDifference, ...]
     not_compared: tuple[str, ...]
     planes: tuple[PickedPlane, ...]
     lines: tuple[Line, ...]

@@ -96,6 +96,8 @@ class SignedStatistics:
         Half the 95 % interval of the usual place.
     significant : float, in [0, 1]
         Share of the places whose distance differs from zero.
+    rms : float, metres, optional
+        None in comparisons of earlier versions.
     """
 
     n: int
@@ -104,6 +106,7 @@ class SignedStatistics:
     robust_sigma: float
     half_width: float
     significant: float
+    rms: float | None = None
 
     @classmethod
     def of(cls, found: NormalDistances) -> "SignedStatistics":
@@ -116,6 +119,7 @@ class SignedStatistics:
             robust_sigma=NMAD * float(np.median(np.abs(found.distance - median))),
             half_width=float(np.median(found.half_width)),
             significant=found.significant,
+            rms=float(np.sqrt(np.mean(found.distance**2))),
         )
 
 

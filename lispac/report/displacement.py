@@ -1,0 +1,59 @@
+"""How far the uncertainty of the boresight moves a point.
+
+A small change of the angles turns the cloud by a vector w with covariance W = J C J'. It moves a
+point at distance d in direction u by d (w x u).
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
+from lispac.report.values import Effect, S44Contribution
+
+EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
+
+ONE_95 = 1.96
+TWO_95 = 2.45
+"""Standard deviations that make 95 % of a quantity in one and in two dimensions (IHO S-44)."""
+
+
+def effects(result: AdjustmentResult) -> tuple[Effect, ...]:
+    """Displacements by each angle's sigma, and by all together where they add up worst.
+
+    The mean square length of the displacement is d^2 (trace W - u' W u): largest along the
+    eigenvector of W's smallest eigenvalue.
+    """
+    eigenvalues = np.linalg.eigvalsh(_turns(result))
+    rates = [*result.sigma, math.sqrt(eigenvalues[1] + eigenvalues[2])]
+    return tuple(
+        Effect(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
+        for name, rate in zip((*ANGLES, "worst direction"), rates, strict=True)
+    )
+
+
+def in_words_of_s44(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
+    """What the boresight adds to the horizontal and vertical uncertainty, for a level vessel.
+
+    The variance of the displacement along a unit vector e is d^2 (u x e)' W (u x e). Upwards, the
+    vectors u x e are the horizontal ones, so the worst beam has the largest eigenvalue of the
+    horizontal part of W; along all horizontal e together they are all there are, so the longest
+    axis of the worst horizontal ellipse has the largest eigenvalue of W itself.
+    """
+    turns = _turns(result)
+    horizontal = TWO_95 * math.sqrt(np.linalg.eigvalsh(turns)[-1])
+    vertical = ONE_95 * math.sqrt(np.linalg.eigvalsh(turns[:2, :2])[-1])
+    return tuple(
+        S44Contribution(distance, horizontal * distance, vertical * distance)
+        for distance in EFFECT_DISTANCES_M
+    )
+
+
+def _turns(result: AdjustmentResult) -> NDArray[np.float64]:
+    """Covariance of the small turn about the body's axes, shape (3, 3), radians squared."""
+    rotation = rotation_matrix(*result.boresight)
+    turning = rotation_derivatives(*result.boresight) @ rotation.T  # skew matrices of J's columns
+    jacobian = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]])
+    return np.asarray(jacobian @ result.covariance @ jacobian.T)
