@@ -1,0 +1,92 @@
+"""The same inputs give the same bytes, in another process, folder and order of hashes."""
+
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+from datetime import timedelta
+from pathlib import Path
+
+import pytest
+
+from lispac.project import Project
+from lispac.report.pdf import write_pdf
+from lispac.workflow.export import write_report
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import load_survey
+from tests.report_sample import MADE, sample_content, sample_project
+from tests.test_report import _pdf_text
+
+ROOT = Path(__file__).resolve().parents[1]
+RUN = """
+import sys
+from dataclasses import replace
+from pathlib import Path
+from lispac.report.html import write_html
+from lispac.report.json_report import write_json
+from lispac.report.pdf import write_pdf
+from lispac.report.tables import write_tables
+from lispac.workflow.report_options import report_options
+from tests.report_sample import sample_content, sample_project
+from tests.test_identity import FULL
+
+folder = Path(sys.argv[1])
+project = sample_project(folder / "harbour").with_identity(FULL)
+(folder / "logo.svg").write_bytes(b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>')
+(folder / "own.toml").write_text('logo = "logo.svg"\\ncompany = "Fleuve"\\nconvention = "qinsy"')
+for page in ("a4", "letter"):
+    options = report_options(folder / "own.toml", page)
+    content = sample_content(project, convention=options.convention)
+    write_pdf(content, folder / f"{page}.pdf", {}, options)
+    write_html(content, folder / f"{page}.html", {}, options)
+write_json(content, folder / "r.json")
+write_tables(content, folder / "r.zip")
+"""
+KINDS = ("a4.pdf", "letter.pdf", "a4.html", "letter.html", "r.json", "r.zip")
+
+
+def _digests(folder: Path, names: tuple[str, ...]) -> dict[str, str]:
+    return {name: hashlib.sha256((folder / name).read_bytes()).hexdigest() for name in names}
+
+
+def test_two_processes_in_two_folders_write_the_same_bytes(tmp_path: Path) -> None:
+    found = []
+    for folder, seed in ((tmp_path / "one", "1"), (tmp_path / "elsewhere" / "two", "2")):
+        folder.mkdir(parents=True)
+        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
+        subprocess.run(
+            [sys.executable, "-c", RUN, str(folder)], check=True, env=environment, cwd=folder,
+            timeout=300,
+        )  # fmt: skip
+        found.append(_digests(folder, KINDS))
+    assert found[0] == found[1]
+    assert len(set(found[0].values())) == len(KINDS)  # the page does make a difference
+
+
+def test_only_lines_with_the_date_differ_where_it_does(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    texts = []
+    for made in (MADE, MADE + timedelta(days=3)):
+        write_pdf(sample_content(project, made), tmp_path / "r.pdf", {})
+        texts.append(_pdf_text(tmp_path / "r.pdf").splitlines())
+    differing = [pair for pair in zip(*texts, strict=True) if pair[0] != pair[1]]
+    assert differing
+    for early, late in differing:
+        assert re.sub("2025-06-04", "2025-06-07", early) == late
+
+
+@pytest.mark.parametrize("kind", ["json", "html"])
+def test_a_survey_in_two_folders_makes_the_same_report(
+    demo_project: Project, tmp_path: Path, kind: str
+) -> None:
+    for place in ("here", "there"):
+        folder = tmp_path / place / "quay"
+        shutil.copytree(demo_project.folder, folder)
+        project = open_project(folder)
+        survey = load_survey(project)
+        write_report(project, survey, tmp_path / f"{place}.{kind}", generated=MADE)
+    here, there = ((tmp_path / f"{place}.{kind}").read_bytes() for place in ("here", "there"))
+    assert here == there
+    assert str(tmp_path).encode() not in here
