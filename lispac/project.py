@@ -31,6 +31,7 @@ from lispac.survey.source import USUAL
 from lispac.survey.source import LineSource as LineSource
 from lispac.survey.source import Reading as Reading
 from lispac.survey.trajectory import LONGEST_GAP
+from lispac.validation.absolute import AbsoluteCheck
 from lispac.validation.comparison import PlaneComparison
 
 DEFAULT_THRESHOLD = 0.01
@@ -187,6 +188,8 @@ class Project:
     trajectory_reading: Reading = USUAL
     accuracy_reading: Reading = USUAL
     identity: Identity = BLANK
+    absolute: AbsoluteCheck | None = None
+    """The lines against a static scan or surveyed points, where that has been checked."""
 
     @property
     def name(self) -> str:
@@ -278,12 +281,15 @@ class Project:
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; what follows from them has to be computed again."""
         return replace(
-            self, settings=settings, result=None, cross_checks=None, validation=(), not_compared={}
-        )
+            self, settings=settings, result=None, cross_checks=None, validation=(),
+            not_compared={}, absolute=None,
+        )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
         """Keep an adjustment; a validation of another one no longer holds."""
-        return replace(self, result=result, cross_checks=None, validation=(), not_compared={})
+        return replace(
+            self, result=result, cross_checks=None, validation=(), not_compared={}, absolute=None
+        )
 
     def with_cross_checks(self, checks: CrossChecks) -> "Project":
         """Keep what parts of the data say by themselves."""
@@ -295,6 +301,10 @@ class Project:
         """Keep the comparison of the validation planes, and why some could not be compared."""
         return replace(self, validation=validation, not_compared=not_compared)
 
+    def with_absolute(self, absolute: AbsoluteCheck) -> "Project":
+        """Keep the comparison with a reference."""
+        return replace(self, absolute=absolute)
+
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
         # A validation plane takes no part in the adjustment, so its edit keeps the angles.
         kept = "target" not in roles
@@ -305,4 +315,5 @@ class Project:
             cross_checks=self.cross_checks if kept else None,
             validation=(),
             not_compared={},
+            absolute=self.absolute if kept else None,
         )

@@ -133,6 +133,7 @@ def e57(
     spherical: bool = False,
     single: bool = False,
     invalid: bool = False,
+    timed: bool = True,
     system: str = "",
 ) -> Path:
     """By libE57, in ``scans`` scans; stamps count from ``start``."""
@@ -182,7 +183,8 @@ def e57(
             if spherical
             else {f"cartesian{axis}": xyz[:, k].copy() for k, axis in enumerate("XYZ")}
         )
-        columns["timeStamp"] = stamps[rows].copy()
+        if timed:
+            columns["timeStamp"] = stamps[rows].copy()
         prototype = libe57.StructureNode(image)
         for name in columns:
             short = single and name == "timeStamp"

@@ -11,6 +11,7 @@ from typing import Any
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.angles import angles as angles
+from lispac.cli.check import check as check
 from lispac.cli.compare import compare as compare
 from lispac.cli.console import ConsoleProgress, has_display, print_json
 from lispac.cli.estimate import estimate as estimate

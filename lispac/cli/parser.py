@@ -10,6 +10,7 @@ from lispac.cli.values import (
     command,
     json_option,
     named_value,
+    not_negative,
     picture_file,
     positive,
     system_options,
@@ -36,6 +37,7 @@ def build_parser() -> argparse.ArgumentParser:
     estimate_options.add(commands)
     _subsample(commands)
     _validate(commands)
+    _check(commands)
     _compare(commands)
     _history(commands)
     _georeference(commands)
@@ -166,6 +168,29 @@ def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--radius", type=float, metavar="M", help="all points within this radius instead"
     )
     json_option(validate)
+
+
+def _check(commands: "Commands[argparse.ArgumentParser]") -> None:
+    check = command(
+        commands, "check", "compare the lines with a static scan or surveyed points and planes"
+    )
+    check.add_argument("project", type=Path, metavar="PROJECT")
+    check.add_argument(
+        "--reference", type=Path, required=True, metavar="FILE",
+        help="static scan (LAS, LAZ, E57, text), or a list of check points: name, x, y, z, and "
+        "perhaps sigma and the name of the plane they lie on",
+    )  # fmt: skip
+    check.add_argument(
+        "--reference-sigma", type=not_negative, default=0.005, metavar="M",
+        help="1 sigma of the reference: what all points of a scan share, or that of each check "
+        "point whose own is not listed (default 0.005)",
+    )  # fmt: skip
+    check.add_argument(
+        "--reach", type=positive, default=1.0, metavar="M",
+        help="how far from the reference lines are looked for (default 1)",
+    )  # fmt: skip
+    system_options(check, "as the reference states it, else local")
+    json_option(check)
 
 
 def _compare(commands: "Commands[argparse.ArgumentParser]") -> None:

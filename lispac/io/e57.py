@@ -159,6 +159,34 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
                 yield _chunk(stored, scan, settled, total)
 
 
+def places(path: Path) -> Iterator[Array]:
+    """Coordinates alone, shape (n, 3), with the poses applied; valid points, timed or not.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, damaged or empty.
+    """
+    path = require_filled(path, "E57")
+    with plainly(path, "E57"), _opened(path) as image:
+        for scan in _scans(image, path, timed=False):
+            for stored in _stored(image, scan, path, CHUNK, 0):
+                xyz = np.stack([stored[axis] for axis in "xyz"], axis=1)
+                yield xyz @ scan.rotation.T + scan.translation
+
+
+def stated_of(path: Path) -> str:
+    """Coordinate system as the file states it; empty where it does not.
+
+    Raises
+    ------
+    InputError
+    """
+    path = require_filled(path, "E57")
+    with plainly(path, "E57"), _opened(path) as image:
+        return _text(image.root(), "coordinateMetadata")
+
+
 @contextmanager
 def _opened(path: Path) -> Iterator[Any]:
     _require_sound_header(path)
@@ -191,9 +219,9 @@ def _require_sound_header(path: Path) -> None:
         )
 
 
-def _scans(image: Any, path: Path) -> list[_Scan]:
+def _scans(image: Any, path: Path, *, timed: bool = True) -> list[_Scan]:
     nodes = image.root()["data3D"]
-    scans = [_scan(nodes[k], path) for k in range(len(nodes))]
+    scans = [_scan(nodes[k], path, timed) for k in range(len(nodes))]
     scans = [scan for scan in scans if scan.count]
     if not scans:
         raise InputError(f"{path}: this file holds no points; leave it out.")
@@ -203,7 +231,7 @@ def _scans(image: Any, path: Path) -> list[_Scan]:
     return scans
 
 
-def _scan(node: Any, path: Path) -> _Scan:
+def _scan(node: Any, path: Path, timed: bool) -> _Scan:
     from pye57 import libe57
 
     points = node["points"]
@@ -219,7 +247,7 @@ def _scan(node: Any, path: Path) -> _Scan:
             fields[name] = np.dtype(np.float64)
         if name == "timeStamp" and kind == libe57.E57_FLOAT:
             single_time = libe57.FloatNode(field).precision() == libe57.E57_SINGLE
-    if "timeStamp" not in fields:
+    if timed and "timeStamp" not in fields:
         raise InputError(
             f"{path}: the points have no timeStamp (fields: {', '.join(fields) or 'none'}), so "
             "they cannot be put on the trajectory; export with time stamps."
@@ -290,7 +318,8 @@ def _stored(
             if not valid.any():
                 continue
             xyz = _cartesian(some)
-            require_points(xyz, some["timeStamp"], path, before + done - held)
+            if "timeStamp" in some:
+                require_points(xyz, some["timeStamp"], path, before + done - held)
             yield dict(zip("xyz", xyz.T, strict=True)) | some
     finally:
         reader.close()

@@ -189,6 +189,33 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
             )
 
 
+def places(path: Path) -> Iterator[NDArray[np.float64]]:
+    """Coordinates alone, shape (n, 3), as the file has them, of any point format.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, damaged or empty.
+    """
+    path = require_filled(path, "LAS")
+    with plainly(path, "LAS or LAZ"), _opened(path, timed=False) as reader:
+        for points in _chunks(reader, path):
+            yield np.stack([points.x, points.y, points.z], axis=1)
+
+
+def stated_of(path: Path) -> tuple[str, str]:
+    """Coordinate system and unit of heights as the header states them; empty where it does not.
+
+    Raises
+    ------
+    InputError
+    """
+    path = require_filled(path, "LAS")
+    with plainly(path, "LAS or LAZ"), _opened(path, timed=False) as reader:
+        stated = stated_system(reader.header)
+    return stated.text, stated.height_unit
+
+
 def point_count(path: Path) -> int:
     """Points of a LAS or LAZ file, as its header says.
 
@@ -200,11 +227,11 @@ def point_count(path: Path) -> int:
         return int(reader.header.point_count)
 
 
-def _opened(path: Path) -> laspy.LasReader:
+def _opened(path: Path, *, timed: bool = True) -> laspy.LasReader:
     require_sound_header(path)
     reader = laspy.open(path)
     header = reader.header
-    if "gps_time" not in set(header.point_format.dimension_names):
+    if timed and "gps_time" not in set(header.point_format.dimension_names):
         reader.close()
         raise InputError(
             f"{path}: point format {header.point_format.id} has no gps_time, so its points cannot "

@@ -41,6 +41,7 @@ from lispac.project import (
 )
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.settings import USUAL, FinderChoices
+from lispac.validation.absolute import AbsoluteCheck
 from lispac.validation.comparison import PlaneComparison
 
 FILE_NAME = "project.json"
@@ -167,6 +168,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
         "cross_checks": encoded(project.cross_checks),
         "validation": [comparison.to_dict() for comparison in project.validation],
         "not_compared": dict(project.not_compared),
+        "absolute": encoded(project.absolute),
         "truth_deg": project.truth_deg,
     }
 
@@ -197,6 +199,9 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         truth_deg=_triple(content["truth_deg"]) if content["truth_deg"] else None,
         trajectory_reading=decoded(content["trajectory_reading"], Reading),
         accuracy_reading=decoded(content["accuracy_reading"], Reading),
+        absolute=decoded(absolute, AbsoluteCheck)
+        if (absolute := content.get("absolute"))
+        else None,
     )
 
 

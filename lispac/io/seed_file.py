@@ -21,6 +21,12 @@ NAME, ROLE, UNUSED = "name", "role", "-"
 COORDINATES = ("x", "y", "z")
 COLUMNS = (NAME, *COORDINATES, ROLE)
 """What a column may hold, besides what is not used."""
+SIGMA, PLANE = "sigma", "plane"
+CHECK_NAMES = {
+    **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
+    **dict.fromkeys(("plane", "surface", "face"), PLANE),
+}
+"""Further columns of a list of check points."""
 _NAMES = {
     **dict.fromkeys(("name", "point", "pointname", "pointid", "pt", "id", "no", "nr", "number",
                      "target", "pointno", "station", "label"), NAME),
@@ -49,12 +55,18 @@ class ListedPoint:
         As the list says; None where it does not.
     coordinates : three of float
         In the order and unit of the system they are in.
+    sigma : float or None, metres
+        Of a check point, where the list says.
+    plane : str
+        The plane that a check point lies on with others; empty where it stands alone.
     """
 
     row: int
     name: str
     role: Role | None
     coordinates: tuple[float, float, float]
+    sigma: float | None = None
+    plane: str = ""
 
 
 @dataclass(frozen=True)
@@ -76,7 +88,12 @@ class PointList:
 
 
 def read_point_list(
-    path: Path, *, columns: Sequence[str] = (), local: bool = True, degrees: bool = False
+    path: Path,
+    *,
+    columns: Sequence[str] = (),
+    local: bool = True,
+    degrees: bool = False,
+    check: bool = False,
 ) -> PointList:
     """Read a list of target coordinates.
 
@@ -90,6 +107,8 @@ def read_point_list(
         or longitude and y northing or latitude.
     degrees : bool
         Whether degrees, minutes and seconds are understood.
+    check : bool
+        Whether these are check points, which may have columns ``sigma`` (metres) and ``plane``.
 
     Raises
     ------
@@ -101,20 +120,22 @@ def read_point_list(
     first = next(rows, None)
     if first is None:
         raise InputError(f"{path}: no row of coordinates is in it; give rows of name, x, y, z.")
-    separator = _separator(first[1])
+    separator = separator_of(first[1])
     stated = True
     if columns:
         meant = _complete(path, "", tuple(_meaning(word, local) for word in columns))
         if not _holds_numbers(first[1], separator, meant, degrees):
             first = None  # its own names
-    elif names := _header(first[1], separator, local):
+    elif names := header_of(first[1], separator, local=local):
+        if check:
+            names = _with_check_columns(names, fields_of(first[1], separator))
         meant, first = _complete(path, f", row {first[0]}", names), None
     else:
-        meant, stated = _by_order(path, *first, separator), False
+        meant, stated = _by_order(path, *first, separator, check), False
     points: list[ListedPoint] = []
     for number, row_text in (*((first,) if first else ()), *rows):
         if first is None and not points:
-            separator = _separator(row_text)  # names may be parted otherwise than numbers
+            separator = separator_of(row_text)  # names may be parted otherwise than numbers
         fields = fields_of(row_text, separator)
         points.append(_point(path, number, fields, meant, degrees))
     if not points:
@@ -141,7 +162,7 @@ def _rows(path: Path) -> Iterator[tuple[int, str]]:
             continue
         if text.startswith(REMARKS):
             bare = text.lstrip("#%/ ")
-            if count or not _header(bare, _separator(bare), local=True):
+            if count or not header_of(bare, separator_of(bare), local=True):
                 continue
             text = bare
         count += 1
@@ -153,7 +174,7 @@ def _rows(path: Path) -> Iterator[tuple[int, str]]:
         yield number, text
 
 
-def _separator(row: str) -> str:
+def separator_of(row: str) -> str:
     """What parts the columns of a row, as `fields_of` finds it, to hold for all rows."""
     whole = fields_of(row)
     return next(
@@ -172,13 +193,22 @@ def _meaning(word: str, local: bool) -> str:
     return found if found in COLUMNS else UNUSED
 
 
-def _header(row: str, separator: str, local: bool) -> tuple[str, ...]:
+def header_of(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
     """What the names of columns mean; empty where a row is none of names."""
     fields = fields_of(row, separator)
     if any(is_number(field) for field in fields):
         return ()
     meant = tuple(_meaning(field, local) for field in fields)
     return meant if sum(name != UNUSED for name in meant) >= 2 else ()
+
+
+def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
+    """What columns mean that a list of targets has no use for."""
+    bare = (_UNIT.sub("", name.strip()).strip().lower() for name in names)
+    return tuple(
+        CHECK_NAMES.get(name, UNUSED) if known == UNUSED else known
+        for known, name in zip(meant, bare, strict=True)
+    )
 
 
 def _complete(path: Path, where: str, meant: tuple[str, ...]) -> tuple[str, ...]:
@@ -208,11 +238,16 @@ def _holds_numbers(row: str, separator: str, meant: Sequence[str], degrees: bool
     )  # fmt: skip
 
 
-def _by_order(path: Path, row: int, text: str, separator: str) -> tuple[str, ...]:
-    """What the columns of a row of numbers are by their order: name, x, y, z, role."""
+def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> tuple[str, ...]:
+    """What the columns of a row of numbers are by their order: name, x, y, z, role.
+
+    Of check points: name, x, y, z, sigma, plane; without a name there is no sigma either.
+    """
     fields = fields_of(text, separator)
     numbers = [is_number(field) for field in fields]
     count = sum(numbers)
+    if check and len(fields) in (5, 6) and all(numbers[1:5]):
+        return (NAME, *COORDINATES, SIGMA, PLANE)[: len(fields)]
     if numbers[:3] == [True] * 3 and count == 3:
         start = 0
     elif numbers[1:4] == [True] * 3 and count - numbers[0] == 3:
@@ -238,7 +273,7 @@ def _point(
 ) -> ListedPoint:
     where = f"{path}, row {row}"
     at = {name: k for k, name in enumerate(meant) if name != UNUSED}
-    needed = 1 + max(at[name] for name in at if name != ROLE)
+    needed = 1 + max(at[name] for name in (NAME, *COORDINATES) if name in at)
     if len(fields) < needed:
         raise InputError(
             f"{where}: it has {len(fields)} columns where {needed} are needed ("
@@ -266,7 +301,25 @@ def _point(
             "empty."
         )
     x, y, z = values
-    return ListedPoint(row, name, ROLES[word] if word else None, (x, y, z))
+    sigma, plane = (
+        fields[at[what]].strip() if what in at and at[what] < len(fields) else ""
+        for what in (SIGMA, PLANE)
+    )
+    return ListedPoint(
+        row, name, ROLES[word] if word else None, (x, y, z), _sigma(where, sigma), plane
+    )
+
+
+def _sigma(where: str, text: str) -> float | None:
+    if not text:
+        return None
+    value = coordinate(text)
+    if value is None or value < 0.0:
+        raise InputError(
+            f"{where}: sigma is {text[:40]!r}, which is no number of metres that is zero or more; "
+            "correct the row."
+        )
+    return value
 
 
 def _require_apart(path: Path, points: Sequence[ListedPoint]) -> None:

@@ -36,6 +36,7 @@ def cautions_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Cautio
         *_parameters(content),
         *_targets(content),
         *_validation(content),
+        *_absolute(content),
         *_files(content),
     ]
     return tuple(sorted(found, key=lambda caution: caution.severity != "serious"))
@@ -194,6 +195,11 @@ def _worse(plane: ValidationPlane) -> Caution:
         f"(RMS {1000 * plane.after.rms_m:.1f} mm) than before "
         f"({1000 * plane.before.rms_m:.1f} mm).",
     )
+
+
+def _absolute(content: ReportContent) -> Iterator[Caution]:
+    if content.absolute is not None and content.absolute.together.after.mean_significant:
+        yield serious("absolute_off", content.absolute.in_words[0])
 
 
 def _files(content: ReportContent) -> Iterator[Caution]:

@@ -17,6 +17,7 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubles
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
+from lispac.report.absolute_values import Absolute
 from lispac.report.cautions import cautions_of
 from lispac.report.convention_values import in_convention, scanner_to_body
 from lispac.report.diagnostics import (
@@ -123,6 +124,7 @@ def report_content(
         ),
         in_convention=in_convention(project, convention) if convention else None,
         matrix=scanner_to_body(project),
+        absolute=None if project.absolute is None else Absolute.of(project.absolute),
     )
     also = doubles(project)
     found = doubts(project.result, project.cross_checks, also) if project.result else also
@@ -138,6 +140,8 @@ def _files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
     for k, (role, path) in enumerate(inputs):
         step = part(progress, k / len(inputs), (k + 1) / len(inputs))
         files.append(_input_file(role, path, step))
+    if (check := project.absolute) is not None:  # as it was when the lines were compared with it
+        files.append(InputFile("Reference", check.reference, check.size_bytes, check.sha256))
     return tuple(files)
 
 

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.report import sections
+from lispac.report.absolute_section import absolute
 from lispac.report.blocks import (
     Block,
     Document,
@@ -53,6 +54,7 @@ def document_of(
         _section("Reliability of the sightings", reliability(content)),
         _section("Cross-checks", cross_checks(content)),
         _section("Validation", validation(content)),
+        _section("Absolute check", absolute(content)),
         _section("Site and lines", sections.site(content)),
         _section("Settings and input files", settings(content)),
         _section("Pictures", [_picture(caption, path) for caption, path in pictures.items()]),

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.identity import Identity
+from lispac.report.absolute_values import Absolute
 from lispac.report.convention_values import InConvention, ScannerToBody
 from lispac.report.validation_values import SwathDifference, ValidationPlane
 
@@ -364,3 +365,4 @@ class ReportContent:
     qualities: tuple[SightingJudged, ...] = ()
     in_convention: InConvention | None = None
     matrix: ScannerToBody | None = None
+    absolute: Absolute | None = None

@@ -25,6 +25,8 @@ from lispac.geometry.neighbours import Cells, PointGrid, gather
 
 Array = NDArray[np.float64]
 
+NMAD = 1.4826
+"""Standard deviation of normal noise over its median absolute deviation."""
 FEWEST = 4
 """Points of either cloud in a cylinder below which there is no distance (Lague et al. 2013)."""
 
@@ -42,12 +44,26 @@ class NormalDistances:
         Half the 95 % interval of each distance.
     no_distance : int
         Core points that had none: too few points, or none that make a normal.
+    normals : ndarray of shape (n, 3), unit vectors
+        Along which each was measured.
+    at : ndarray of shape (n,), int
+        Which of the core points that were given have one.
     """
 
     cores: Array
     distance: Array
     half_width: Array
     no_distance: int
+    normals: Array
+    at: NDArray[np.intp]
+
+    def only(self, cores: NDArray[np.intp]) -> "NormalDistances":
+        """Those at some of the given core points, told by their numbers, ascending, shape (k,)."""
+        kept = np.searchsorted(self.at, cores)
+        return NormalDistances(
+            self.cores[kept], self.distance[kept], self.half_width[kept],
+            self.no_distance + len(self.at) - len(kept), self.normals[kept], self.at[kept],
+        )  # fmt: skip
 
     @property
     def significant(self) -> float:
@@ -72,8 +88,8 @@ def distances_along_normal(
     compared, reference : ndarrays of shape (n, 3) and (m, 3), metres, same frame
     cores : ndarray of shape (k, 3), metres
         Where distances are wanted: some of the reference points.
-    facing : ndarray of shape (3,)
-        Direction on whose side all normals are taken.
+    facing : ndarray of shape (3,) or (k, 3)
+        Direction on whose side all normals are taken, or that of each core.
     normal_scale : float, metres
         Diameter of the sphere whose reference points make the normal.
     diameter : float, metres
@@ -96,9 +112,10 @@ def distances_along_normal(
             raise InputError(f"The {name} must be positive, and it is {value} m.")
     # A cell as wide as a query is read whole with few others.
     clouds = [PointGrid(points, max(diameter, depth) / 2).cells for points in (compared, reference)]
-    samples = _samples(
+    sides = np.broadcast_to(np.asarray(facing, dtype=np.float64), (len(cores), 3))
+    samples, normals = _samples(
         np.ascontiguousarray(cores, dtype=np.float64), clouds[0], clouds[1],
-        np.asarray(facing, dtype=np.float64), normal_scale / 2, diameter / 2, depth,
+        np.ascontiguousarray(sides), normal_scale / 2, diameter / 2, depth,
     )  # fmt: skip
     measured = (samples[:, :, 2] >= FEWEST).all(axis=1)
     if not measured.any():
@@ -107,16 +124,20 @@ def distances_along_normal(
             "choose a wider one."
         )
     distance, half_width = _differences(samples[measured])
-    return NormalDistances(cores[measured], distance, half_width, int(np.count_nonzero(~measured)))
+    return NormalDistances(
+        cores[measured], distance, half_width, int(np.count_nonzero(~measured)),
+        normals[measured], np.flatnonzero(measured),
+    )  # fmt: skip
 
 
 @njit(nogil=True, cache=True)
 def _samples(
     cores: Array, compared: Cells, reference: Cells, facing: Array, scale: float, radius: float,
     depth: float,
-) -> Array:  # pragma: no cover - compiled  # fmt: skip
-    """Mean, variance and number (n, 2, 3) of either cloud's points in each core's cylinder."""
-    samples = np.zeros((len(cores), 2, 3))
+) -> tuple[Array, Array]:  # pragma: no cover - compiled  # fmt: skip
+    """Mean, variance and number (n, 2, 3) of either cloud's points in each core's cylinder, and the
+    normals (n, 3) along which they were taken."""
+    samples, normals_taken = np.zeros((len(cores), 2, 3)), np.zeros((len(cores), 3))
     for k in range(len(cores)):
         core = cores[k]
         near = gather(reference, core, scale)
@@ -126,8 +147,10 @@ def _samples(
             continue
         side = 0.0
         for axis in range(3):
-            side += normal[axis] * facing[axis]
+            side += normal[axis] * facing[k, axis]
         sign = 1.0 if side >= 0.0 else -1.0
+        for axis in range(3):
+            normals_taken[k, axis] = sign * normal[axis]
         for which in range(2):
             cloud = compared if which == 0 else reference
             found = gather(cloud, core, np.sqrt(depth * depth + radius * radius))
@@ -146,7 +169,7 @@ def _samples(
             samples[k, which, 0] = mean
             samples[k, which, 1] = squares / max(count - 1, 1)
             samples[k, which, 2] = count
-    return samples
+    return samples, normals_taken
 
 
 def _differences(samples: Array) -> tuple[Array, Array]:

@@ -1,5 +1,6 @@
 """The figures a comparison of lines leaves behind: values that the project file can hold."""
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -8,12 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-from lispac.validation.normal_distance import NormalDistances
+from lispac.validation.normal_distance import NMAD, NormalDistances
 from lispac.validation.plane_offset import PlaneOffset
 from lispac.validation.profile import Profile
 
-NMAD = 1.4826
-"""Standard deviation of normal noise over its median absolute deviation."""
 OUTLYING = 3.0
 """Robust sigmas from the median beyond which a distance is counted as an outlier."""
 
@@ -109,17 +108,19 @@ class SignedStatistics:
     rms: float | None = None
 
     @classmethod
-    def of(cls, found: NormalDistances) -> "SignedStatistics":
-        """Summarise them."""
-        median = float(np.median(found.distance))
+    def of(cls, found: Sequence[NormalDistances]) -> "SignedStatistics":
+        """Summarise them, all together."""
+        distance = np.concatenate([each.distance for each in found])
+        half_width = np.concatenate([each.half_width for each in found])
+        median = float(np.median(distance))
         return cls(
-            n=len(found.distance),
-            mean=float(found.distance.mean()),
+            n=len(distance),
+            mean=float(distance.mean()),
             median=median,
-            robust_sigma=NMAD * float(np.median(np.abs(found.distance - median))),
-            half_width=float(np.median(found.half_width)),
-            significant=found.significant,
-            rms=float(np.sqrt(np.mean(found.distance**2))),
+            robust_sigma=NMAD * float(np.median(np.abs(distance - median))),
+            half_width=float(np.median(half_width)),
+            significant=float(np.mean(np.abs(distance) > half_width)),
+            rms=float(np.sqrt(np.mean(distance**2))),
         )
 
 

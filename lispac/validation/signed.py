@@ -1,10 +1,12 @@
 """Two lines on one plane with one boresight: what stands between them, with sign and confidence."""
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
-from lispac.validation.normal_distance import NormalDistances, distances_along_normal
+from lispac.validation.normal_distance import distances_along_normal
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
 from lispac.validation.results import SignedStatistics
 
@@ -49,17 +51,8 @@ def signed_distances(
             )  # fmt: skip
         except NotComparable:
             continue
-        parts.append((found, sign))
-    if not parts:
-        return None
-    return SignedStatistics.of(
-        NormalDistances(
-            np.concatenate([found.cores for found, _ in parts]),
-            np.concatenate([sign * found.distance for found, sign in parts]),
-            np.concatenate([found.half_width for found, _ in parts]),
-            sum(found.no_distance for found, _ in parts),
-        )
-    )
+        parts.append(replace(found, distance=sign * found.distance))
+    return SignedStatistics.of(parts) if parts else None
 
 
 def planes_apart(a: Array, b: Array, facing: Array) -> PlaneOffset | None:

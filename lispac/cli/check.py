@@ -1,0 +1,58 @@
+"""``lispac check``: how far the lines are from a reference."""
+
+import sys
+from argparse import Namespace
+from dataclasses import asdict
+
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.report.absolute_values import Absolute, AgainstReference
+from lispac.workflow.absolute import check_absolute
+from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.survey import load_survey
+
+
+def check(arguments: Namespace) -> None:
+    """Compare the lines with a reference, and save the figures."""
+    project = open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+        project, notes = check_absolute(
+            project, survey, arguments.reference, crs=arguments.crs, height=arguments.height,
+            trajectory_datum=arguments.trajectory_datum, epoch=arguments.epoch,
+            sigma=arguments.reference_sigma, reach=arguments.reach, progress=progress,
+        )  # fmt: skip
+    save_project(project)
+    assert project.absolute is not None
+    found = Absolute.of(project.absolute)
+    for note in notes:
+        print(f"note: {note}", file=sys.stderr)
+    if arguments.json:
+        print_json(asdict(found))
+        return
+    heads = "".join(
+        f"{f'mean {state}':>12s}{'95 %':>9s}{f'RMS {state}':>11s}" for state in ("before", "after")
+    )
+    print(f"{'line':14s}{'places':>8s}{heads}  mm, + towards the vessel")
+    for line in (*found.lines, found.together):
+        print(
+            f"{line.line:14s}{line.after.distances.n:8,}{_cells(line.before)}{_cells(line.after)}"
+        )
+    if found.points:
+        print(f"\n{'surveyed':14s}{'lines':>8s}{'sigma':>9s}{'before':>10s}{'after':>10s}  mm")
+        for point in found.points:
+            print(
+                f"{point.name:14s}{point.lines:8}{1000 * point.sigma_m:9.1f}"
+                f"{1000 * point.before_m:+10.1f}{1000 * point.after_m:+10.1f}"
+            )
+    print()
+    for sentence in found.in_words:
+        print(sentence)
+    for reason in found.not_compared:
+        print(f"not compared: {reason}")
+
+
+def _cells(found: AgainstReference) -> str:
+    return (
+        f"{1000 * found.signed.mean_m:+12.1f}{1000 * found.mean_interval95_m:9.1f}"
+        f"{1000 * found.distances.rms_m:11.1f}"
+    )

@@ -1,0 +1,151 @@
+"""Clouds without time, of a tripod for one: their places alone, chunk by chunk.
+
+LAS and LAZ of any point format, E57 with the poses of its scans applied, and text with three
+columns of coordinates.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io import e57, las_chunks
+from lispac.io.points import LARGEST, plainly, require_filled
+from lispac.io.registry import NOT
+from lispac.io.seed_file import header_of, separator_of
+from lispac.io.text_layout import REMARKS, SEPARATORS
+from lispac.io.text_table import fields_of, is_number, lines_of
+
+Array = NDArray[np.float64]
+
+WHAT = "static scan"
+OTHERS = (".ply", ".pcd", ".ptx", ".pts", ".rcp", ".fls", ".zfs")
+"""Endings of clouds whose coordinates are not read without time."""
+
+
+@dataclass(frozen=True)
+class StaticScan:
+    """A cloud without time.
+
+    Attributes
+    ----------
+    path : Path
+    system : str
+        Coordinate system as the file states it; empty where it states none.
+    height_unit : str
+        As the file states it; empty where it states none.
+    """
+
+    path: Path
+    system: str
+    height_unit: str
+
+    @property
+    def is_binary(self) -> bool:
+        """Whether it is a cloud for certain; a text may be a list of points as well."""
+        return bool(_kind(self.path))
+
+    def chunks(self, *, local: bool) -> Iterator[Array]:
+        """Its points, shape (n, 3), in the file's own coordinates, about a million at a time.
+
+        Parameters
+        ----------
+        local : bool
+            Whether a text file's columns may be named after the axes of the local frame.
+
+        Raises
+        ------
+        InputError
+            Where the file is damaged, empty, or holds what is no coordinate.
+        """
+        known = {"las": las_chunks.places, "e57": e57.places}
+        if kind := _kind(self.path):
+            chunks = known[kind](self.path)
+        else:
+            chunks = iter([_of_text(self.path, local)])
+        count = 0
+        for chunk in chunks:
+            good = (np.abs(chunk) <= LARGEST).all(axis=1)
+            if not good.all():
+                raise InputError(
+                    f"{self.path}: point {count + int(np.argmin(good)) + 1:,} has a coordinate "
+                    "that is not a usable number; clean or export it again."
+                )
+            count += len(chunk)
+            yield chunk
+        if not count:
+            raise InputError(f"{self.path}: this {WHAT} holds no points; export it again.")
+
+
+def static_scan(path: Path) -> StaticScan:
+    """Look at a cloud; its points are read later.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, empty, damaged, or of a kind that is not read without time.
+    """
+    path = require_filled(Path(path), WHAT)
+    kind = _kind(path)
+    if kind == "las":
+        return StaticScan(path, *las_chunks.stated_of(path))
+    if kind == "e57":
+        return StaticScan(path, e57.stated_of(path), "")
+    if path.suffix.lower() in OTHERS:
+        raise InputError(
+            f"{path}: a {WHAT} is read from LAS, LAZ, E57 or text (x, y, z); export it as one of "
+            "these."
+        )
+    return StaticScan(path, "", "")
+
+
+def _kind(path: Path) -> str:
+    """``las`` or ``e57`` by the first bytes; empty for text."""
+    if las_chunks.sniff(path) > NOT:
+        return "las"
+    return "e57" if e57.sniff(path) > NOT else ""
+
+
+def _of_text(path: Path, local: bool) -> Array:
+    """Columns x, y, z as the row of names says, else the first three."""
+    rows = (
+        (number, line) for number, line in lines_of(path, WHAT)
+        if line.strip() and not line.strip().startswith(REMARKS)
+    )  # fmt: skip
+    first = next(rows, None)
+    if first is None:
+        raise InputError(f"{path}: no row of coordinates is in it; give rows of x, y, z.")
+    separator = separator_of(first[1])
+    names = header_of(first[1], separator, local=local)
+    above = first[0] if names else first[0] - 1
+    sample = next(rows, first) if names else first
+    separator = separator_of(sample[1])
+    fields = fields_of(sample[1], separator)
+    if names:
+        wanted = [names.index(axis) for axis in "xyz" if axis in names]
+    else:
+        wanted = [k for k, field in enumerate(fields) if is_number(field)][:3]
+    if len(wanted) < 3 or max(wanted) >= len(fields):
+        raise InputError(
+            f"{path}, row {sample[0]:,}: three coordinates are needed; name the columns x, y, z in "
+            "a row above them."
+        )
+    if any("," in fields[k] for k in wanted):
+        raise InputError(
+            f"{path}, row {sample[0]:,}: a static scan as text is read with decimal points; this "
+            "one has commas: export it again."
+        )
+    with plainly(path, f"text of a {WHAT}"):
+        return np.loadtxt(
+            path, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,
+            comments=list(REMARKS), encoding="utf-8-sig",
+        )  # fmt: skip
+
+
+def few_rows(path: Path, most: int) -> bool:
+    """Whether a text file has no more rows than a list of points has."""
+    return len(list(islice(lines_of(path, WHAT), most + 1))) <= most

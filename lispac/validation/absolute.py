@@ -1,0 +1,312 @@
+"""How far the lines are from a reference surveyed otherwise, and what may explain it.
+
+Between lines only their differences show; against a static scan or surveyed points what all lines
+have in common shows too, and with it the errors of the reference itself. So every mean stands with
+what it may be off by: the reference's own uncertainty, the POS errors of its line (which hardly
+change while it passes, so that no number of points averages them away), and the boresight's
+covariance.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.validation.reference_places import Measured
+from lispac.validation.results import DistanceStatistics, SignedStatistics
+
+Array = NDArray[np.float64]
+Kind = Literal["scan", "points"]
+
+NORMAL_95 = 1.96
+"""Half width of the 95 % interval of a normal variable, in standard deviations."""
+BINS = 60
+WITHIN = 0.5
+"""Percentiles left on either side of a histogram, which its first and last bin hold."""
+NARROWEST = 1e-6
+ALL_LINES = "all lines"
+
+
+@dataclass(frozen=True)
+class Explained:
+    """Standard deviations by their source, metres.
+
+    Attributes
+    ----------
+    reference : float
+    position, attitude : float
+        Of the POS, as its accuracies state them.
+    boresight : float or None
+        By the covariance of what was estimated; None for the prior, of which none is known.
+    scatter : float
+        Of the line about its own mean: what is left of it in a mean; 0 where it is no mean.
+    """
+
+    reference: float
+    position: float
+    attitude: float
+    boresight: float | None
+    scatter: float = 0.0
+
+    @property
+    def total(self) -> float:
+        """All together."""
+        parts = (self.reference, self.position, self.attitude, self.boresight or 0.0, self.scatter)
+        return float(np.sqrt(np.sum(np.square(parts))))
+
+
+@dataclass(frozen=True)
+class AbsoluteState:
+    """Lines against the reference with one boresight.
+
+    Attributes
+    ----------
+    distances : DistanceStatistics
+        Unsigned.
+    signed : SignedStatistics
+        Of the line from the reference, positive where the line is nearer to the vessel.
+    mean_sigma : Explained
+        What the signed mean may be off by.
+    rms_expected : Explained
+        What the RMS comes to by these errors alone.
+    """
+
+    distances: DistanceStatistics
+    signed: SignedStatistics
+    mean_sigma: Explained
+    rms_expected: Explained
+
+    @property
+    def interval_95(self) -> float:
+        """Half the 95 % interval of the signed mean, metres."""
+        return NORMAL_95 * self.mean_sigma.total
+
+    @property
+    def significant(self) -> bool:
+        """Whether the mean differs from zero at 95 %."""
+        return abs(self.signed.mean) > self.interval_95
+
+    @property
+    def reference_share(self) -> float:
+        """Share of the mean square distance that the reference's own errors explain, in [0, 1]."""
+        if self.distances.rms == 0.0:
+            return 0.0
+        return float(min(1.0, (self.rms_expected.reference / self.distances.rms) ** 2))
+
+
+@dataclass(frozen=True)
+class LineCheck:
+    """A line, or all of them, against the reference; at the same places in both states."""
+
+    line: str
+    before: AbsoluteState
+    after: AbsoluteState
+
+
+@dataclass(frozen=True)
+class PointCheck:
+    """A surveyed point, or a plane through several: the mean over the lines that saw it.
+
+    Attributes
+    ----------
+    name : str
+    lines : int
+    sigma : float, metres
+        Of the point; of a plane in its middle.
+    before, after : float, metres
+        Signed.
+    """
+
+    name: str
+    lines: int
+    sigma: float
+    before: float
+    after: float
+
+
+@dataclass(frozen=True)
+class AbsoluteCheck:
+    """Lines against a reference, before and after.
+
+    Attributes
+    ----------
+    reference : str
+        Name of its file.
+    size_bytes : int, sha256 : str
+        Of that file as it was read.
+    kind : {"scan", "points"}
+    system : str
+        What its coordinates were taken to be in, in words.
+    sigma : float, metres
+        Of the reference: shared by all of a scan; the usual one of points, which err each for
+        themselves.
+    reach : float, metres
+        How far from the reference a line was looked for.
+    lines : tuple of LineCheck
+    together : LineCheck
+    unseen : tuple of str
+        Lines, and surveyed points or planes, that were not compared, in words.
+    bin_edges : tuple of k + 1 float, metres
+        Of the signed distances of all lines.
+    counts_before, counts_after : tuples of k int
+        The first and the last bin also hold what lies beyond.
+    points : tuple of PointCheck
+        Empty for a scan.
+    """
+
+    reference: str
+    size_bytes: int
+    sha256: str
+    kind: Kind
+    system: str
+    sigma: float
+    reach: float
+    lines: tuple[LineCheck, ...]
+    together: LineCheck
+    unseen: tuple[str, ...]
+    bin_edges: tuple[float, ...]
+    counts_before: tuple[int, ...]
+    counts_after: tuple[int, ...]
+    points: tuple[PointCheck, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class LinePlaces:
+    """What a line was measured to, and how each place moves with what it was placed by.
+
+    Attributes
+    ----------
+    line : str
+    time : float, seconds
+        In the middle of its places.
+    measured : Measured
+        At n places.
+    group : ndarray of shape (n,), int
+        Which part of the reference a place belongs to: each has an error of its own.
+    by_position, by_attitude : ndarrays of shape (n, 3), metres
+        Moves by one sigma of north, west, up and of roll, pitch, heading.
+    by_boresight : ndarray of shape (n, e), metres
+        Moves by one sigma of each of e independent mixtures of the values estimated.
+    """
+
+    line: str
+    time: float
+    measured: Measured
+    group: NDArray[np.intp]
+    by_position: Array
+    by_attitude: Array
+    by_boresight: Array
+
+
+def line_checks(
+    lines: Sequence[LinePlaces], group_sigma: Array, correlation_times: tuple[float, float]
+) -> tuple[tuple[LineCheck, ...], LineCheck]:
+    """Each line against the reference, and all of them together.
+
+    Parameters
+    ----------
+    group_sigma : ndarray of shape (g,), metres
+        Of the reference's parts, which all places on one share.
+    correlation_times : pair of float, seconds
+        Of the position and the attitude errors: what lines sailed one soon after the other share.
+    """
+    each = tuple(_check(line.line, [line], group_sigma, correlation_times) for line in lines)
+    return each, _check(ALL_LINES, lines, group_sigma, correlation_times)
+
+
+def shared_bins(
+    lines: Sequence[LinePlaces],
+) -> tuple[tuple[float, ...], tuple[int, ...], tuple[int, ...]]:
+    """Edges, metres, and the counts before and after, of all signed distances."""
+    before, after = (np.concatenate(values) for values in _distances(lines))
+    ends = np.percentile(np.concatenate([before, after]), (WITHIN, 100.0 - WITHIN))
+    low, high = float(min(ends[0], 0.0)), float(max(ends[1], 0.0))
+    edges = np.linspace(low, max(high, low + NARROWEST), BINS + 1)
+    counts = (
+        tuple(int(n) for n in np.histogram(np.clip(d, edges[0], edges[-1]), edges)[0])
+        for d in (before, after)
+    )
+    counts_before, counts_after = counts
+    return tuple(map(float, edges)), counts_before, counts_after
+
+
+def point_checks(
+    lines: Sequence[LinePlaces], names: Sequence[str], group_sigma: Array
+) -> tuple[PointCheck, ...]:
+    """The mean over the lines at each part of the reference that any line saw."""
+    found = []
+    for group, (name, sigma) in enumerate(zip(names, group_sigma, strict=True)):
+        means = [
+            [float(state.distance[line.group == group].mean())
+             for state in (line.measured.before, line.measured.after)]
+            for line in lines if (line.group == group).any()
+        ]  # fmt: skip
+        if means:
+            before, after = np.mean(means, axis=0)
+            found.append(PointCheck(name, len(means), float(sigma), float(before), float(after)))
+    return tuple(found)
+
+
+def _distances(lines: Sequence[LinePlaces]) -> tuple[list[Array], list[Array]]:
+    return (
+        [line.measured.before.distance for line in lines],
+        [line.measured.after.distance for line in lines],
+    )
+
+
+def _check(
+    name: str,
+    lines: Sequence[LinePlaces],
+    group_sigma: Array,
+    correlation_times: tuple[float, float],
+) -> LineCheck:
+    groups = np.concatenate([line.group for line in lines])
+    share = np.bincount(groups, minlength=len(group_sigma)) / len(groups)
+    moves = [np.concatenate(values) for values in _moves(lines)]
+    of_rms = Explained(
+        float(np.sqrt(share @ group_sigma**2)),
+        *(float(np.sqrt((move**2).sum(axis=1).mean())) for move in moves),
+    )
+    of_mean = Explained(
+        float(np.sqrt(share**2 @ group_sigma**2)),
+        _of_pos([line.by_position for line in lines], lines, correlation_times[0]),
+        _of_pos([line.by_attitude for line in lines], lines, correlation_times[1]),
+        float(np.linalg.norm(moves[2].mean(axis=0))),
+    )
+    states = []
+    for which, distances in zip(("before", "after"), _distances(lines), strict=True):
+        # About each line's own mean: what the lines differ by is no scatter of places.
+        within = sum(float(np.sum((d - d.mean()) ** 2)) for d in distances)
+        scatter = float(np.sqrt(within)) / len(groups)
+        boresight = of_mean.boresight, of_rms.boresight
+        if which == "before":
+            boresight = None, None
+        found = [getattr(line.measured, which) for line in lines]
+        states.append(
+            AbsoluteState(
+                DistanceStatistics.of(np.concatenate(distances)),
+                SignedStatistics.of(found),
+                replace(of_mean, scatter=scatter, boresight=boresight[0]),
+                replace(of_rms, boresight=boresight[1]),
+            )
+        )
+    return LineCheck(name, *states)
+
+
+def _moves(lines: Sequence[LinePlaces]) -> tuple[list[Array], ...]:
+    return (
+        [line.by_position for line in lines],
+        [line.by_attitude for line in lines],
+        [line.by_boresight for line in lines],
+    )
+
+
+def _of_pos(moves: list[Array], lines: Sequence[LinePlaces], correlation_time: float) -> float:
+    """Sigma of the mean by POS errors that are constant on a line and drift from line to line."""
+    total = sum(map(len, moves))
+    means = np.array([move.sum(axis=0) / total for move in moves])
+    time = np.array([line.time for line in lines])
+    alike = np.exp(-np.abs(time[:, None] - time) / correlation_time)
+    return float(np.sqrt(max(0.0, float(np.einsum("ik,ij,jk->", means, alike, means)))))

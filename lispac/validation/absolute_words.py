@@ -1,0 +1,66 @@
+"""What a comparison with a reference says, alike at the command line and in the report."""
+
+from lispac.adjustment.shown import signed
+from lispac.validation.absolute import AbsoluteCheck, AbsoluteState
+
+
+def absolute_words(check: AbsoluteCheck) -> tuple[str, ...]:
+    """Sentences: the mean and what it may be off by, the lines that stand out, and the RMS."""
+    before, after = check.together.before, check.together.after
+    return (
+        f"After the calibration all lines together lie {_said(after)}.",
+        f"Before, they lay {_said(before)}; nothing is known of the uncertainty of the prior "
+        "boresight, so it is not counted here.",
+        _single_lines(check),
+        f"The RMS of all distances is {_mm(before.distances.rms)} before and "
+        f"{_mm(after.distances.rms)} after. Of the latter the reference's own uncertainty "
+        f"({_mm(check.sigma)}) explains {100 * after.reference_share:.0f} %; reference, POS and "
+        f"boresight together let one expect {_mm(after.rms_expected.total)}.",
+        _shared(check),
+    )
+
+
+def _said(state: AbsoluteState) -> str:
+    """Where the lines lie on the mean, and whether that can be chance."""
+    mean = state.signed.mean
+    side = "nearer to the vessel" if mean > 0 else "farther from the vessel"
+    verdict = (
+        "more than reference, POS and boresight explain"
+        if state.significant
+        else "no more than reference, POS and boresight explain"
+    )
+    return (
+        f"{_mm(abs(mean))} {side} than the reference on the mean, \u00b1 "
+        f"{_mm(state.interval_95)} (95 %): {verdict}"
+    )
+
+
+def _single_lines(check: AbsoluteCheck) -> str:
+    off = [line for line in check.lines if line.after.significant]
+    if not off:
+        return "After the calibration no single line is off by more than its own errors explain."
+    named = ", ".join(
+        f"{line.line} ({_signed(line.after.signed.mean)}, \u00b1 {_mm(line.after.interval_95)})"
+        for line in off
+    )
+    return (
+        f"After the calibration {len(off)} of {len(check.lines)} lines are off by more than their "
+        f"own errors explain, positive towards the vessel: {named}."
+    )
+
+
+def _shared(check: AbsoluteCheck) -> str:
+    if check.kind == "scan":
+        return (
+            "The reference sigma counts as one error that all points of the scan share, such as "
+            "that of its registration; the noise of its single points averages out."
+        )
+    return "Each surveyed point counts with an error of its own."
+
+
+def _mm(value: float) -> str:
+    return f"{1000 * value:.1f} mm"
+
+
+def _signed(value: float) -> str:
+    return f"{signed(1000 * value, 1)} mm"

@@ -1,0 +1,254 @@
+"""A line against a reference, at the same places before and after the calibration.
+
+On a surface (a static scan, a surveyed plane) as between two lines: cylinders along the reference's
+own normal (M3C2). At a surveyed point there is no surface but the line's: a plane through its
+points about the one nearest to the surveyed point, if the point's foot lies within them.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+from scipy.stats import t as student
+
+from lispac.errors import NotComparable
+from lispac.geometry.knn import build_tree
+from lispac.geometry.planes import in_plane_axes
+from lispac.validation.normal_distance import NMAD, NormalDistances, distances_along_normal
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+WIDE, NARROWEST, WIDEST = 2.0, 0.10, 0.60
+"""Diameter of a cylinder in distances to the twelfth neighbour, and its limits in metres."""
+WIDER = 1.3
+NEIGHBOURS, SAMPLE = 12, 5_000
+SMOOTH = 2.0
+"""Diameter of the sphere that a normal comes from, in diameters of the cylinder."""
+FLAT = 0.05
+"""RMS of a flat place about its plane, over the diameter of what is looked at."""
+ROUND = 0.1
+"""Second over first variance in the plane, below which points are an edge and no surface."""
+INSIDE = 0.15
+"""How far, in radii, the middle of what is looked at may lie from a place; it lies 0.17 from one
+whose cylinder, of half that radius, just reaches a straight edge."""
+FEWEST_ON_PLANE = 6
+"""Points of a line about a surveyed point that make a plane with a confidence."""
+CLOSER = 5.0
+"""Robust sigmas about the median that are looked through the second time."""
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """Distances of one line from the reference at the same places, both of the same order.
+
+    They are positive where the line lies nearer to the vessel.
+    """
+
+    before: NormalDistances
+    after: NormalDistances
+
+
+def diameter_for(lines: list[Array]) -> float:
+    """Width of a cylinder that holds a dozen points of the sparsest of some lines, metres.
+
+    Parameters
+    ----------
+    lines : list of ndarray of shape (n, 3), metres
+    """
+    widths = []
+    for points in lines:
+        if len(points) <= NEIGHBOURS:
+            continue
+        step = -(-len(points) // SAMPLE)
+        far, _ = build_tree(points).query(points[::step], k=[NEIGHBOURS + 1])
+        widths.append(float(np.median(far)))
+    return float(np.clip(WIDE * max(widths, default=0.0), NARROWEST, WIDEST))
+
+
+def flat_places(reference: Array, cores: Array, diameter: float, roughest: float) -> Bools:
+    """At which cores, shape (k, 3), the reference is a flat surface within a diameter, metres.
+
+    At its edge it is none: beams that meet an edge by half give points that lie on nothing.
+
+    Parameters
+    ----------
+    roughest : float, metres
+        RMS about a plane that is noise, however small the place.
+    """
+    tree = cKDTree(reference)
+    found = tree.query_ball_point(cores, diameter / 2, workers=-1)
+    flat = np.zeros(len(cores), dtype=bool)
+    counts = np.fromiter(map(len, found), dtype=np.intp, count=len(found))
+    some = np.flatnonzero(counts >= FEWEST_ON_PLANE)
+    if not len(some):
+        return flat
+    starts = np.concatenate([[0], np.cumsum(counts[some])[:-1]])
+    points = reference[np.concatenate([found[k] for k in some]).astype(np.intp)]
+    points = points - np.repeat(cores[some], counts[some], axis=0)
+    means = np.add.reduceat(points, starts) / counts[some, None]
+    products = (points[:, :, None] * points[:, None, :]).reshape(-1, 9)
+    scatter = np.add.reduceat(products, starts).reshape(-1, 3, 3) / counts[some, None, None]
+    spread = np.linalg.eigvalsh(scatter - means[:, :, None] * means[:, None, :])
+    rms = np.sqrt(np.maximum(spread[:, 0], 0.0))
+    is_surface = spread[:, 1] > ROUND * spread[:, 2]
+    is_inside = np.linalg.norm(means, axis=1) <= INSIDE * diameter / 2
+    flat[some] = is_surface & is_inside & (rms <= max(FLAT * diameter, roughest))
+    return flat
+
+
+def on_surface(
+    before: Array,
+    after: Array,
+    reference: Array,
+    cores: Array,
+    *,
+    facing: Array,
+    diameter: float,
+    reach: float,
+    roughest: float,
+) -> Measured:
+    """Distances of a line from a surface, in both states at the places that have one in both.
+
+    Parameters
+    ----------
+    before, after : ndarrays of shape (n, 3), metres, local frame
+        The line's points with the prior and with the estimated boresight.
+    reference : ndarray of shape (m, 3), metres, local frame
+    cores : ndarray of shape (k, 3), metres
+        Flat places of the reference.
+    facing : ndarray of shape (k, 3)
+        Towards the vessel.
+    diameter, reach : float, metres
+        Of the cylinders, and how far the line may be from the reference.
+    roughest : float, metres
+        RMS about a plane that is noise.
+
+    Raises
+    ------
+    NotComparable
+        No place has points of both.
+    """
+
+    def measured(points: Array, depth: float) -> NormalDistances:
+        return distances_along_normal(
+            points, reference, cores, facing=facing, normal_scale=SMOOTH * diameter,
+            diameter=diameter, depth=depth,
+        )  # fmt: skip
+
+    states = []
+    for points in (before, after):
+        rough = measured(points, reach)
+        # Once more, and no farther than the line is: what stands before a wall is not the wall.
+        middle = float(np.median(rough.distance))
+        robust = NMAD * float(np.median(np.abs(rough.distance - middle)))
+        depth = min(reach, abs(middle) + CLOSER * robust + max(FLAT * diameter, roughest))
+        states.append(measured(points, depth))
+    return _common(*states)
+
+
+def at_points(
+    before: list[Array],
+    after: list[Array],
+    places: Array,
+    *,
+    facing: Array,
+    diameter: float,
+    reach: float,
+    roughest: float,
+) -> Measured:
+    """Distances of a line from surveyed points, in both states at those that have one in both.
+
+    Parameters
+    ----------
+    before, after : lists of k ndarrays of shape (n, 3), metres, local frame
+        The line's points about each place.
+    places, facing : ndarrays of shape (k, 3), metres, local frame
+        The surveyed points, and where the vessel is from each.
+
+    Raises
+    ------
+    NotComparable
+        No point has a flat place of the line in front of it.
+    """
+    how = {"diameter": diameter, "reach": reach, "roughest": roughest}
+    states = [
+        _of_planes(
+            places,
+            [_plane_before(p, x, f, **how) for p, x, f in zip(clouds, places, facing, strict=True)],
+        )
+        for clouds in (before, after)
+    ]
+    return _common(*states)
+
+
+def _plane_before(
+    points: Array, place: Array, facing: Array, *, diameter: float, reach: float, roughest: float
+) -> tuple[float, float, Array] | None:
+    """Distance, half its 95 % interval (metres) and normal of the line's plane at a point.
+
+    Where the line's profiles are far apart its points about the place are but a row of them; then
+    it is looked at a wider place.
+    """
+    if not len(points):
+        return None
+    apart = np.linalg.norm(points - place, axis=1)
+    nearest = int(np.argmin(apart))
+    if apart[nearest] > reach:
+        return None
+    about = np.linalg.norm(points - points[nearest], axis=1)
+    wide = diameter
+    while (found := _plane_of(points[about <= wide / 2], place, facing, wide, roughest)) is None:
+        wide *= WIDER
+        if wide > max(WIDEST, diameter):
+            return None
+    return found
+
+
+def _plane_of(
+    near: Array, place: Array, facing: Array, diameter: float, roughest: float
+) -> tuple[float, float, Array] | None:
+    if len(near) < FEWEST_ON_PLANE:
+        return None
+    middle = near.mean(axis=0)
+    spread, vectors = np.linalg.eigh((near - middle).T @ (near - middle) / len(near))
+    rms = float(np.sqrt(max(spread[0], 0.0)))
+    if spread[1] <= ROUND * spread[2] or rms > max(FLAT * diameter, roughest):
+        return None
+    normal = vectors[:, 0] * (1.0 if vectors[:, 0] @ facing >= 0.0 else -1.0)
+    axes = in_plane_axes(normal)
+    foot = axes @ (place - middle)
+    if np.hypot(*foot) > diameter / 2:
+        return None
+    design = np.column_stack([np.ones(len(near)), (near - middle) @ axes.T])
+    at = np.array([1.0, *foot])
+    freedom = len(near) - 3
+    variance = rms**2 * len(near) / freedom
+    half = student.ppf(0.975, freedom) * np.sqrt(
+        variance * (at @ np.linalg.solve(design.T @ design, at))
+    )
+    return float(normal @ (middle - place)), float(half), normal
+
+
+def _of_planes(places: Array, found: list[tuple[float, float, Array] | None]) -> NormalDistances:
+    at = np.array([k for k, each in enumerate(found) if each is not None], dtype=np.intp)
+    if not len(at):
+        raise NotComparable("No surveyed point has a flat place of the line in front of it.")
+    values = [each for each in found if each is not None]
+    return NormalDistances(
+        places[at],
+        np.array([distance for distance, _, _ in values]),
+        np.array([half for _, half, _ in values]),
+        len(places) - len(at),
+        np.array([normal for _, _, normal in values]),
+        at,
+    )
+
+
+def _common(before: NormalDistances, after: NormalDistances) -> Measured:
+    """Both at the places that both have."""
+    at = np.intersect1d(before.at, after.at)
+    if not len(at):
+        raise NotComparable("No place of the reference is seen before and after the calibration.")
+    return Measured(before.only(at), after.only(at))

@@ -1,0 +1,305 @@
+"""How far the lines are from a static scan, or from surveyed points and planes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.sensitivity import sensitivity
+from lispac.errors import InputError, NotComparable, ProjectError
+from lispac.geometry.knn import build_tree
+from lispac.progress import Progress, no_progress, part
+from lispac.project import Project
+from lispac.survey.georeferencing import CALIBRATION
+from lispac.targets.thinning import thin
+from lispac.validation.absolute import (
+    AbsoluteCheck,
+    LinePlaces,
+    line_checks,
+    point_checks,
+    shared_bins,
+)
+from lispac.validation.normal_distance import NormalDistances
+from lispac.validation.reference_places import (
+    SMOOTH,
+    WIDEST,
+    Measured,
+    at_points,
+    diameter_for,
+    flat_places,
+    on_surface,
+)
+from lispac.workflow.references import Reference, read_reference
+from lispac.workflow.survey import Survey
+
+Array = NDArray[np.float64]
+
+SIGMA = 0.005
+"""Metres, of a reference of which nothing else is stated."""
+REACH = 1.0
+"""Metres from the reference within which lines are looked for; at 50 m, 1.1 deg of boresight."""
+MOST_PLACES, CANDIDATES = 3_000, 400_000
+PER_DIAMETER, PER_WIDTH = 4, 5
+"""Points that stand for a surveyed plane along the diameter of a cylinder, and cylinders along the
+plane's shorter side."""
+FEWEST_PLACES = {"scan": 30, "points": 1}
+"""Places of a line below which nothing is said of it."""
+
+
+def check_absolute(
+    project: Project,
+    survey: Survey,
+    path: Path,
+    *,
+    crs: str = "",
+    height: str = "",
+    trajectory_datum: str | None = None,
+    epoch: float | None = None,
+    sigma: float = SIGMA,
+    reach: float = REACH,
+    progress: Progress = no_progress,
+) -> tuple[Project, tuple[str, ...]]:
+    """Measure every line against a reference, with the prior and the estimated boresight.
+
+    Parameters
+    ----------
+    path : Path
+        A static scan (LAS, LAZ, E57, text), or a list of check points: name, x, y, z, and perhaps
+        sigma and the plane that they lie on with others.
+    crs : str
+        Coordinate system of the reference, or ``local``; empty: as the file states it, else the
+        local frame. Height, datum and epoch as `lispac.survey.crs.coordinate_system`.
+    sigma : float, metres
+        Of the reference: of a scan that which all its points share (registration and control), of
+        a list that of each point it states none for.
+    reach : float, metres
+        How far from the reference a line is looked for.
+
+    Returns
+    -------
+    project : Project
+        With the check.
+    notes : tuple of str
+        What was taken for granted, in words.
+
+    Raises
+    ------
+    ProjectError
+        Where nothing was estimated.
+    InputError
+        Where the reference cannot be read or is elsewhere.
+    NotComparable
+        Where no line has points on it.
+    """
+    if project.result is None:
+        raise ProjectError(f"{project.name}: there is no estimated boresight yet; estimate first.")
+    if not 0.0 <= sigma < np.inf:
+        raise InputError(f"The reference sigma must be zero or more, and it is {sigma} m.")
+    if not 0.0 < reach <= 10.0:
+        raise InputError(f"The reach must be more than 0 and at most 10 m, and it is {reach:g} m.")
+    reference = read_reference(
+        path, project, survey, sigma=sigma, reach=reach, crs=crs, height=height,
+        trajectory_datum=trajectory_datum, epoch=epoch, progress=part(progress, 0.0, 0.3),
+    )  # fmt: skip
+    clouds = _gathered(project, survey, reference, reach)
+    where = _Where.of(reference, survey, clouds, project.settings.lidar_sigma, reach)
+    lines, unseen = [], []
+    for k, cloud in enumerate(clouds):
+        progress(0.3 + 0.7 * k / len(clouds), f"Comparing {cloud.line} with {path.name}")
+        try:
+            lines.append(_compared(project, survey, cloud, where))
+        except NotComparable as error:
+            unseen.append(f"{cloud.line}: {error}")
+    if not lines:
+        raise NotComparable(
+            f"{path}: no line has a flat place within {reach:g} m of this reference; check its "
+            "coordinates, or widen the reach."
+        )
+    settings = project.settings
+    each, together = line_checks(
+        lines, where.sigmas, (settings.position_time, settings.attitude_time)
+    )
+    points = point_checks(lines, where.names, where.sigmas) if reference.kind == "points" else ()
+    missed = sorted(set(where.names) - {p.name for p in points})
+    if reference.kind == "points" and missed:
+        unseen.append(f"No line has a flat place in front of {', '.join(missed)}.")
+    edges, before, after = shared_bins(lines)
+    check = AbsoluteCheck(
+        path.name, reference.size_bytes, reference.sha256, reference.kind, reference.system,
+        reference.sigma, reach, each, together, tuple(unseen), edges, before, after, points,
+    )  # fmt: skip
+    progress(1.0, f"Compared {len(lines)} lines with {path.name}")
+    return project.with_absolute(check), reference.notes
+
+
+@dataclass(frozen=True, eq=False)
+class _Gathered:
+    """The points of a line that may lie on the reference, in both states."""
+
+    line: str
+    numbers: NDArray[np.int64]
+    before: Array
+    after: Array
+
+
+def _gathered(
+    project: Project, survey: Survey, reference: Reference, reach: float
+) -> list[_Gathered]:
+    everything = [reference.surface, reference.places, *(p.points for p in reference.planes)]
+    points = np.concatenate(everything)
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    radius = float(np.linalg.norm(points - centre, axis=1).max()) + 2 * reach
+    placed = survey.placed(project, "estimated")
+    clouds = []
+    for line, cloud in survey.clouds.items():
+        region = cloud.within(centre, radius)
+        clouds.append(_Gathered(line, region.numbers, region.points, placed[line][region.numbers]))
+    return clouds
+
+
+@dataclass(frozen=True, eq=False)
+class _Where:
+    """Places that lines are measured at.
+
+    Surfaces are point clouds with their cores, the diameter of the cylinders there, and their
+    number among ``sigmas``.
+    """
+
+    surfaces: tuple[tuple[Array, Array, float, int], ...]
+    places: Array
+    names: tuple[str, ...]
+    sigmas: Array
+    vessel: Array
+    diameter: float
+    reach: float
+    roughest: float
+    fewest: int
+
+    @classmethod
+    def of(
+        cls, reference: Reference, survey: Survey, clouds: Sequence[_Gathered], lidar_sigma: float,
+        reach: float,
+    ) -> "_Where":  # fmt: skip
+        diameter = diameter_for([cloud.after for cloud in clouds])
+        roughest = 3 * max(reference.sigma, lidar_sigma)
+        surfaces: list[tuple[Array, Array, float, int]] = []
+        if reference.kind == "scan":
+            cores = _cores(reference.surface, diameter)
+            flat = flat_places(reference.surface, cores, SMOOTH * diameter, roughest)
+            if not flat.any():
+                raise NotComparable(
+                    f"{reference.path}: this scan has no flat place of {SMOOTH * diameter:.2f} m "
+                    "where the lines have been, so that no distance along a normal means anything."
+                )
+            surfaces.append((reference.surface, cores[flat], diameter, 0))
+        for k, plane in enumerate(reference.planes):
+            # It is flat however wide one looks, and a line may be sparse there.
+            wide = float(np.clip(plane.width / PER_WIDTH, min(diameter, WIDEST), WIDEST))
+            grid = plane.grid(wide / PER_DIAMETER)
+            surfaces.append((grid, grid[thin(grid, wide)], wide, len(reference.names) + k))
+        planes = reference.planes
+        scan = reference.kind == "scan"
+        return cls(
+            tuple(surfaces), reference.places,
+            (*reference.names, *(plane.name for plane in planes)),
+            np.array([reference.sigma]) if scan
+            else np.array([*reference.sigmas, *(plane.sigma for plane in planes)]),
+            survey.trajectory.position.mean(axis=0), diameter, reach, roughest,
+            FEWEST_PLACES[reference.kind],
+        )  # fmt: skip
+
+
+def _cores(surface: Array, diameter: float) -> Array:
+    """Places spread evenly over a scan."""
+    some = surface[:: -(-len(surface) // CANDIDATES)]
+    side = diameter
+    while len(kept := thin(some, side)) > MOST_PLACES:
+        side *= 1.2
+    return some[kept]
+
+
+def _compared(project: Project, survey: Survey, cloud: _Gathered, where: _Where) -> LinePlaces:
+    """A line against all of the reference.
+
+    Raises
+    ------
+    NotComparable
+    """
+    found: list[tuple[Measured, NDArray[np.intp]]] = []
+    for surface, cores, diameter, group in where.surfaces:
+        try:
+            measured = on_surface(
+                cloud.before, cloud.after, surface, cores, facing=where.vessel - cores,
+                diameter=diameter, reach=where.reach, roughest=where.roughest,
+            )  # fmt: skip
+        except NotComparable:
+            continue
+        found.append((measured, np.full(len(measured.after.distance), group)))
+    if len(where.places) and len(cloud.before):
+        trees = [build_tree(points) for points in (cloud.before, cloud.after)]
+        before, after = (
+            [points[tree.query_ball_point(place, where.reach + where.diameter)]
+             for place in where.places]
+            for points, tree in zip((cloud.before, cloud.after), trees, strict=True)
+        )  # fmt: skip
+        try:
+            alone = at_points(
+                before, after, where.places, facing=where.vessel - where.places,
+                diameter=where.diameter, reach=where.reach, roughest=where.roughest,
+            )  # fmt: skip
+            found.append((alone, alone.after.at))
+        except NotComparable:
+            pass
+    count = sum(len(group) for _, group in found)
+    if count < where.fewest:
+        raise NotComparable(
+            f"{count} places on the reference have a distance before and after, and "
+            f"{where.fewest} are needed"
+        )
+    measured = Measured(
+        _joined([each.before for each, _ in found]), _joined([each.after for each, _ in found])
+    )
+    return _placed_by(project, survey, cloud, measured, np.concatenate([g for _, g in found]))
+
+
+def _joined(several: Sequence[NormalDistances]) -> NormalDistances:
+    return NormalDistances(
+        np.concatenate([each.cores for each in several]),
+        np.concatenate([each.distance for each in several]),
+        np.concatenate([each.half_width for each in several]),
+        sum(each.no_distance for each in several),
+        np.concatenate([each.normals for each in several]),
+        np.concatenate([each.at for each in several]),
+    )
+
+
+def _placed_by(
+    project: Project, survey: Survey, cloud: _Gathered, measured: Measured,
+    group: NDArray[np.intp],
+) -> LinePlaces:  # fmt: skip
+    """How each place moves with what it was placed by: that of the line's point nearest to it."""
+    result = project.result
+    assert result is not None
+    mounting = result.mounting
+    _, nearest = build_tree(cloud.after).query(measured.after.cores)
+    points_lidar, time = survey.scans[cloud.line].take(cloud.numbers[nearest])
+    moves = sensitivity(
+        points_lidar, survey.trajectory.at(time + mounting.latency), mounting,
+        measured.after.normals, pose_rate=survey.trajectory.rate_at(time + mounting.latency),
+    )  # fmt: skip
+    sigma_position, sigma_attitude = survey.accuracy.at(time)
+    _, position, attitude = result.sigma_factors
+    values, vectors = np.linalg.eigh(result.covariance_all)
+    mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
+    estimated = [CALIBRATION.index(name) for name in result.estimated]
+    return LinePlaces(
+        cloud.line,
+        float(np.median(time)),
+        measured,
+        group,
+        position * moves.by_position * sigma_position,
+        attitude * moves.by_attitude * sigma_attitude,
+        moves.by_mounting[:, estimated] @ mixtures,
+    )

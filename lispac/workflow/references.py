@@ -1,0 +1,324 @@
+"""What the lines are checked against: a static scan, or surveyed points and their planes."""
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import Delaunay, QhullError
+
+from lispac.errors import InputError, PlaneNotFound
+from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, in_plane_axes
+from lispac.io.seed_file import MOST, ListedPoint, read_point_list
+from lispac.io.static_scan import StaticScan, few_rows, static_scan
+from lispac.progress import Progress, no_progress
+from lispac.project import Project
+from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.store.cells import MOST_HALVINGS, in_sample
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.validation.absolute import Kind
+from lispac.workflow.coordinates import away, axes_of, local_places, require_near
+from lispac.workflow.export_request import system_of
+from lispac.workflow.survey import Survey
+from lispac.workflow.target_systems import LOCAL, own_datum
+
+Array = NDArray[np.float64]
+
+MOST_POINTS = 6_000_000
+"""Of a static scan; of more a fair sample is kept."""
+LEAST_CELL = 1.0
+"""Metres: side of the cells that tell what part of a scan the lines have seen."""
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneReference:
+    """A plane through surveyed points.
+
+    Attributes
+    ----------
+    name : str
+    points : ndarray of shape (k, 3), metres, local frame
+    plane : Plane
+    sigma : float, metres
+        Of the plane in the middle of its points.
+    """
+
+    name: str
+    points: Array
+    plane: Plane
+    sigma: float
+
+    @property
+    def width(self) -> float:
+        """The shorter side of what its points span, metres."""
+        return float(extent_in_plane(self.plane, self.points).min())
+
+    def grid(self, spacing: float) -> Array:
+        """Places on the plane within the hull of its points, shape (n, 3), metres, local frame."""
+        axes, middle = in_plane_axes(self.plane.normal), self.points.mean(axis=0)
+        middle = middle - self.plane.distances(middle) * self.plane.normal
+        flat = (self.points - middle) @ axes.T
+        low, high = flat.min(axis=0), flat.max(axis=0)
+        across, up = (np.arange(low[k], high[k] + spacing / 2, spacing) for k in range(2))
+        places = np.stack(np.meshgrid(across, up), axis=-1).reshape(-1, 2)
+        return middle + places[Delaunay(flat).find_simplex(places) >= 0] @ axes
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
+    """A reference in the local frame.
+
+    Attributes
+    ----------
+    path : Path
+    size_bytes : int, sha256 : str
+    kind : {"scan", "points"}
+    system : str
+        In words.
+    sigma : float, metres
+        Of a scan, which all its points share; the usual one of points.
+    notes : tuple of str
+        What was taken for granted, in words.
+    surface : ndarray of shape (n, 3), metres
+        Points of a scan where the lines have been; none otherwise.
+    names : tuple of str, places : ndarray of shape (k, 3), sigmas : ndarray of shape (k,), metres
+        Surveyed points that stand alone.
+    planes : tuple of PlaneReference
+    """
+
+    path: Path
+    size_bytes: int
+    sha256: str
+    kind: Kind
+    system: str
+    sigma: float
+    notes: tuple[str, ...]
+    surface: Array
+    names: tuple[str, ...]
+    places: Array
+    sigmas: Array
+    planes: tuple[PlaneReference, ...]
+
+
+def read_reference(
+    path: Path,
+    project: Project,
+    survey: Survey,
+    *,
+    sigma: float,
+    reach: float,
+    crs: str = "",
+    height: str = "",
+    trajectory_datum: str | None = None,
+    epoch: float | None = None,
+    progress: Progress = no_progress,
+) -> Reference:
+    """Read a reference and bring it into the local frame.
+
+    Parameters
+    ----------
+    sigma : float, metres
+        Of the scan, or of each point that the list states none for.
+    reach : float, metres
+        How far from the lines a scan is read.
+    crs : str
+        Coordinate system, or ``local``; empty: as the file states it, else the local frame.
+
+    Raises
+    ------
+    InputError
+        Where the file or its coordinates cannot be used.
+    """
+    path = Path(path)
+    found = static_scan(path)
+    listed = not found.system and _is_list(path, found)
+    if not crs and found.system and not height and trajectory_datum is None:
+        datum, year = own_datum(project.lines)
+        system: CoordinateSystem | None = coordinate_system(
+            found.system, height_unit=found.height_unit, trajectory_datum=datum,
+            epoch=year if epoch is None else epoch,
+        )  # fmt: skip
+    else:
+        chosen = crs or found.system or LOCAL
+        system = system_of(project, survey.trajectory, chosen, height, trajectory_datum, epoch)
+    words = "the local frame" if system is None else system.name
+    notes = (f"coordinates in {words}", *(() if system is None else system.assumptions))
+    with path.open("rb") as file:
+        digest = hashlib.file_digest(file, "sha256").hexdigest()
+    file_facts = (path, path.stat().st_size, digest)
+    if listed:
+        points, columns = _read_points(path, system, survey.trajectory)
+        names, places, sigmas, planes, said = _sorted_out(points, sigma, path)
+        usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
+        return Reference(
+            *file_facts, "points", words, usual, (*notes, columns, *said), np.zeros((0, 3)), names,
+            places, sigmas, planes,
+        )  # fmt: skip
+    surface, said = _read_surface(found, system, survey, project, reach, progress)
+    nothing = np.zeros((0, 3))
+    return Reference(
+        *file_facts, "scan", words, sigma, (*notes, *said), surface, (), nothing, np.zeros(0), ()
+    )
+
+
+def _is_list(path: Path, found: StaticScan) -> bool:
+    return not found.is_binary and few_rows(path, MOST)
+
+
+def _read_points(
+    path: Path, system: CoordinateSystem | None, trajectory: LocalTrajectory
+) -> tuple[list[tuple[ListedPoint, Array]], str]:
+    geographic = system is not None and system.is_geographic
+    found = read_point_list(path, local=system is None, degrees=geographic, check=True)
+    placed = []
+    for number, point in enumerate(found.points, start=1):
+        name = point.name or f"P{number}"
+        where = f"{path}, row {point.row}: {name}"
+        place = require_near(np.array(point.coordinates), system, trajectory, where)
+        placed.append((point, place))
+    axes = dict(zip("xyz", axes_of(system), strict=True))
+    meant = ", ".join(axes.get(name, "not used" if name == "-" else name) for name in found.columns)
+    return placed, f"columns {'as named' if found.stated else 'by their order'}: {meant}"
+
+
+def _sorted_out(
+    points: Sequence[tuple[ListedPoint, Array]], sigma: float, path: Path
+) -> tuple[tuple[str, ...], Array, Array, tuple[PlaneReference, ...], list[str]]:
+    """Points that stand alone, and the planes that others span."""
+    alone = [(p.name or f"P{k}", x, sigma if p.sigma is None else p.sigma)
+             for k, (p, x) in enumerate(points, start=1) if not p.plane]  # fmt: skip
+    together: dict[str, list[tuple[Array, float]]] = {}
+    for point, place in points:
+        if point.plane:
+            own = sigma if point.sigma is None else point.sigma
+            together.setdefault(point.plane, []).append((place, own))
+    planes, said = [], []
+    for name, some in together.items():
+        plane, off = _plane(name, np.array([x for x, _ in some]), [s for _, s in some], path)
+        planes.append(plane)
+        if off:
+            said.append(off)
+    return (
+        tuple(name for name, _, _ in alone),
+        np.array([x for _, x, _ in alone]).reshape(-1, 3),
+        np.array([s for _, _, s in alone]),
+        tuple(planes),
+        said,
+    )
+
+
+def _plane(
+    name: str, points: Array, sigmas: Sequence[float], path: Path
+) -> tuple[PlaneReference, str]:
+    """A plane, and what is to be said of points that do not lie on it."""
+    if len(points) < 3:
+        raise InputError(
+            f"{path}: the plane {name} has {len(points)} points and a plane needs three; survey "
+            "another one, or leave the plane out to check the points alone."
+        )
+    own = np.maximum(np.array(sigmas), 1e-6)
+    try:
+        plane = fit_plane(points, 1 / own**2)
+        Delaunay((points - points.mean(axis=0)) @ in_plane_axes(plane.normal).T)
+    except (PlaneNotFound, QhullError) as error:
+        raise InputError(
+            f"{path}: the points of the plane {name} lie on one straight line; survey one "
+            "beside it."
+        ) from error
+    flat = (points - points.mean(axis=0)) @ in_plane_axes(plane.normal).T
+    design = np.column_stack([np.ones(len(points)), flat])
+    covariance = np.linalg.inv(design.T @ (design / own[:, None] ** 2))
+    off = plane.distances(points)
+    worst = int(np.argmax(np.abs(off) / own))
+    words = ""
+    if abs(off[worst]) > 3 * own[worst]:
+        words = (
+            f"plane {name}: a point lies {1000 * abs(off[worst]):.1f} mm off the plane through all "
+            f"of them, with a sigma of {1000 * own[worst]:.1f} mm"
+        )
+    return PlaneReference(name, points, plane, float(np.sqrt(covariance[0, 0]))), words
+
+
+def _read_surface(
+    found: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
+    reach: float, progress: Progress,
+) -> tuple[Array, list[str]]:  # fmt: skip
+    """The part of a scan where the lines have been, and what is said of it."""
+    seen = _Seen.of(survey, project, reach)
+    parts: list[Array] = []
+    numbers: list[NDArray[np.int64]] = []
+    done = kept = halvings = 0
+    for chunk in found.chunks(local=system is None):
+        placed = local_places(chunk, system, survey.trajectory)
+        if not done:
+            _require_site(found.path, chunk, placed, system, survey.trajectory)
+        own = np.arange(done, done + len(chunk))
+        good = seen.contains(placed)
+        if halvings:
+            good &= in_sample(own, halvings)
+        parts.append(placed[good])
+        numbers.append(own[good])
+        done, kept = done + len(chunk), kept + int(good.sum())
+        while kept > MOST_POINTS and halvings < MOST_HALVINGS:
+            halvings += 1
+            chosen = [in_sample(some, halvings) for some in numbers]
+            parts = [part[which] for part, which in zip(parts, chosen, strict=True)]
+            numbers = [some[which] for some, which in zip(numbers, chosen, strict=True)]
+            kept = sum(map(len, parts))
+        progress(0.5, f"Reading {found.path.name}, {done:,} points")
+    if not kept:
+        raise InputError(
+            f"{found.path}: no point of this scan lies within {reach:g} m of what the lines have "
+            "seen; check its coordinate system."
+        )
+    said = [f"{found.path.name}: {done:,} points, of which {kept:,} lie where the lines have been"]
+    if halvings:
+        said[0] += f" and are one in {2**halvings} of those there"
+    return np.concatenate(parts), said
+
+
+def _require_site(
+    path: Path, chunk: Array, placed: Array, system: CoordinateSystem | None,
+    trajectory: LocalTrajectory,
+) -> None:  # fmt: skip
+    """Refuse a scan of another place, by the point of its first chunk that is nearest."""
+    step = max(1, len(placed) // 1000)
+    nearest = int(np.argmin(away(placed[::step], trajectory)))
+    require_near(chunk[::step][nearest], system, trajectory, f"{path}")
+
+
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """Cells of the local frame that lines have points in, or beside."""
+
+    side: float
+    low: Array
+    counts: NDArray[np.int64]
+    cells: NDArray[np.int64]
+
+    @classmethod
+    def of(cls, survey: Survey, project: Project, reach: float) -> "_Seen":
+        side = max(LEAST_CELL, reach)
+        seen = [
+            np.unique(np.floor(cloud.sample / side).astype(np.int64), axis=0)
+            for clouds in (survey.clouds, survey.placed(project, "estimated"))
+            for cloud in clouds.values()
+        ]
+        cells = np.unique(np.concatenate(seen), axis=0)
+        low = cells.min(axis=0) - 1
+        counts = cells.max(axis=0) + 2 - low
+        beside = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3)
+        wide = [np.ravel_multi_index((cells - low + b).T, counts) for b in beside]
+        return cls(side, low, counts, np.unique(np.concatenate(wide)))
+
+    def contains(self, points: Array) -> NDArray[np.bool_]:
+        """Which points, shape (n, 3), lie there; those that are not finite do not."""
+        at = np.floor(points / self.side) - self.low
+        inside = np.asarray(((at >= 0) & (at < self.counts)).all(axis=1))
+        found = np.zeros(len(points), dtype=bool)
+        keys = np.ravel_multi_index(at[inside].astype(np.int64).T, self.counts)
+        where = np.minimum(np.searchsorted(self.cells, keys), len(self.cells) - 1)
+        found[inside] = self.cells[where] == keys
+        return found

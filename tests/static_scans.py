@@ -1,0 +1,45 @@
+"""Static scans of the built-in port: its true surfaces, sampled with known noise and shifted."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.simulation.port import port_scene
+from lispac.simulation.scene import Rectangle
+
+Array = NDArray[np.float64]
+PLANES = ("T1", "T2", "V1", "V2", "V3", "V4", "V5")
+
+
+def plane_of(name: str) -> Rectangle:
+    """The true plane of that name."""
+    plane = port_scene()[name]
+    assert isinstance(plane, Rectangle)
+    return plane
+
+
+def on_plane(name: str, across: Array, up: Array) -> Array:
+    """Places of a true plane, in shares of its sides from its middle, shape (n, 3), metres."""
+    plane = plane_of(name)
+    along = np.cross(plane.normal, plane.across)
+    return (
+        plane.centre
+        + np.outer(across * plane.width, plane.across)
+        + np.outer(up * plane.height, along)
+    )
+
+
+def tripod_scan(
+    names: tuple[str, ...] = PLANES,
+    *,
+    noise: float = 0.002,
+    shift: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    density: float = 400.0,
+) -> Array:
+    """Points of true planes, evenly spread, with noise along their normals, shape (n, 3)."""
+    rng, parts = np.random.default_rng(4), []
+    for name in names:
+        plane = plane_of(name)
+        n = int(density * plane.width * plane.height)
+        points = on_plane(name, *rng.uniform(-0.5, 0.5, (2, n)))
+        parts.append(points + np.outer(rng.normal(0.0, noise, n), plane.normal))
+    return np.concatenate(parts) + shift

@@ -1,0 +1,347 @@
+"""Lines against a static scan or surveyed points: known shifts and known POS errors come back."""
+
+import json
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+from pyproj import CRS
+
+from lispac.adjustment.sensitivity import sensitivity
+from lispac.errors import InputError, NotComparable, ProjectError
+from lispac.geometry.frames import LocalFrame
+from lispac.geometry.rotations import rotation_matrix
+from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.project import Project
+from lispac.report.absolute_values import Absolute
+from lispac.report.blocks import Table
+from lispac.report.document import document_of
+from lispac.report.pdf import write_pdf
+from lispac.simulation.port import ORIGIN
+from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.survey.crs import coordinate_system
+from lispac.survey.georeferencing import Mounting, georeference
+from lispac.survey.trajectory import Poses
+from lispac.validation.absolute import AbsoluteCheck
+from lispac.validation.reference_places import at_points
+from lispac.workflow.absolute import check_absolute
+from lispac.workflow.survey import Survey, load_survey
+from tests.report_sample import sample_content, sample_project
+from tests.static_scans import on_plane, plane_of, tripod_scan
+from tests.test_cli import answer, refused, run
+
+SHIFTS = (0.0, 0.005, 0.020)
+
+
+@pytest.fixture(scope="module")
+def truth() -> SimulatedSurvey:
+    return port_survey(points_per_second=50_000.0)
+
+
+@pytest.fixture(scope="module")
+def known(
+    demo_project: Project, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Project, Survey]:
+    """The built-in survey, its true boresight as the estimated one, known to a hundredth degree."""
+    result = sample_project(tmp_path_factory.mktemp("sample")).result
+    assert result is not None
+    truth_deg = demo_project.truth_deg
+    assert truth_deg is not None
+    settings = demo_project.settings
+    result = replace(
+        result,
+        mounting=Mounting(np.array(settings.lever_arm), np.radians(truth_deg)),
+        estimated=("roll", "pitch", "yaw"),
+        covariance_all=np.radians(0.01) ** 2 * np.eye(3),
+    )
+    project = replace(demo_project, result=result)
+    return project, load_survey(project)
+
+
+def true_offsets(truth: SimulatedSurvey, survey: Survey, name: str) -> dict[str, float]:
+    """By how much each line lies off a plane by its POS errors, from the simulator's own points."""
+    number, normal = truth.surface_names.index(name), plane_of(name).normal
+    mounting = Mounting(truth.lever_arm, truth.boresight)
+    found = {}
+    for line in truth.lines:
+        own = line.label == number
+        if np.count_nonzero(own) > 500:
+            placed = georeference(
+                line.points_lidar[own], line.time[own], survey.trajectory, mounting
+            )
+            found[line.name] = float(((placed - line.true_points_local[own]) @ normal).mean())
+    return found
+
+
+def checked(
+    known: tuple[Project, Survey], path: Path, points: np.ndarray, **how: object
+) -> AbsoluteCheck:
+    np.savetxt(path, points, fmt="%.5f")
+    project, _ = check_absolute(*known, path, **how)  # type: ignore[arg-type]
+    assert project.absolute is not None
+    return project.absolute
+
+
+@pytest.mark.parametrize("shift", SHIFTS)
+def test_a_known_shift_of_a_scan_comes_back(
+    known: tuple[Project, Survey], truth: SimulatedSurvey, tmp_path: Path, shift: float
+) -> None:
+    """V5 faces west, to where the scan is shifted: its lines lie farther from the vessel by it."""
+    expected = true_offsets(truth, known[1], "V5")
+    scan = tripod_scan(("V5",), shift=(0.0, shift, 0.0))
+    check = checked(known, tmp_path / "scan.xyz", scan)
+    assert {line.line for line in check.lines} <= set(expected)
+    assert len(check.lines) >= 2
+    for line in check.lines:
+        off = expected[line.line] - shift
+        assert line.after.signed.mean == pytest.approx(off, abs=0.001)
+        # The shift is what the mean may be off by: 12 mm of the POS, 5 mm of the reference.
+        assert abs(line.after.signed.mean + shift) <= line.after.interval_95
+    assert check.together.before.distances.rms > 5 * check.together.after.distances.rms
+    mean = check.together.after.mean_sigma
+    assert mean.reference == 0.005
+    assert mean.scatter < 0.001
+
+
+def test_errors_beyond_the_stated_ones_are_significant(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0)))
+    assert check.together.after.significant
+    assert all(line.after.significant for line in check.lines)
+    words = Absolute.of(check).in_words
+    assert "farther from the vessel" in words[0]
+    assert "more than reference, POS and boresight explain" in words[0]
+    assert check.lines[0].line in words[2]
+
+
+def test_the_parts_of_what_the_mean_may_be_off_by(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    """V5 faces west: of the position counts the sigma of that axis, and the rest by its lever."""
+    check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",)), sigma=0.01)
+    _, survey = known
+    for line in check.lines:
+        position, attitude = survey.accuracy.at(np.array([survey.scans[line.line].first_time]))
+        parts = line.after.mean_sigma
+        assert parts.position == pytest.approx(position[0, 1], rel=0.01)
+        # Heading turns the point along the normal by how far it lies fore and aft of the POS, roll
+        # by its height over it: less than the distance times the largest of the sigmas.
+        assert 0.0 < parts.attitude < 60.0 * attitude.max()
+        assert parts.boresight is not None
+        assert line.before.mean_sigma.boresight is None
+        assert parts.total == pytest.approx(
+            np.sqrt(0.01**2 + parts.position**2 + parts.attitude**2 + parts.boresight**2), rel=1e-3
+        )
+        assert line.after.reference_share == pytest.approx(
+            min(1.0, (0.01 / line.after.distances.rms) ** 2)
+        )
+
+
+def test_lines_far_apart_in_time_average_out_and_near_ones_do_not(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project, survey = known
+    sigmas = []
+    for seconds in (1e-3, 1e9):
+        settings = replace(project.settings, position_time=seconds, attitude_time=seconds)
+        one = (replace(project, settings=settings), survey)
+        check = checked(one, tmp_path / "s.xyz", tripod_scan(("V5",)))
+        share = (
+            np.array([line.after.signed.n for line in check.lines]) / check.together.after.signed.n
+        )
+        own = np.array([line.after.mean_sigma.position for line in check.lines])
+        sigmas.append((check.together.after.mean_sigma.position, share, own))
+    apart, share, own = sigmas[0]
+    assert apart == pytest.approx(np.linalg.norm(share * own), rel=0.01)
+    near, share, own = sigmas[1]
+    assert near == pytest.approx(np.sum(share * own), rel=0.01)
+
+
+def test_surveyed_points_and_planes(
+    known: tuple[Project, Survey], truth: SimulatedSurvey, tmp_path: Path
+) -> None:
+    expected = true_offsets(truth, known[1], "V1")
+    corner = np.array([-0.4, 0.4, 0.4, -0.4])
+    plane = on_plane("V1", corner, np.array([-0.4, -0.4, 0.4, 0.4])) + (0.0, 0.01, 0.0)
+    alone = on_plane("V1", np.zeros(2), np.array([-0.2, 0.1])) + (0.0, 0.01, 0.0)
+    rows = ["name,north,west,up,sigma,plane"]
+    rows += [f"B{k},{x[0]},{x[1]},{x[2]},0.004,BOARD" for k, x in enumerate(plane)]
+    rows += [f"A{k},{x[0]},{x[1]},{x[2]},0.003," for k, x in enumerate(alone)]
+    rows.append("AWAY,0,40,3,0.003,")
+    path = tmp_path / "points.csv"
+    path.write_text("\n".join(rows))
+    project, notes = check_absolute(*known, path)
+    check = project.absolute
+    assert check is not None
+    assert any("sigma, plane" in note for note in notes)
+    assert check.kind == "points"
+    found = {point.name: point for point in check.points}
+    assert set(found) == {"BOARD", "A0", "A1"}
+    assert any("AWAY" in reason for reason in check.unseen)
+    # Four points of 4 mm each make a plane of 2 mm in their middle.
+    assert found["BOARD"].sigma == pytest.approx(0.002, rel=1e-6)
+    assert found["A0"].sigma == 0.003
+    seen = [expected[line.line] for line in check.lines]
+    assert found["BOARD"].lines == len(seen)
+    assert found["BOARD"].after == pytest.approx(np.mean(seen) - 0.01, abs=0.001)
+    for name in ("A0", "A1"):
+        assert 2 <= found[name].lines <= len(seen)
+        assert min(seen) - 0.012 <= found[name].after <= max(seen) - 0.008
+    assert check.together.before.distances.rms > 2 * check.together.after.distances.rms
+
+
+def test_the_interval_at_a_surveyed_point_holds_what_it_says() -> None:
+    """93 to 97 % of 1,000 points a millimetre to two centimetres before a noisy wall."""
+    rng, held = np.random.default_rng(5), []
+    place, facing = np.array([[0.02, 15.0, 4.0]]), np.array([[0.0, -15.0, -3.0]])
+    for k in range(1000):
+        offset = (0.001, 0.005, 0.02)[k % 3]
+        wall = np.column_stack(
+            [
+                rng.uniform(-0.5, 0.5, 400),
+                15.0 - rng.normal(offset, 0.003, 400),
+                rng.uniform(3.5, 4.5, 400),
+            ]
+        )
+        how = {"diameter": 0.3, "reach": 1.0, "roughest": 0.015}
+        found = at_points([wall], [wall], place, facing=facing, **how).after
+        held.append(abs(found.distance[0] - offset) <= found.half_width[0])
+    assert abs(np.mean(held) - 0.95) <= 0.02
+
+
+def test_a_scan_on_the_map_without_time(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    scan = tripod_scan(("V1", "V5"))
+    local = checked(known, tmp_path / "s.xyz", scan)
+    crs = CRS.from_epsg(32618)
+    header = laspy.LasHeader(version="1.2", point_format=0)
+    header.scales, header.offsets = np.full(3, 1e-5), np.array([600_000.0, 5_041_000.0, 0.0])
+    header.add_crs(crs)
+    las = laspy.LasData(header)
+    las.xyz = coordinate_system("EPSG:32618").from_local(scan, LocalFrame(*ORIGIN))
+    path = tmp_path / "scan.laz"
+    las.write(path)
+    project, _ = check_absolute(*known, path)
+    mapped = project.absolute
+    assert mapped is not None
+    assert "UTM zone 18N" in mapped.system
+    for one, other in zip(local.lines, mapped.lines, strict=True):
+        assert other.after.signed.mean == pytest.approx(one.after.signed.mean, abs=2e-4)
+    # What the file says can be overruled, and what is elsewhere is refused.
+    with pytest.raises(InputError, match="km from the trajectory"):
+        check_absolute(*known, path, crs="EPSG:32619")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("p.csv", "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\n", "has 2 points"),
+        (
+            "p.csv",
+            "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\nc,3,2,3,P\n",
+            "one straight line",
+        ),
+        ("p.csv", "name,north,west,up,sigma\na,1,2,3,-1\n", "sigma is '-1'"),
+        ("p.csv", "a,1,2\n", "three coordinates are needed"),
+        ("p.ply", "ply\n", "read from LAS, LAZ, E57 or text"),
+        ("p.csv", "a,90000,2,3\n", "km from the trajectory"),
+    ],
+)
+def test_references_that_cannot_be_used(
+    known: tuple[Project, Survey], tmp_path: Path, name: str, text: str, said: str
+) -> None:
+    (tmp_path / name).write_text(text)
+    with pytest.raises(InputError, match=said):
+        check_absolute(*known, tmp_path / name)
+
+
+def test_what_no_line_sees(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    (tmp_path / "p.csv").write_text("a,0,30,3\n")
+    with pytest.raises(NotComparable, match="no line has a flat place within 1 m"):
+        check_absolute(*known, tmp_path / "p.csv")
+    project, survey = known
+    with pytest.raises(ProjectError, match="estimate first"):
+        check_absolute(replace(project, result=None), survey, tmp_path / "p.csv")
+
+
+def test_derivatives_are_those_of_the_thesis_equation() -> None:
+    """X = P + R(attitude) (R(boresight) x + lever arm), by central differences."""
+    rng = np.random.default_rng(1)
+    points = rng.uniform(-20, 20, (5, 3))
+    position, attitude = rng.uniform(-50, 50, (5, 3)), rng.uniform(-0.3, 0.3, (5, 3))
+    values = np.array([0.02, -0.03, 0.05, 0.3, -0.1, 2.0, 0, 0, 0])
+    normals = rng.normal(size=(5, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+
+    def placed(k: int, x: np.ndarray) -> float:
+        pose, turn, seen, mounting = x[:3], x[3:6], x[6:9], x[9:15]
+        body = rotation_matrix(*mounting[:3]) @ seen + mounting[3:]
+        return float(normals[k] @ (pose + rotation_matrix(*turn) @ body))
+
+    found = sensitivity(points, Poses(position, attitude), Mounting.of_values(values), normals)
+    for k in range(5):
+        x = np.concatenate([position[k], attitude[k], points[k], values[:6]])
+        steps = 1e-6 * np.eye(15)
+        numeric = [(placed(k, x + s) - placed(k, x - s)) / 2e-6 for s in steps]
+        analytic = np.concatenate(
+            [
+                found.by_position[k],
+                found.by_attitude[k],
+                found.by_lidar[k],
+                found.by_mounting[k, :6],
+            ]
+        )
+        np.testing.assert_allclose(analytic, numeric, atol=1e-6)
+
+
+def test_the_project_keeps_it_and_the_report_tells_it(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    check = checked(known, tmp_path / "s.xyz", tripod_scan(("V1", "V5")))
+    project = sample_project(tmp_path / "p").with_absolute(check)
+    write_project(project)
+    again = read_project(project.folder)
+    assert again.absolute == check
+    assert again.result is not None
+    assert again.with_result(again.result).absolute is None
+    content = sample_content(again)
+    assert content.files[-1].sha256 == check.sha256
+    (section,) = (s for s in document_of(content, {}).sections if s.title == "Absolute check")
+    tables = [block for block in section.blocks if isinstance(block, Table)]
+    shown = tables[0].rows[-1]
+    together = check.together.after
+    assert shown[:3] == ("all lines", "after", f"{together.signed.n:,}")
+    assert shown[3].replace("\N{MINUS SIGN}", "-") == f"{1000 * together.signed.mean:+.1f}"
+    assert shown[6] == f"{1000 * together.distances.rms:.1f}"
+    write_pdf(content, tmp_path / "r.pdf", {})
+    # A file of before has no such entry, and nothing is told of it.
+    path = project.folder / FILE_NAME
+    stored = json.loads(path.read_text())
+    del stored["absolute"]
+    path.write_text(json.dumps(stored))
+    older = read_project(project.folder)
+    assert older.absolute is None
+    titles = [s.title for s in document_of(sample_content(older), {}).sections]
+    assert "Absolute check" not in titles
+
+
+def test_the_command(
+    capsys: pytest.CaptureFixture[str], known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project = replace(known[0], folder=tmp_path / "p")
+    write_project(project)
+    path = tmp_path / "s.xyz"
+    check = checked(known, path, tripod_scan(("V5",)))
+    found = answer(capsys, "check", project.folder, "--reference", path)
+    assert found == json.loads(json.dumps(asdict(Absolute.of(check))))
+    code, out, err = run(capsys, "check", project.folder, "--reference", path)
+    assert code == 0
+    assert "coordinates in the local frame" in err
+    for sentence in found["in_words"]:
+        assert sentence in out
+    assert read_project(project.folder).absolute == check
+    assert "there is no such static scan file" in refused(
+        capsys, "check", project.folder, "--reference", tmp_path / "none.laz"
+    )

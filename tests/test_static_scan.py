@@ -1,0 +1,73 @@
+"""Clouds without time: their places, as written by other libraries."""
+
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io.static_scan import static_scan
+from tests import point_files
+from tests.point_files import XYZ
+
+
+def places(path: Path, *, local: bool = True) -> np.ndarray:
+    return np.concatenate(list(static_scan(path).chunks(local=local)))
+
+
+def test_e57_without_time_has_its_poses_applied(tmp_path: Path) -> None:
+    pytest.importorskip("pye57")
+    half = np.sqrt(0.5)  # a quarter turn about z: x becomes y
+    path = point_files.e57(
+        tmp_path / "scan.e57", timed=False, quaternion=(half, 0, 0, half), translation=(100, 200, 3)
+    )
+    turned = np.column_stack([-XYZ[:, 1], XYZ[:, 0], XYZ[:, 2]]) + (100, 200, 3)
+    np.testing.assert_allclose(places(path), turned, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["scan.las", "scan.laz"])
+def test_las_without_time(tmp_path: Path, name: str) -> None:
+    header = laspy.LasHeader(version="1.2", point_format=2)
+    header.scales = np.full(3, 1e-4)
+    las = laspy.LasData(header)
+    las.xyz = XYZ
+    las.write(tmp_path / name)
+    np.testing.assert_allclose(places(tmp_path / name), XYZ, atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("head", "order", "separator"),
+    [
+        ("", "xyz", " "),
+        ("x y z", "xyz", " "),
+        ("up;north;west", "zxy", ";"),
+        ("# made by a tripod\n", "xyz", ","),
+        ("intensity,x,y,z", "ixyz", ","),
+    ],
+)
+def test_text(tmp_path: Path, head: str, order: str, separator: str) -> None:
+    columns = {"x": XYZ[:, 0], "y": XYZ[:, 1], "z": XYZ[:, 2], "i": np.arange(len(XYZ))}
+    rows = np.column_stack([columns[name] for name in order])
+    path = tmp_path / "scan.txt"
+    text = [separator.join(f"{value:.4f}" for value in row) for row in rows]
+    path.write_text("\n".join([*([head] if head else []), *text]))
+    np.testing.assert_allclose(places(path), XYZ, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "empty"),
+        ("# nothing\n", "no row of coordinates"),
+        ("1 2\n3 4\n", "row 1: three coordinates are needed"),
+        ("1,5 2,5 3,5\n2,5 3,5 4,5\n", "decimal points"),
+        ("1 2 3\n4 5\n", "cannot be read as text"),
+        ("1 2 3\n4 5 inf\n", "point 2 has a coordinate that is not a usable number"),
+    ],
+)
+def test_texts_that_are_refused(tmp_path: Path, text: str, said: str) -> None:
+    path = tmp_path / "scan.txt"
+    path.write_text(text)
+    with pytest.raises(InputError, match=said):
+        places(path)
