@@ -4,7 +4,7 @@ import math
 import subprocess
 import sys
 from argparse import Namespace
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -35,25 +35,27 @@ from lispac.workflow.export import write_report
 from lispac.workflow.report_options import report_options
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate as validated
+from lispac.workflow.validation import validate_with_truth
 
 
 def demo(arguments: Namespace) -> None:
     """Simulate, calibrate, validate, report; then open the window where there is a screen."""
     with ConsoleProgress() as progress:
         project, survey = demo_survey.run_demo(arguments.output, progress=progress)
+        true = rms_with_truth(project, survey)
         report = project.folder / "report.pdf"
         write_report(project, survey, report)
         write_report(project, survey, report.with_suffix(".html"))
     if arguments.json:
         truth = dict(zip(ANGLES, project.truth_deg or (), strict=True))
-        print_json(project_numbers(project) | {"truth_deg": truth}
+        print_json(project_numbers(project) | {"truth_deg": truth, "rms_truth_m": true}
                     | {"report": str(report), "project": str(project.folder)})  # fmt: skip
     else:
         assert project.result is not None
         print_result(project.result, project.cross_checks, doubles(project))
         if project.truth_deg is not None:
             print("truth      " + "".join(f"{angle:+12.4f}" for angle in project.truth_deg))
-        _print_validation(project)
+        _print_validation(project, true)
         print(f"project    {project.folder}")
         print(f"report     {report}")
     if not arguments.no_window and has_display():
@@ -117,16 +119,18 @@ def validate(arguments: Namespace) -> None:
     with ConsoleProgress() as progress:
         project = validated(project, survey, model=model, progress=progress)
     projects.save_project(project)
+    true = rms_with_truth(project, survey)
     if arguments.json:
         print_json(
             {
                 "planes": [comparison.to_dict() for comparison in project.validation],
+                "rms_truth_m": true,
                 "not_compared": dict(project.not_compared),
                 "doubts": [doubt.plain for doubt in doubles(project)],
             }
         )
     else:
-        _print_validation(project)
+        _print_validation(project, true)
 
 
 def report(arguments: Namespace) -> None:
@@ -153,15 +157,23 @@ def _notes(survey: Survey) -> None:
         print(f"note: {note}", file=sys.stderr)
 
 
-def _print_validation(project: Project) -> None:
-    print(
-        f"{'validation':12s}{'points':>10s}{'RMS before':>14s}{'RMS after':>14s}  mm, line to line"
-    )
-    for comparison in project.validation:
-        print(
-            f"{comparison.name:12s}{comparison.after.n:10,}"
-            f"{comparison.before.rms * 1000:14.1f}{comparison.after.rms * 1000:14.1f}"
-        )
+def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
+    """RMS distance between the lines on each plane with the simulated boresight, metres."""
+    if project.truth_deg is None:
+        return {}
+    return {each.name: each.after.rms for each in validate_with_truth(project, survey)}
+
+
+def _print_validation(project: Project, true: Mapping[str, float]) -> None:
+    last = f"{'with truth':>14s}" if true else ""
+    heads = f"{'points':>10s}{'RMS before':>14s}{'RMS after':>14s}{last}"
+    print(f"{'validation':12s}{heads}  mm, line to line")
+    for each in project.validation:
+        values = [each.before.rms, each.after.rms]
+        if each.name in true:
+            values.append(true[each.name])
+        figures = "".join(f"{1000 * value:14.1f}" for value in values)
+        print(f"{each.name:12s}{each.after.n:10,}{figures}")
     for reason in project.not_compared.values():
         print(f"not compared: {reason}")
     for doubt in doubles(project):

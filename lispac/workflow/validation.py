@@ -1,5 +1,7 @@
 """How far apart the lines are on planes that took no part, before and after."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from lispac.errors import NotComparable, ProjectError
@@ -63,3 +65,32 @@ def validate(
     if not comparisons:
         raise NotComparable(" ".join(not_compared.values()))
     return project.with_validation(tuple(comparisons), not_compared)
+
+
+def validate_with_truth(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> tuple[PlaneComparison, ...]:
+    """The same planes with the boresight a simulated survey was made with, for "after".
+
+    What is left between the lines then is the POS error of each of them, which no boresight
+    removes: an answer is as good as it can be where it leaves no more.
+
+    Parameters
+    ----------
+    project : Project
+        Simulated, and validated: what distances are measured to is taken from it.
+
+    Raises
+    ------
+    ProjectError
+        The survey is not a simulated one, or has not been validated.
+    """
+    if project.truth_deg is None or project.result is None or not project.validation:
+        raise ProjectError(
+            f"{project.name}: only a simulated survey that has been validated can be compared "
+            "with its truth."
+        )
+    true = project.result.mounting.with_boresight(np.radians(project.truth_deg))
+    placed = project.with_result(replace(project.result, mounting=true))
+    model = project.validation[0].model
+    return validate(placed, survey, model=model, progress=progress).validation
