@@ -115,6 +115,9 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
         code, _, err = run(capsys, "report", project, "--output", tmp_path / f"report{ending}")
         assert code == 0, err
         assert (tmp_path / f"report{ending}").stat().st_size > 1000
+    french = tmp_path / "rapport.html"
+    assert run(capsys, "report", project, "--output", french, "--language", "fr")[0] == 0
+    assert "ÉTALONNÉ" in french.read_text(encoding="utf-8")
 
 
 def test_demo_prints_answer_truth_and_report(

@@ -294,6 +294,7 @@ def test_uncalibrated_project_says_so_on_page_one(
     write_pdf(content, tmp_path / "r.pdf", {})
     first = _pdf_text(tmp_path / "r.pdf", "-f", "1", "-l", "1")
     assert "NOT CALIBRATED" in first
+    assert re.findall(r"Page (\d) of 3", _pdf_text(tmp_path / "r.pdf")) == ["1", "2", "3"]
     assert "Estimated" not in first
 
 

@@ -135,7 +135,12 @@ def validate(arguments: Namespace) -> None:
 
 def report(arguments: Namespace) -> None:
     """Write the report."""
-    options = report_options(arguments.template, arguments.page or "", arguments.convention or "")
+    options = report_options(
+        arguments.template,
+        arguments.page or "",
+        arguments.convention or "",
+        arguments.language or "",
+    )
     project, survey = _open(arguments.project)
     with ConsoleProgress() as progress:
         write_report(project, survey, arguments.output, options=options, progress=progress)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from lispac.cli.values import Commands, command, json_option
 from lispac.identity import HINTS, NAMES
+from lispac.report.catalogue import LANGUAGES
 
 
 def add(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -36,6 +37,9 @@ def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
         metavar="FILE",
         help=".pdf, .html, .json, or .zip for all tables as CSV",
     )
+    report.add_argument(
+        "--language", choices=tuple(LANGUAGES), help="of the report (default en); JSON is English"
+    )
     report.add_argument("--page", choices=("a4", "letter"), help="size of the paper (default a4)")
     report.add_argument(
         "--convention", metavar="SYSTEM",
@@ -44,5 +48,5 @@ def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
     report.add_argument(
         "--template", type=Path, metavar="FILE",
         help="TOML file with what a company always wants: logo (PNG or SVG beside it), company, "
-        "heading, closing, page, convention; --page and --convention go before it",
+        "heading, closing, page, convention, language; what is chosen here goes before it",
     )  # fmt: skip

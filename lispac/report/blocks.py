@@ -1,8 +1,8 @@
 """What a report is set from: sections of paragraphs, lists, tables and pictures, all text."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 from lispac.report.options import Page
 
@@ -11,9 +11,10 @@ Status = Literal["bad", "fair", "good"]
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Running text."""
+    """Running text; the user's ``own`` stays as it is in every language."""
 
     text: str
+    own: bool = False
     kind: str = "paragraph"
 
 
@@ -85,7 +86,29 @@ class Signature:
     kind: str = "signature"
 
 
-Block = Paragraph | Bullets | Table | Picture | Signature
+@dataclass(frozen=True)
+class Drawing:
+    """Pictures still to be drawn: what ``draw`` makes of ``values``, in the report's language."""
+
+    caption: str
+    draw: Callable[..., Any]
+    values: tuple[object, ...]
+    width: float = 1.0
+    kind: str = "drawing"
+
+
+Block = Paragraph | Bullets | Table | Picture | Drawing | Signature
+
+
+@dataclass(frozen=True)
+class Furniture:
+    """What stands on every page, and heads that belong to no section."""
+
+    made: str = "Made {when} by {program}"
+    page: str = "Page {page} of {pages}"
+    warnings: str = "Warnings"
+    remarks: str = "Remarks"
+    contents: str = "Contents"
 
 
 @dataclass(frozen=True)
@@ -126,3 +149,5 @@ class Document:
     sections: tuple[Section, ...]
     page: Page = "a4"
     letterhead: Letterhead = NO_LETTERHEAD
+    language: str = "en"
+    furniture: Furniture = Furniture()

@@ -1,7 +1,7 @@
 """The section on the boresight: its fit, what was estimated with it, and what the lines see."""
 
 from lispac.adjustment.parameters import SIGNIFICANT
-from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, facts, rows
+from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, facts, rows
 from lispac.report.values import Adjustment, ExtraParameter, ReportContent, Seen
 from lispac.report.wording import (
     UNKNOWN,
@@ -119,13 +119,11 @@ def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]
         )
     ]
     if len(adjustment.estimated) > len(names):
-        from lispac.report.figures import correlation_figure_of, pictures_of
+        from lispac.report.figures import correlation_figure_of
 
-        (svg,) = pictures_of(
-            correlation_figure_of, adjustment.estimated, adjustment.correlation_all
-        )
         caption = "Correlations of all estimated values."
-        blocks.append(Picture(caption, svg, ".svg", width=0.55))
+        values = (adjustment.estimated, adjustment.correlation_all)
+        blocks.append(Drawing(caption, correlation_figure_of, values, width=0.55))
     return blocks
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from lispac.adjustment.shown import SPREAD_LINES, SPREAD_TARGETS
-from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, rows
+from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.values import (
     Adjustment,
     CheckedPart,
@@ -127,7 +127,7 @@ def _told(found: Sequence[SightingCheck]) -> list[Block]:
 
 def _pos_errors(adjustment: Adjustment) -> list[Block]:
     # Rounded first, plus zero: no minus sign before a zero
-    from lispac.report.figures import POS_COMPONENTS, pictures_of, pos_error_figures_of
+    from lispac.report.figures import POS_COMPONENTS, pos_error_figures_of
 
     found = adjustment.reliability
     count = len(found)
@@ -169,8 +169,7 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
         "Errors beyond the grey are red: the POS was worse than stated, or something else is taken "
         "for its error."
     )
-    figures = [Picture(caption, svg, ".svg") for svg in pictures_of(pos_error_figures_of, found)]
-    return [table, *figures]
+    return [table, Drawing(caption, pos_error_figures_of, (found,))]
 
 
 def cross_checks(content: ReportContent) -> list[Block]:

@@ -16,6 +16,7 @@ from lispac.report.blocks import (
     Status,
 )
 from lispac.report.boresight_section import boresight
+from lispac.report.catalogue import catalogue_of
 from lispac.report.checks_section import cross_checks, reliability
 from lispac.report.convention_section import other_programs
 from lispac.report.identity_section import identity, signature
@@ -23,6 +24,8 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
 from lispac.report.standards_section import standards
+from lispac.report.translated import drawn, names_of, translated
+from lispac.report.translation import Translator
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
@@ -36,13 +39,22 @@ def document_of(
     Parameters
     ----------
     pictures : file of a PNG or SVG picture by its caption
-    options : its page and letterhead; the convention is a matter of the content
+    options : its language, page and letterhead; the convention is a matter of the content
 
     Raises
     ------
     InputError
-        Where a picture or the logo cannot be read.
+        Where a picture or the logo cannot be read, or there is no report in this language.
     """
+    say = Translator(catalogue_of(options.language), names_of(content))
+    document = drawn(in_english(content, pictures, options), say)
+    return document if options.language == "en" else translated(document, say)
+
+
+def in_english(
+    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
+) -> Document:
+    """The report as it is made, its figures not drawn yet."""
     serious = tuple(c.text for c in content.cautions if c.severity == "serious")
     status, verdict = _verdict(content, bool(serious))
     parts = [
@@ -71,7 +83,7 @@ def document_of(
         cautions=tuple(c.text for c in content.cautions if c.severity != "serious"),
         summary=(
             *sections.summary(content),
-            *(Paragraph(text) for text in options.closing.split("\n\n") if text),
+            *(Paragraph(text, own=True) for text in options.closing.split("\n\n") if text),
             signature(content),
         ),
         sections=tuple(section for section in parts if section.blocks),

@@ -19,6 +19,8 @@ from matplotlib.ft2font import FT2Font
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
+from lispac.report.catalogue import catalogue_of
+from lispac.report.translation import Say, Translator, unchanged
 from lispac.report.values import (
     Line,
     PickedPlane,
@@ -53,7 +55,10 @@ def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -
 
 
 def correlation_figure_of(
-    names: Sequence[str], correlation: ArrayLike, figure: Figure | None = None
+    names: Sequence[str],
+    correlation: ArrayLike,
+    figure: Figure | None = None,
+    say: Say = unchanged,
 ) -> Figure:
     """`correlation_figure` of a report's content; names as in `AdjustmentResult.estimated`."""
     matrix = np.asarray(correlation)
@@ -65,7 +70,7 @@ def correlation_figure_of(
         colour = "white" if abs(value) > 0.7 else INK
         text = f"{value:+.2f}".replace("-", "\u2212")
         axes.text(column, row, text, ha="center", va="center", color=colour, fontsize=SMALL)
-    labels = [parameter(name) for name in names]
+    labels = [say(parameter(name)) for name in names]
     axes.set_xticks(range(len(names)), labels)
     if len(names) > 3:
         for label in axes.get_xticklabels():
@@ -74,7 +79,7 @@ def correlation_figure_of(
     axes.tick_params(length=0, labelsize=TEXT, colors=INK)
     axes.spines[:].set_visible(False)
     figure.colorbar(image, ax=axes, shrink=0.85).ax.tick_params(labelsize=SMALL, colors=INK)
-    axes.set_title("Correlation", fontsize=TEXT + 1, color=INK)
+    axes.set_title(say("Correlation"), fontsize=TEXT + 1, color=INK)
     return figure
 
 
@@ -83,6 +88,7 @@ def site_figure(
     targets: Mapping[str, Sequence[float]],
     validation: Mapping[str, Sequence[float]],
     figure: Figure | None = None,
+    say: Say = unchanged,
 ) -> Figure:
     """Plan view: courses of the lines, targets and validation planes; north is up.
 
@@ -97,23 +103,26 @@ def site_figure(
         _draw_track(
             axes, name, np.asarray(points, dtype=float), LINE_COLOURS[k % len(LINE_COLOURS)]
         )
-    _draw_seeds(axes, targets, "s", "#bb2222", "target")
-    _draw_seeds(axes, validation, "^", "#111111", "validation plane")
+    _draw_seeds(axes, targets, "s", "#bb2222", say("target"))
+    _draw_seeds(axes, validation, "^", "#111111", say("validation plane"))
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
     axes.invert_xaxis()  # west is positive in the local frame, and lies on the left
-    dress(axes, "West (m)", "North (m)")
+    dress(axes, say("West (m)"), say("North (m)"))
     if tracks or targets or validation:
         figure.legend(loc="outside right upper", fontsize=SMALL, frameon=False, labelcolor=INK)
     return figure
 
 
-def site_figure_of(lines: Sequence[Line], planes: Sequence[PickedPlane]) -> Figure:
+def site_figure_of(
+    lines: Sequence[Line], planes: Sequence[PickedPlane], say: Say = unchanged
+) -> Figure:
     """`site_figure` of a report's content."""
     return site_figure(
         {line.name: line.track_local_m for line in lines if len(line.track_local_m) > 0},
         {plane.name: plane.seed_local_m for plane in planes if plane.role == "target"},
         {plane.name: plane.seed_local_m for plane in planes if plane.role == "validation"},
+        say=say,
     )
 
 
@@ -130,26 +139,26 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
     )
 
 
-def residual_figures_of(sightings: Sequence[SightingFit]) -> list[Figure]:
+def residual_figures_of(sightings: Sequence[SightingFit], say: Say = unchanged) -> list[Figure]:
     """`residual_figure` of a report's content, in as many figures as fill a page each."""
     figures = []
     for start in range(0, len(sightings), PER_RESIDUAL_FIGURE):
         some = sightings[start : start + PER_RESIDUAL_FIGURE]
         labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in some]
         before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
-        figures.append(_bars(None, labels, before, after))
+        figures.append(_bars(None, labels, before, after, say))
     return figures
 
 
-def pos_error_figures_of(sightings: Sequence[SightingCheck]) -> list[Figure]:
+def pos_error_figures_of(sightings: Sequence[SightingCheck], say: Say = unchanged) -> list[Figure]:
     """Estimated POS errors with their prior, in as many figures as fill a page each."""
     return [
-        _pos_errors(sightings[start : start + PER_RESIDUAL_FIGURE])
+        _pos_errors(sightings[start : start + PER_RESIDUAL_FIGURE], say)
         for start in range(0, len(sightings), PER_RESIDUAL_FIGURE)
     ]
 
 
-def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
+def _pos_errors(sightings: Sequence[SightingCheck], say: Say) -> Figure:
     """A row a sighting, a panel a component: error, its 2 sigma, and the prior 2 sigma."""
     figure = blank(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
@@ -176,9 +185,9 @@ def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
         )
         axes.set_xlim(-widest, widest)
         axes.locator_params(axis="x", nbins=3)
-        dress(axes, "mm" if k < 3 else "0.001 deg", "")
+        dress(axes, say("mm" if k < 3 else "0.001 deg"), "")
         axes.grid(False)
-        axes.set_title(name, fontsize=TEXT, color=INK)
+        axes.set_title(say(name), fontsize=TEXT, color=INK)
         axes.tick_params(axis="y", length=0)
     panels[0].set_yticks(at, [f"{short_name(s.target)}  {short_name(s.line)}" for s in sightings])
     panels[0].set_ylim(len(sightings) - 0.5, -0.5)
@@ -193,20 +202,29 @@ def svg_of(figure: Figure) -> bytes:
     return stream.getvalue()
 
 
-def pictures_of(draw: Callable[..., Figure | Sequence[Figure]], *values: object) -> list[bytes]:
-    """The figures that ``draw`` makes of a report's values, as SVG.
+def pictures_of(
+    draw: Callable[..., Figure | Sequence[Figure]], *values: object, say: Translator | None = None
+) -> list[bytes]:
+    """The figures that ``draw`` makes of a report's values, as SVG, in English or as said.
 
     Nearly all of a report's time goes into them, and its three forms show the same ones, as does
     the next report on a plane that stayed as it was: the last ones are kept.
     """
-    return list(drawn(draw, pickle.dumps(values)))
+    svgs, unknown = drawn(draw, pickle.dumps(values), say.catalogue.code if say else "en")
+    if say is not None:
+        say.missed(unknown)
+    return list(svgs)
 
 
 @lru_cache(maxsize=32)  # those of a few reports, some megabytes
-def drawn(draw: Callable[..., Figure | Sequence[Figure]], values: bytes) -> tuple[bytes, ...]:
-    """`pictures_of` pickled values: they are equal to the last digit and sign."""
-    made = draw(*pickle.loads(values))
-    return tuple(svg_of(figure) for figure in ([made] if isinstance(made, Figure) else made))
+def drawn(
+    draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
+) -> tuple[tuple[bytes, ...], tuple[str, ...]]:
+    """`pictures_of` pickled values, equal to the last digit and sign, and what stayed English."""
+    say = Translator(catalogue_of(language))
+    made = draw(*pickle.loads(values), **({} if language == "en" else {"say": say}))
+    figures = [made] if isinstance(made, Figure) else made
+    return tuple(map(svg_of, figures)), say.unknown
 
 
 def blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
@@ -248,7 +266,11 @@ def short_name(name: str) -> str:
 
 
 def _bars(
-    figure: Figure | None, labels: Sequence[str], before: Sequence[float], after: Sequence[float]
+    figure: Figure | None,
+    labels: Sequence[str],
+    before: Sequence[float],
+    after: Sequence[float],
+    say: Say = unchanged,
 ) -> Figure:
     figure = blank(figure, (6.3, 0.7 + 0.26 * len(labels)))
     axes = figure.add_subplot()
@@ -258,12 +280,12 @@ def _bars(
         (0.2, after, AFTER, "after"),
     ):
         millimetres = 1000 * np.asarray(values)
-        bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=label)
+        bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=say(label))
         axes.bar_label(bars, fmt="%.1f", fontsize=SMALL - 1, color=INK, padding=2)
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
     axes.margins(x=0.1)
-    dress(axes, "RMS distance to the target's surface (mm)", "")
+    dress(axes, say("RMS distance to the target's surface (mm)"), "")
     axes.grid(False, axis="y")
     axes.tick_params(axis="y", length=0)
     figure.legend(loc="outside upper right", ncols=2, fontsize=SMALL, frameon=False, labelcolor=INK)

@@ -10,6 +10,7 @@ from matplotlib.patches import StepPatch
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
+from lispac.report.translation import Say, unchanged
 from lispac.report.validation_values import ValidationPlane
 from lispac.validation.bins import merged
 from lispac.validation.results import PlaneComparison
@@ -61,7 +62,7 @@ def histogram_figure(
     return _drawn(figure, comparison.name, told, counted, share)
 
 
-def validation_figure(plane: ValidationPlane) -> Figure:
+def validation_figure(plane: ValidationPlane, say: Say = unchanged) -> Figure:
     """`histogram_figure` of a report's content."""
     before, after = plane.before, plane.after
     counted = _Counted(
@@ -74,7 +75,8 @@ def validation_figure(plane: ValidationPlane) -> Figure:
         before.n,
         NEAR * after.p95_m,
     )
-    return _drawn(None, plane.name, f"{plane.pooled_from}, {plane.measured_to}", counted, False)
+    told = f"{plane.pooled_from}, {plane.measured_to}"
+    return _drawn(None, plane.name, told, counted, False, say)
 
 
 def _words(state: str, n: int, median: float, rms: float, p95: float) -> str:
@@ -84,7 +86,14 @@ def _words(state: str, n: int, median: float, rms: float, p95: float) -> str:
     )
 
 
-def _drawn(figure: Figure | None, name: str, told: str, counted: _Counted, share: bool) -> Figure:
+def _drawn(
+    figure: Figure | None,
+    name: str,
+    told: str,
+    counted: _Counted,
+    share: bool,
+    say: Say = unchanged,
+) -> Figure:
     figure = blank(figure, (6.3, 2.5))
     top = float(np.asarray(counted.edges)[-1])
     enlarged = counted.near < WORTH_IT * top
@@ -94,14 +103,16 @@ def _drawn(figure: Figure | None, name: str, told: str, counted: _Counted, share
         places = [figure.add_subplot()]
     amount = "Share of the points\n(% per mm)" if share else "Points"
     for axes, reach, across in zip(places, (top, counted.near), (_WHOLE, _NEAR), strict=False):
-        dress(axes, across, amount if axes is places[0] else "")
-        _Bars(axes, counted, share).show(reach)
-    places[0].set_title(f"{short_name(name)}, {told}", fontsize=TEXT + 1, color=INK, loc="left")
+        dress(axes, say(across), say(amount) if axes is places[0] else "")
+        _Bars(axes, counted, share, say).show(reach)
+    places[0].set_title(
+        f"{short_name(name)}, {say(told)}", fontsize=TEXT + 1, color=INK, loc="left"
+    )
     patches = [patch for patch in places[0].patches if patch.get_fill()]
     places[-1 if enlarged else 0].set_title("")
     places[0].legend(
-        patches, counted.words, loc="upper right", fontsize=SMALL if enlarged else TEXT,
-        frameon=False, labelcolor=INK,
+        patches, [say(words) for words in counted.words], loc="upper right",
+        fontsize=SMALL if enlarged else TEXT, frameon=False, labelcolor=INK,
     )  # fmt: skip
     return figure
 
@@ -109,7 +120,7 @@ def _drawn(figure: Figure | None, name: str, told: str, counted: _Counted, share
 class _Bars:
     """Both states in one set of axes, in bins that suit what is seen of them."""
 
-    def __init__(self, axes: Axes, counted: _Counted, share: bool) -> None:
+    def __init__(self, axes: Axes, counted: _Counted, share: bool, say: Say) -> None:
         self._axes, self._counted, self._share = axes, counted, share
         self._patches = [
             [
@@ -120,7 +131,7 @@ class _Bars:
         ]
         for patch in (each for pair in self._patches for each in pair):
             axes.add_patch(patch)
-        axes.yaxis.set_major_formatter(lambda value, _: f"{value:,.12g}")
+        axes.yaxis.set_major_formatter(lambda value, _: say(f"{value:,.12g}"))
         axes.callbacks.connect("xlim_changed", lambda _axes: self._follow())
 
     def show(self, reach: float) -> None:

@@ -1,4 +1,4 @@
-"""What can be chosen of a report: its page, whose convention its values are in, its letterhead."""
+"""What can be chosen of a report: language, page, whose convention values are in, letterhead."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +17,7 @@ class ReportOptions:
     ----------
     convention : key of the program whose convention the boresight is stated in, besides this
         program's; empty for none
+    language : code of one of `LANGUAGES`
     logo : PNG or SVG file at the top of page one
     company : line or lines beside it
     heading : text under the title
@@ -25,6 +26,7 @@ class ReportOptions:
 
     page: Page = "a4"
     convention: str = ""
+    language: str = "en"
     logo: Path | None = None
     company: str = ""
     heading: str = ""

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
+from lispac.report.translation import Say, unchanged
 from lispac.report.validation_values import Against, ValidationPlane
 from lispac.validation.results import PlaneComparison
 
@@ -22,12 +23,14 @@ def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) ->
     return _profiles(figure, comparison.name, profiles)
 
 
-def profile_figure_of(plane: ValidationPlane) -> Figure:
+def profile_figure_of(plane: ValidationPlane, say: Say = unchanged) -> Figure:
     """`profile_figure` of a report's content."""
-    return _profiles(None, plane.name, (plane.by_height, plane.by_range))
+    return _profiles(None, plane.name, (plane.by_height, plane.by_range), say)
 
 
-def _profiles(figure: Figure | None, name: str, profiles: Sequence[Against | None]) -> Figure:
+def _profiles(
+    figure: Figure | None, name: str, profiles: Sequence[Against | None], say: Say = unchanged
+) -> Figure:
     figure = blank(figure, (6.3, 2.3))
     drawn = [
         (each, words)
@@ -36,8 +39,8 @@ def _profiles(figure: Figure | None, name: str, profiles: Sequence[Against | Non
     ]
     places = figure.subplots(1, max(len(drawn), 1), sharey=True, squeeze=False)[0]
     for axes, (profile, words) in zip(places, drawn, strict=False):
-        _draw(axes, profile)
-        dress(axes, words, "Distance (mm)" if axes is places[0] else "")
+        _draw(axes, profile, say)
+        dress(axes, say(words), say("Distance (mm)") if axes is places[0] else "")
         axes.set_ylim(bottom=0.0)
     if drawn:
         figure.legend(
@@ -47,14 +50,14 @@ def _profiles(figure: Figure | None, name: str, profiles: Sequence[Against | Non
     else:
         places[0].set_axis_off()
         places[0].text(
-            0.5, 0.5, "Made by an earlier version: validate again", ha="center", va="center",
-            fontsize=TEXT, color=INK, transform=places[0].transAxes,
+            0.5, 0.5, say("Made by an earlier version: validate again"), ha="center",
+            va="center", fontsize=TEXT, color=INK, transform=places[0].transAxes,
         )  # fmt: skip
     figure.suptitle(short_name(name), x=0.01, ha="left", fontsize=TEXT + 1, color=INK)
     return figure
 
 
-def _draw(axes: Axes, profile: Against) -> None:
+def _draw(axes: Axes, profile: Against, say: Say) -> None:
     edges = np.array(profile.edges_m)
     middles = 0.5 * (edges[:-1] + edges[1:])
     for state, colour in (("before", BEFORE), ("after", AFTER)):
@@ -63,5 +66,5 @@ def _draw(axes: Axes, profile: Against) -> None:
             words = {"median": "median", "p95": "95 %"}[share]
             axes.plot(
                 middles, 1000 * values, style, color=colour, linewidth=1.2, marker="o",
-                markersize=2.5, label=f"{words} {state}",
+                markersize=2.5, label=say(f"{words} {state}"),
             )  # fmt: skip

@@ -3,7 +3,7 @@
 Angles have four decimals in degrees, distances one in millimetres.
 """
 
-from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, rows
+from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.validation_section import distance_table
 from lispac.report.values import (
     Adjustment,
@@ -141,7 +141,7 @@ def _picked_shape(plane: PickedPlane) -> str:
 
 
 def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
-    from lispac.report.figures import pictures_of, residual_figures_of
+    from lispac.report.figures import residual_figures_of
 
     targets = Table(
         "Fit of each target, all lines together, to one surface",
@@ -193,10 +193,8 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
             for s in adjustment.sightings
         ),
     )
-    figures = [
-        Picture("RMS of each sighting, before and after.", svg, ".svg")
-        for svg in pictures_of(residual_figures_of, adjustment.sightings)
-    ]
+    caption = "RMS of each sighting, before and after."
+    bars = Drawing(caption, residual_figures_of, (adjustment.sightings,))
     told = Paragraph(
         "RMS and mean are distances from the surface that all lines have in common. After the "
         "adjustment they still hold the POS error of each sighting, which no boresight removes. "
@@ -206,16 +204,16 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
         else "RMS and mean are distances from the surface that all lines have in common. After the "
         "adjustment they still hold the POS error of each sighting, which no boresight removes."
     )
-    return [targets, sightings, told, *figures]
+    return [targets, sightings, told, bars]
 
 
 def site(content: ReportContent) -> list[Block]:
-    from lispac.report.figures import pictures_of, site_figure_of
+    from lispac.report.figures import site_figure_of
 
     blocks: list[Block] = []
     if any(line.track_local_m for line in content.lines) or content.planes:
-        (svg,) = pictures_of(site_figure_of, content.lines, content.planes)
-        blocks.append(Picture("Plan of the site, local frame.", svg, ".svg"))
+        drawn = (content.lines, content.planes)
+        blocks.append(Drawing("Plan of the site, local frame.", site_figure_of, drawn))
     blocks.append(
         Table(
             "Lines",

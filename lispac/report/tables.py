@@ -7,22 +7,24 @@ an interval.
 
 import csv
 import re
+import unicodedata
 import zipfile
 from io import StringIO
 from pathlib import Path
 
 from lispac.report.blocks import Block, Table
 from lispac.report.document import document_of
+from lispac.report.options import USUAL, ReportOptions
 from lispac.report.values import ReportContent
 
-_NUMBER = re.compile(r"(?:\u00b1 ?)?([+-]?)(\d{1,3}(?:,\d{3})+|\d+)(\.\d+)?")
+_NUMBER = re.compile(r"(?:\u00b1 ?)?([+-]?)(\d{1,3}(?:[,\u202f]\d{3})+|\d+)(\.\d+)?")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 """Time of every file within: the same report gives the same bytes."""
 
 
-def write_tables(content: ReportContent, path: Path) -> None:
+def write_tables(content: ReportContent, path: Path, options: ReportOptions = USUAL) -> None:
     """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order."""
-    document = document_of(content, {})
+    document = document_of(content, {}, options)
     blocks: list[Block] = [document.identity, *document.summary]
     for section in document.sections:
         blocks += section.blocks
@@ -53,12 +55,13 @@ def _plain(cell: str) -> str:
     text = cell.replace("\u2212", "-").replace("\u200b", "").strip()
     number = _NUMBER.fullmatch(text)
     if number is None:
-        return text.replace("\u00a0", " ")
+        return re.sub("[\u00a0\u202f]", " ", text)
     sign, whole, decimals = number.groups()
-    return f"{sign}{whole.replace(',', '')}{decimals or ''}"
+    return f"{sign}{re.sub('[^0-9]', '', whole)}{decimals or ''}"
 
 
 def _slug(title: str) -> str:
     """A file name that every system takes."""
-    words = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
+    bare = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode()
+    words = re.sub(r"[^a-z0-9]+", "-", bare.lower()).strip("-")
     return words[:60].rstrip("-") or "table"

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, rows
+from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.validation_values import Distances, Pair, ValidationPlane
 from lispac.report.values import ReportContent
 from lispac.report.wording import UNKNOWN, known, mm, signed
@@ -12,7 +12,6 @@ PLANES = "Planes of the two lines against each other, reciprocal pairs"
 
 
 def validation(content: ReportContent) -> list[Block]:
-    from lispac.report.figures import pictures_of
     from lispac.report.histograms import validation_figure
     from lispac.report.profiles import profile_figure_of
 
@@ -36,7 +35,7 @@ def validation(content: ReportContent) -> list[Block]:
     ]
     for plane in content.validation:
         caption = f"{plane.name}: distances between lines before and after the calibration."
-        blocks += [Picture(caption, svg, ".svg") for svg in pictures_of(validation_figure, plane)]
+        blocks.append(Drawing(caption, validation_figure, (plane,)))
         if plane.by_height is not None or plane.by_range is not None:
             words = " and ".join(
                 name
@@ -44,9 +43,7 @@ def validation(content: ReportContent) -> list[Block]:
                 if profile is not None
             )
             caption = f"{plane.name}: median and 95th percentile of the distances against {words}."
-            blocks += [
-                Picture(caption, svg, ".svg") for svg in pictures_of(profile_figure_of, plane)
-            ]
+            blocks.append(Drawing(caption, profile_figure_of, (plane,)))
     blocks.append(
         distance_table(
             "Every pair of lines (mm)",

@@ -58,7 +58,8 @@ def write_report(
     Parameters
     ----------
     pictures : mapping of caption to PNG file, optional
-    options : page, convention and letterhead; see `lispac.workflow.report_options`
+    options : language (JSON stays English), page, convention and letterhead; see
+        `lispac.workflow.report_options`
     generated : the moment the report says it was made at; now, if not given
 
     Raises
@@ -85,7 +86,7 @@ def write_report(
         elif ending == ".zip":
             from lispac.report.tables import write_tables
 
-            write_tables(content, temporary)
+            write_tables(content, temporary, options)
         elif ending == ".html":
             from lispac.report.html import write_html
 

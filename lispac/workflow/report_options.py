@@ -7,16 +7,17 @@ from typing import Any
 
 from lispac.errors import InputError
 from lispac.io.files import require_file
+from lispac.report.catalogue import catalogue_of
 from lispac.report.options import PAGES, USUAL, Page, ReportOptions
 from lispac.survey.conventions.systems import system
 
-KEYS = ("logo", "company", "heading", "closing", "page", "convention")
+KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
 LONGEST = 2000
 """Letters of a text of a template."""
 
 
 def report_options(
-    template: Path | None = None, page: str = "", convention: str = ""
+    template: Path | None = None, page: str = "", convention: str = "", language: str = ""
 ) -> ReportOptions:
     """Options from a template, if there is one, and what is chosen besides, which goes before it.
 
@@ -30,6 +31,8 @@ def report_options(
         options = replace(options, page=_page(page))
     if convention:
         options = replace(options, convention=system(convention).key)
+    if language:
+        options = replace(options, language=_language(language))
     return options
 
 
@@ -53,6 +56,7 @@ def _of_template(path: Path) -> ReportOptions:
         return ReportOptions(
             page=_page(content.get("page", USUAL.page)),
             convention=system(content["convention"]).key if content.get("convention") else "",
+            language=_language(content.get("language", USUAL.language)),
             logo=_logo(path.parent / content["logo"]) if content.get("logo") else None,
             **{key: _text(key, content.get(key, "")) for key in ("company", "heading", "closing")},
         )
@@ -65,6 +69,10 @@ def _page(text: Any) -> Page:
         if text.strip().lower() == page:
             return page
     raise InputError(f"There is no page {text}; choose one of {', '.join(PAGES)}.")
+
+
+def _language(text: str) -> str:
+    return catalogue_of(text.strip().lower()).code
 
 
 def _logo(path: Path) -> Path:

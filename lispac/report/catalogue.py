@@ -1,0 +1,127 @@
+"""What the report says in other languages: one file of sentences for each, in ``languages``.
+
+A file pairs each English text with its translation. Placeholders stand for what changes:
+``{target} is the only target``. A kind after the colon says what may stand there:
+
+- ``{x}``: a text that is translated itself, or a name of the project
+- ``{x:kept}``: anything, and it stays as it is
+- ``{x:name}``: a name of the project and nothing else
+- ``{x:n}``: a number
+- ``{x:list}``: texts as in a sentence: a, b and c
+"""
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from importlib.resources import files
+
+from lispac.errors import InputError
+
+LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
+"""What each is called by those who speak it, by its code; the report is made in the first."""
+
+_NUMBER = r"[+\-\u2212\u00b1]?\d(?:[\d,]*\d)?(?:\.\d+)?(?:e[+-]?\d+)?"
+_PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
+_KINDS = frozenset({"", "kept", "name", "n", "list"})
+
+
+@dataclass(frozen=True)
+class Template:
+    """An English text with places, and its translation."""
+
+    english: str
+    translation: str
+
+    def __post_init__(self) -> None:
+        names = [name for name, _ in self.places]
+        asked = {name for name, _ in _PLACE.findall(self.translation)}
+        if len(set(names)) < len(names) or asked != set(names):
+            raise ValueError(f"The places of {self.english!r} and its translation differ.")
+        if not {kind for _, kind in self.places} <= _KINDS:
+            raise ValueError(f"{self.english!r} has a place of no known kind.")
+
+    @cached_property
+    def places(self) -> tuple[tuple[str, str], ...]:
+        """Name and kind of each place."""
+        return tuple(_PLACE.findall(self.english))
+
+    @cached_property
+    def literals(self) -> tuple[str, ...]:
+        """What stands around the places, the longest first."""
+        parts = _PLACE.sub("\0", self.english).split("\0")
+        return tuple(sorted((part for part in parts if part), key=len, reverse=True))
+
+    @cached_property
+    def pattern(self) -> re.Pattern[str]:
+        """Matches a whole text; a blank matches a fixed one as well."""
+        found, end = [], 0
+        for place in _PLACE.finditer(self.english):
+            found.append(_escaped(self.english[end : place.start()]))
+            found.append(f"({_NUMBER})" if place.group(2) == "n" else "(.+?)")
+            end = place.end()
+        return re.compile("".join(found) + _escaped(self.english[end:]), re.DOTALL)
+
+    def filled(self, values: Mapping[str, str]) -> str:
+        """The translation with values in its places."""
+        return _PLACE.sub(lambda place: values[place.group(1)], self.translation)
+
+
+def _escaped(text: str) -> str:
+    return re.escape(text).replace(r"\ ", "[ \u00a0]")
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """The sentences of one language.
+
+    Attributes
+    ----------
+    code : as in the report's files: ``fr``
+    thousands : sign between groups of three digits
+    conjunction : between the last two of a list
+    exact : translation by English text
+    templates : the one with most letters first
+    """
+
+    code: str
+    thousands: str
+    conjunction: str
+    exact: Mapping[str, str]
+    templates: tuple[Template, ...]
+
+
+@lru_cache
+def catalogue_of(code: str) -> Catalogue:
+    """The sentences of a language.
+
+    Raises
+    ------
+    InputError
+        Where there are none.
+    """
+    if code not in LANGUAGES:
+        raise InputError(f"There is no report in {code!r}; choose one of {', '.join(LANGUAGES)}.")
+    if code == "en":
+        return Catalogue("en", ",", "and", {}, ())
+    file = files("lispac.report") / "languages" / f"{code}.toml"
+    return read_catalogue(code, file.read_text(encoding="utf-8"))
+
+
+def read_catalogue(code: str, text: str) -> Catalogue:
+    """The sentences of a catalogue file; the order of its tables does not matter."""
+    tables = tomllib.loads(text)
+    language, typography = tables.pop("language"), tables.pop("typography")
+    rules = [(re.compile(rule), by) for rule, by in typography.items()]
+    exact: dict[str, str] = {}
+    for name, sentences in tables.items():
+        for english, translation in sentences.items():
+            if english in exact:
+                raise ValueError(f"{english!r} stands twice, the second time in [{name}].")
+            for rule, by in rules:
+                translation = rule.sub(by, translation)
+            exact[english] = translation
+    templates = [Template(english, said) for english, said in exact.items() if "{" in english]
+    templates.sort(key=lambda each: -sum(map(len, each.literals)))
+    return Catalogue(code, language["thousands"], language["conjunction"], exact, tuple(templates))

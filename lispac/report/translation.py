@@ -1,0 +1,159 @@
+"""A finished report in another language, text by text.
+
+Texts are made in English all over the program, and some are kept in project files; what is
+translated is therefore the finished document. A text that the catalogue does not know stays
+English, and the report says how many do.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+from lispac.report.catalogue import Catalogue, Template
+
+Say = Callable[[str], str]
+"""Says an English text in the language of the report."""
+
+_LETTER = re.compile(r"[^\W\d_]")
+_THOUSANDS = re.compile(r"(?<=\d),(?=\d{3}(?!\d))")
+_SENTENCE = re.compile(r"(?<=[.?!])[ \u00a0](?=[^\W_])")
+
+
+def unchanged(text: str) -> str:
+    """The text as it is made, in English."""
+    return text
+
+
+@dataclass(frozen=True)
+class _Said:
+    """A text in the other language, and what of it is not."""
+
+    text: str
+    unknown: tuple[str, ...] = ()
+
+
+class Translator:
+    """Says English texts in another language.
+
+    Parameters
+    ----------
+    catalogue : the language
+    names : of targets, lines, files and the like, which stay as they are
+    """
+
+    def __init__(self, catalogue: Catalogue, names: Iterable[str] = ()) -> None:
+        self.catalogue = catalogue
+        self._names = frozenset(names)
+        self._said: dict[str, str] = {}
+        self._unknown: dict[str, None] = {}
+
+    @property
+    def unknown(self) -> tuple[str, ...]:
+        """Texts that stayed English, in the order they were met."""
+        return tuple(self._unknown)
+
+    def missed(self, texts: Iterable[str]) -> None:
+        """Count texts that stayed English elsewhere."""
+        self._unknown.update(dict.fromkeys(texts))
+
+    def __call__(self, text: str) -> str:
+        """The text in the other language; what is a name besides counts as a text."""
+        if text not in self._said:
+            said = self._whole(text.replace("\u200b", ""))
+            self.missed(said.unknown)
+            self._said[text] = said.text
+        return self._said[text]
+
+    def cell(self, text: str) -> str:
+        """The same of what may be a name."""
+        return text if text in self._names else self(text)
+
+    def _whole(self, text: str) -> _Said:
+        """The text said, or kept and counted as unknown."""
+        return self._known(text) or _Said(text, (text,))
+
+    def _known(self, text: str) -> _Said | None:
+        """The text said, in part at least; None where nothing of it is known."""
+        if not _LETTER.search(text):
+            return _Said(_THOUSANDS.sub(self.catalogue.thousands, text))
+        plain = text.replace("\u00a0", " ")
+        if plain in self.catalogue.exact:
+            return _Said(self.catalogue.exact[plain])
+        partly = []
+        for template in self.catalogue.templates:
+            # Few texts hold even the longest literal of a template
+            if not template.literals or template.literals[0] in plain:
+                found = template.pattern.fullmatch(text)
+                said = None if found is None else self._filled(template, found.groups())
+                if said is not None and not said.unknown:
+                    return said
+                if said is not None:
+                    partly.append(said)
+        sentences = _SENTENCE.split(text)
+        if len(sentences) > 1:
+            said = self._one_by_one(sentences)
+            if said is not None:
+                partly.append(said)
+        return min(partly, key=lambda said: len(said.unknown), default=None)
+
+    def _one_by_one(self, sentences: list[str]) -> _Said | None:
+        """Sentences said in as long pieces as are known."""
+        said: list[_Said] = []
+        at, known = 0, False
+        while at < len(sentences):
+            for end in range(len(sentences), at, -1):
+                if end - at == len(sentences):
+                    continue  # that is the text itself
+                found = self._known(" ".join(sentences[at:end]))
+                if found is not None and not (found.unknown and end - at > 1):
+                    known = True
+                    break
+            said.append(found or _Said(sentences[at], (sentences[at],)))
+            at = end
+        text = " ".join(each.text for each in said)
+        return _Said(text, tuple(u for each in said for u in each.unknown)) if known else None
+
+    def _filled(self, template: Template, values: Iterable[str]) -> _Said | None:
+        """The template with what stands in its places; None where it cannot stand there."""
+        said = {}
+        for (name, kind), value in zip(template.places, values, strict=True):
+            in_place = self._in_place(kind, value)
+            if in_place is None:
+                return None
+            said[name] = in_place
+        text = template.filled({name: each.text for name, each in said.items()})
+        return _Said(text, tuple(u for each in said.values() for u in each.unknown))
+
+    def _in_place(self, kind: str, value: str) -> _Said | None:
+        if value in self._names or kind == "kept":
+            return _Said(value)
+        if kind == "name":
+            return None
+        if kind == "list":
+            return self._list(value)
+        # What is not known and holds the end of a sentence is more than belongs there
+        said = self._known(value)
+        return said or (None if _SENTENCE.search(value) else _Said(value, (value,)))
+
+    def _list(self, value: str) -> _Said:
+        text, unknown = "", list[str]()
+        for part, sign in _parted(value):
+            said = _Said(part) if part in self._names else self._whole(part)
+            joint = f" {self.catalogue.conjunction} " if sign == " and " else sign
+            text += said.text + joint
+            unknown += said.unknown
+        return _Said(text, tuple(unknown))
+
+
+def _parted(text: str) -> Iterator[tuple[str, str]]:
+    """The parts of ``a, b and c`` with what follows each; what stands in brackets stays whole."""
+    start = depth = k = 0
+    while k < len(text):
+        depth += (text[k] == "(") - (text[k] == ")")
+        sign = next((s for s in (", ", " and ") if not depth and text.startswith(s, k)), None)
+        if sign is None:
+            k += 1
+        else:
+            yield text[start:k], sign
+            start = k = k + len(sign)
+    yield text[start:], ""

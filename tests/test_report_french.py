@@ -1,0 +1,325 @@
+"""Reports of every kind in French: nothing in them is English but the names."""
+
+import csv
+import re
+import zipfile
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import Component
+from lispac.adjustment.robust import LOSSES
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.project import Project
+from lispac.report.blocks import Paragraph, Signature
+from lispac.report.catalogue import catalogue_of
+from lispac.report.content import ReportContent, report_content
+from lispac.report.document import document_of, in_english
+from lispac.report.html import html_text
+from lispac.report.options import USUAL, ReportOptions
+from lispac.report.pdf import write_pdf
+from lispac.report.tables import write_tables
+from lispac.report.translated import drawn, names_of, translated
+from lispac.report.translation import Translator
+from lispac.survey.conventions.systems import SYSTEMS
+from lispac.targets.hidden import Shown
+from lispac.targets.quality import SightingQuality
+from tests.report_sample import MADE, sample_content, sample_project
+from tests.test_doubts import CASES
+from tests.test_quality import board, judged
+from tests.test_report import _pdf_text
+
+FRENCH = ReportOptions(language="fr")
+
+SENTENCES = (
+    "The weakest direction is yaw together with roll and pitch, known to 0.038 deg; the strongest "
+    "is roll, known to 0.016 deg (1 sigma).",
+    "Without lines L1 and L2 the angles would not be determined.",
+    "Pitch is seen mainly by line L3: without L3 its sigma would be 0.040 instead of 0.029 deg.",
+    "Roll hangs on no single line.",
+)
+"""As `lispac.adjustment.observability` makes them; those of the sample are made up."""
+NOTES = (
+    "SBET times and point times share one time base once the shifts are added",
+    "L1.laz: times are shifted by +18.000 s",
+    "smrmsg.out: it covers 416,012.0 to 416,100.0 s, not the whole trajectory (416,000.0 to "
+    "416,200.0 s); beyond, its first and last values are taken",
+    "L2.laz: 12 points outside the trajectory's time and 1,003 points in a gap of the trajectory "
+    "longer than 0.5 s, of 1,234,567, are left out",
+)
+
+Change = Callable[[Project], Project]
+
+
+def _result(**values: Any) -> Change:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        return replace(project, result=replace(project.result, **values))
+
+    return change
+
+
+def _settings(**values: Any) -> Change:
+    return lambda project: replace(project, settings=replace(project.settings, **values))
+
+
+def _chi_square(factor: float, *, thesis: bool = False) -> Change:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        test = project.result.chi_square
+        model = StochasticModel("independent") if thesis else project.result.model
+        test = replace(test, statistic=test.upper * factor)
+        return _result(chi_square=test, model=model)(project)
+
+    return change
+
+
+def _few_lines(project: Project) -> Project:
+    first, second, third, fourth, fifth = project.targets
+    reason = "Only 12 points lie within 1 m of (0.60, -14.70, 5.10), fewer than the 50 a target "
+    reason += "needs; move the seed or enlarge the radius."
+    return replace(
+        project,
+        targets=(
+            replace(first, sightings=first.sightings[:1], missing={"L2": reason, "L3": reason}),
+            replace(second, sightings=second.sightings[:2]),
+            replace(third, sightings=()),
+            replace(fourth, used=False),
+            replace(fifth, missing={"L4": "The line has no points within 4.5 m of the seed."}),
+        ),
+    )
+
+
+def _parameters(project: Project) -> Project:
+    assert project.result is not None
+    reason = (
+        "These lines and targets do not see the scan-angle offset: it turns the points about the "
+        "scanner's axis, as the boresight does; it is held."
+    )
+    unseen = Estimate("scan_angle_offset", 0.0, None, reason=reason)
+    late = Estimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
+    far = Estimate("range_offset", 0.0, 0.002, 0.0051, 0.0008, None)
+    return _result(parameters=(*project.result.parameters, unseen, late, far))(project)
+
+
+def _worse(project: Project) -> Project:
+    first, *rest = project.validation
+    turned = replace(first, before=first.after, after=first.before, pooled_from="all pairs")
+    refused = "The validation plane V2 is seen on one line only (L1), with at least 100 points; a "
+    refused += "comparison needs two lines. Pick it in another line or choose another plane."
+    return replace(project, validation=(turned, *rest), not_compared={"V2": refused})
+
+
+def _components(project: Project) -> Project:
+    found = (
+        Component("LiDAR", 0.82, 0.78, 0.87, applied=True),
+        Component("POS position", 1.3, 0.6, 2.9, applied=True),
+        Component("POS attitude", 1.3, 0.1, 2.9),
+    )
+    return _result(components=found, left_out=1)(project)
+
+
+VARIANTS: dict[str, Change] = {
+    "as it is": lambda project: project,
+    "not calibrated": lambda p: replace(p, result=None, validation=(), cross_checks=None),
+    "nothing picked": lambda p: replace(p, result=None, validation=(), targets=()),
+    "not checked": lambda p: replace(p, cross_checks=None, validation=()),
+    "simulated": lambda p: replace(p, truth_deg=(0.44, -1.87, 0.6)),
+    "few lines": _few_lines,
+    "parameters": _parameters,
+    "worse": _worse,
+    "components": _components,
+    "thesis": _result(model=StochasticModel("independent"), reliability=(), surface=0.0),
+    "chi-square high": _chi_square(1.1),
+    "chi-square high, thesis": _chi_square(1.1, thesis=True),
+    "chi-square low": _chi_square(0.5),
+    "no redundancy": _result(degrees_of_freedom=0, variance_factor=float("nan")),
+    "by beam": _settings(lidar_beam_sigma=(0.006, 0.02), range_offset=0.012, latency=0.001),
+    "by axis": _settings(lidar_sigma_xyz=(0.003, 0.004, 0.005), scan_angle_offset_deg=0.1),
+    "typed": lambda p: replace(_settings(subsample=0.0, accept_one_facing=True)(p), accuracy=None),
+    "origin": _settings(origin_deg_m=(45.5, -73.5, -25.6)),
+    "file gone": lambda p: replace(p, trajectory=p.folder / "gone.sbet"),
+    **{loss: _result(model=StochasticModel(loss=loss)) for loss in LOSSES},
+    **{f"{code} {k}": change for k, (code, _, change, _) in enumerate(CASES)},
+}
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("french") / "harbour 2025")
+
+
+def _content(project: Project) -> ReportContent:
+    """Of the sample, with sentences and notes as the program makes them."""
+    result = project.result
+    if result is not None and result.observability is not None:
+        seen = replace(result.observability, sentences=SENTENCES)
+        parts = tuple(
+            replace(p, reason="No target is left on two lines." if p.reason else "")
+            if p.kind != "half"
+            else replace(p, boresight=None, reason=_refused())
+            for p in (project.cross_checks.parts if project.cross_checks else ())
+        )
+        checks = project.cross_checks and replace(project.cross_checks, parts=parts)
+        project = replace(project, result=replace(result, observability=seen), cross_checks=checks)
+    notes = NOTES if project.accuracy is not None else NOTES[:2]
+    return replace(sample_content(project), notes=notes)
+
+
+def _refused() -> str:
+    return (
+        "These lines and targets do not determine the boresight, mainly not yaw together with "
+        "roll: all lines run parallel and T1 is the only target. Add a target of another "
+        "inclination, or lines in other directions: a vertical target shows roll on lines along "
+        "it, pitch and yaw on lines at 45 deg to it."
+    )
+
+
+def _english_left(content: ReportContent) -> tuple[str, ...]:
+    say = Translator(catalogue_of("fr"), names_of(content))
+    translated(drawn(in_english(content, {}), say), say)
+    return say.unknown
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_nothing_stays_english(project: Project, variant: str) -> None:
+    left = _english_left(_content(VARIANTS[variant](project)))
+    # Made up by the tests of doubts
+    assert [text for text in left if text != "These lines do not see it."] == []
+
+
+def _qualities() -> Iterator[SightingQuality]:
+    beams = {"scanner_local": np.zeros(3)}
+    yield judged(board())
+    yield judged(board(count=40), **beams)
+    yield judged(board(noise=0.02), threshold=0.03)
+    yield judged(board(lambda x, z: 0.1 * x**2))
+    yield judged(board(lambda x, z: 0.02 * np.sin(40 * x) * np.sin(40 * z)))
+    yield judged(board() * [1, 1, 1] + [60, 0, 0], **beams)
+    some = board()
+    yield judged(some[(some[:, 0] < -0.3) | (some[:, 2] < -0.3)])
+    hidden, alone = (
+        Shown(np.array([0.3, 0.5]), np.array([0.6, 1.0]), 0.25, False),
+        Shown(np.array([0.6, 1.0]), np.array([0.3, 0.5]), 1.0, True),
+    )
+    yield judged(board(), shown=hidden)
+    yield judged(board(), shown=alone)
+    yield replace(
+        judged(board()),
+        reasons=(
+            "It is 0.61 m wide, 0.59 m less than the 1.20 m expected.",
+            "It is inclined by 81.2 deg, 8.8 deg less than the 90.0 deg expected.",
+            "Only 11 % of its surface is seen.",
+            "Its RMS of 9.1 mm is 3.1 times the noise, 2.4 times without what the rough boresight "
+            "explains: it is rough or not flat.",
+        ),
+    )
+
+
+@pytest.mark.parametrize("calibrated", [True, False])
+def test_qualities_are_told_in_french(project: Project, calibrated: bool) -> None:
+    names = [(f"T{k % 2 + 1}", f"L{k // 2 + 1}") for k in range(10)]
+    if not calibrated:
+        project = replace(project, result=None, validation=(), cross_checks=None)
+    made = report_content(
+        project, headings_deg={}, counts={}, track_local={}, notes=(), generated=MADE,
+        qualities=dict(zip(names, _qualities(), strict=True)),
+    )  # fmt: skip
+    content = replace(_content(project), qualities=made.qualities)
+    assert len({reason for each in made.qualities for reason in each.reasons}) > 10
+    assert _english_left(content) == ()
+
+
+@pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
+def test_conventions_are_told_in_french(project: Project, key: str) -> None:
+    odd = _settings(latency=0.001)(_result(model=StochasticModel("independent"))(project))
+    made = report_content(
+        odd, headings_deg={}, counts={}, track_local={}, notes=(), generated=MADE, convention=key
+    )
+    assert made.in_convention is not None
+    content = replace(_content(project), in_convention=made.in_convention)
+    assert _english_left(content) == ()
+
+
+def test_what_the_user_typed_stays(project: Project) -> None:
+    typed = replace(project.identity, vessel="Points", remarks="Roll. Pitch.", company="up")
+    options = ReportOptions(language="fr", heading="Good.", closing="yes", company="no")
+    document = document_of(_content(replace(project, identity=typed)), {}, options)
+    said = dict(document.identity.rows)  # type: ignore[arg-type]
+    assert (said["Navire"], said["Remarques"]) == ("Points", "Roll. Pitch.")
+    assert document.letterhead.company == "no"
+    assert document.letterhead.heading == "Good."
+    *_, closing, signature = document.summary
+    assert closing == Paragraph("yes", own=True)
+    assert isinstance(signature, Signature)
+    assert signature.values[1] == "up"
+    assert signature.fields[:2] == ("Hydrographe", "Entreprise")
+
+
+def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> None:
+    content = _content(project)
+    document = document_of(content, {}, FRENCH)
+    assert document.language == "fr"
+    assert document.title == "Rapport d'étalonnage des angles de visée"
+    assert document.cautions == ()
+    assert any("point décimal" in getattr(block, "text", "") for block in document.summary)
+    once = document_of(replace(content, notes=("nobody translated this",)), {}, FRENCH)
+    assert once.cautions[-1].startswith("1 texte de ce rapport est resté en anglais")
+    twice = document_of(replace(content, notes=("one thing", "another thing")), {}, FRENCH)
+    assert twice.cautions[-1].startswith("2 textes de ce rapport sont restés en anglais")
+    assert document_of(content, {}) == drawn(
+        in_english(content, {}), Translator(catalogue_of("en"))
+    )
+
+
+def test_numbers_and_names_are_those_of_the_english_report(project: Project) -> None:
+    content = _content(project)
+    english, french = (
+        [b for s in document_of(content, {}, options).sections for b in s.blocks]
+        for options in (USUAL, FRENCH)
+    )
+    for block, said in zip(english, french, strict=True):
+        if block.kind != "table":
+            continue
+        for row, other in zip(block.rows, said.rows, strict=True):  # type: ignore[union-attr]
+            for cell, told in zip(row, other, strict=True):
+                assert _numbers(told.replace("\u202f", ",")) == _numbers(cell)
+
+
+def _numbers(text: str) -> list[str]:
+    # A sigma is an écart-type in most places
+    return re.findall(r"[+\u2212\u00b1]?\d[\d,.]*\d|\d", re.sub("1[ \u00a0]sigma", "", text))
+
+
+def test_names_that_are_words_stay(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "before", target="Points")
+    document = document_of(_content(project), {}, FRENCH)
+    tables = {b.title: b for s in document.sections for b in s.blocks if b.kind == "table"}
+    fits = tables["Ajustement de chaque vue à la surface de sa cible"]
+    assert fits.rows[0][0] == "Points"
+    assert document.project == "before"
+
+
+def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None:
+    content = _content(project)
+    write_pdf(content, tmp_path / "r.pdf", {}, FRENCH)
+    text = _pdf_text(tmp_path / "r.pdf")
+    assert "Page 1 sur" in text
+    assert "Établi le 2025-06-04 14:03 UTC par LISPAC" in text
+    assert "roulis est positif quand bâbord monte" in re.sub(r"\s+", " ", text)
+    page = html_text(content, {}, FRENCH)
+    assert '<html lang="fr">' in page
+    assert "Table des matières" in page
+    write_tables(content, tmp_path / "r.zip", FRENCH)
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        first = archive.namelist()[0]
+        assert first == "01-renseignements-sur-le-leve.csv"
+        (lines,) = (n for n in archive.namelist() if n.endswith("-lignes.csv"))
+        rows = list(csv.reader(archive.read(lines).decode("utf-8-sig").splitlines()))
+    assert rows[0] == ["Ligne", "Fichier", "Cap (°)", "Points"]
+    assert rows[1] == ["L1", "L1.laz", "0.4", "1234567"]

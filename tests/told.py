@@ -1,0 +1,78 @@
+"""Every sentence that the source of a module can make, read from its syntax tree."""
+
+import ast
+import re
+from collections.abc import Iterator, Mapping
+from itertools import product
+from pathlib import Path
+
+PLACE = "7"
+"""Stands for what the program puts into a sentence."""
+NEVER_SHOWN = {"InputError", "ProjectError", "LispacError", "ValueError", "AssertionError"}
+"""Errors that stop a command and are kept nowhere."""
+NEVER_CALLED = {"progress", "step"}
+"""What they are told is gone with the bar it stood beside."""
+_TWO_WORDS = re.compile(r"[^\W\d_]{2,} .*[^\W\d_]{2,}", re.DOTALL)
+
+
+def told(path: Path, functions: set[str] | None = None) -> Iterator[tuple[int, str]]:
+    """Line and text of each string with two words at least, `PLACE` where values go.
+
+    Parameters
+    ----------
+    functions : only what stands in these
+    """
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    if functions is None:
+        yield from _in(tree)
+        return
+    found = [n for n in ast.walk(tree) if isinstance(n, ast.FunctionDef) and n.name in functions]
+    assert {each.name for each in found} == functions, path
+    for each in found:
+        yield from _in(each)
+
+
+def _in(node: ast.AST) -> Iterator[tuple[int, str]]:
+    if isinstance(node, ast.Raise) and _name(node.exc) in NEVER_SHOWN:
+        return
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+        return  # a docstring
+    if isinstance(node, ast.Call) and _name(node) in NEVER_CALLED:
+        return
+    if isinstance(node, ast.Constant | ast.JoinedStr):
+        for text in _texts(node):
+            if _TWO_WORDS.search(text):
+                yield node.lineno, text
+        for inner in ast.walk(node):
+            if isinstance(inner, ast.FormattedValue):
+                yield from _in(inner.value)
+        return
+    for child in ast.iter_child_nodes(node):
+        yield from _in(child)
+
+
+def _name(error: ast.expr | None) -> str:
+    called = error.func if isinstance(error, ast.Call) else error
+    return called.id if isinstance(called, ast.Name) else ""
+
+
+def _texts(node: ast.expr) -> Iterator[str]:
+    """What the expression may say: one text for each way its conditions may turn out."""
+    values = node.values if isinstance(node, ast.JoinedStr) else []
+    asked = {ast.unparse(n.test) for v in values for n in ast.walk(v) if isinstance(n, ast.IfExp)}
+    for answers in product((True, False), repeat=len(asked)):
+        yield _text(node, dict(zip(sorted(asked), answers, strict=True)))
+
+
+def _text(node: ast.expr, answers: Mapping[str, bool]) -> str:
+    match node:
+        case ast.Constant(value=str(text)):
+            return text
+        case ast.JoinedStr(values=values):
+            return "".join(_text(value, answers) for value in values)
+        case ast.FormattedValue(value=value):
+            return _text(value, answers)
+        case ast.IfExp(test=test, body=body, orelse=orelse) if ast.unparse(test) in answers:
+            return _text(body if answers[ast.unparse(test)] else orelse, answers)
+        case _:
+            return PLACE
