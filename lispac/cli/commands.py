@@ -13,7 +13,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.cli.angles import angles as angles
 from lispac.cli.check import check as check
 from lispac.cli.compare import compare as compare
-from lispac.cli.console import ConsoleProgress, has_display, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, has_display, print_json
 from lispac.cli.estimate import estimate as estimate
 from lispac.cli.estimate import print_result, project_numbers
 from lispac.cli.estimate_options import noise_and_offsets
@@ -28,6 +28,7 @@ from lispac.cli.propose import propose as propose
 from lispac.cli.subsample import subsample as subsample
 from lispac.doubles import doubles
 from lispac.project import LineSource, Project, Reading, Settings
+from lispac.report.json_report import schema_text
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
 from lispac.workflow import demo as demo_survey
 from lispac.workflow import projects
@@ -134,7 +135,12 @@ def validate(arguments: Namespace) -> None:
 
 
 def report(arguments: Namespace) -> None:
-    """Write the report."""
+    """Write the report, or print the schema of its JSON."""
+    if arguments.schema:
+        print(schema_text(), end="")
+        return
+    if arguments.project is None or arguments.output is None:
+        raise UsageError("report: give a project and --output FILE, or --schema alone.")
     options = report_options(
         arguments.template,
         arguments.page or "",

@@ -29,11 +29,10 @@ def _identity(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
     report = command(commands, "report", "write the report")
-    report.add_argument("project", type=Path, metavar="PROJECT")
+    report.add_argument("project", type=Path, nargs="?", metavar="PROJECT")
     report.add_argument(
         "--output",
         type=Path,
-        required=True,
         metavar="FILE",
         help=".pdf, .html, .json, or .zip for all tables as CSV",
     )
@@ -50,3 +49,6 @@ def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="TOML file with what a company always wants: logo (PNG or SVG beside it), company, "
         "heading, closing, page, convention, language; what is chosen here goes before it",
     )  # fmt: skip
+    report.add_argument(
+        "--schema", action="store_true", help="print the JSON schema of the report and do no more"
+    )

@@ -4,15 +4,30 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
+import lispac
+from lispac.errors import InputError
 from lispac.report.values import ReportContent
 
-SCHEMA_VERSION = 1
+NAME = "lispac-report"
+SCHEMA_VERSION = 2
+SCHEMA_FILE = "report.schema.json"
 
 
 def json_text(content: ReportContent) -> str:
     """The content as one JSON object; what is not known is null."""
-    values = {"schema": "lispac-report", "schema_version": SCHEMA_VERSION, **asdict(content)}
+    values = {"schema": NAME, "schema_version": SCHEMA_VERSION, **asdict(content)}
     return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def schema_text() -> str:
+    """The JSON schema (draft 2020-12) that every report in JSON follows."""
+    package = Path(lispac.__file__).parent
+    # A wheel has the resources in the package, a checkout beside it.
+    for folder in (package, package.parent):
+        path = folder / "resources" / SCHEMA_FILE
+        if path.is_file():
+            return path.read_text(encoding="utf-8")
+    raise InputError(f"{SCHEMA_FILE} is missing from this installation; install it again.")
 
 
 def write_json(content: ReportContent, path: Path) -> None:

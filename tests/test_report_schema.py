@@ -1,0 +1,98 @@
+"""The published schema is that of the content, and every report in JSON follows it."""
+
+import json
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from jsonschema import Draft202012Validator, ValidationError
+
+from lispac.cli.main import main
+from lispac.project import Project
+from lispac.report.content import ReportContent
+from lispac.report.json_report import json_text
+from lispac.workflow.export import write_report
+from lispac.workflow.survey import load_survey
+from tests.report_sample import sample_content, sample_project
+from tests.report_schema import PATH, schema_text
+from tests.test_identity import FULL
+
+
+@pytest.fixture(scope="module")
+def schema() -> dict[str, Any]:
+    found = json.loads(PATH.read_text(encoding="utf-8"))
+    Draft202012Validator.check_schema(found)
+    return found  # type: ignore[no-any-return]
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("schema") / "harbour").with_identity(FULL)
+
+
+def _check(schema: dict[str, Any], text: str) -> dict[str, Any]:
+    data = json.loads(text)
+    Draft202012Validator(schema).validate(data)
+    return data  # type: ignore[no-any-return]
+
+
+def test_the_file_is_up_to_date() -> None:
+    said = "a content class has changed: run `python -m tests.report_schema`"
+    assert PATH.read_text(encoding="utf-8") == schema_text(), said
+
+
+def test_reports_of_every_kind_follow_it(project: Project, schema: dict[str, Any]) -> None:
+    thesis = sample_project(project.folder.parent / "thesis", model="independent")
+    samples = (
+        sample_content(project),
+        sample_content(project, convention="qinsy"),
+        sample_content(project, convention="pdal"),
+        sample_content(thesis),
+        sample_content(replace(project, result=None, validation=(), cross_checks=None)),
+        sample_content(replace(project, truth_deg=(0.44, -1.87, 0.6))),
+        sample_content(replace(project, trajectory=project.folder / "gone.sbet")),
+    )
+    for content in samples:
+        data = _check(schema, json_text(content))
+        assert set(data) == {"schema", "schema_version", *asdict(content)}
+
+
+def test_the_report_of_a_survey_follows_it(
+    demo_project: Project, schema: dict[str, Any], tmp_path: Path
+) -> None:
+    path = tmp_path / "r.json"
+    write_report(demo_project, load_survey(demo_project), path)
+    assert _check(schema, path.read_text(encoding="utf-8"))["calibrated"] is False
+
+
+def _broken(content: ReportContent) -> list[dict[str, Any]]:
+    """What a reader must not be given: keys missing, units as text, words unknown."""
+    found = []
+    for change in (
+        lambda data: data.pop("identity"),
+        lambda data: data["angles"][0].update(estimated_deg="0.4"),
+        lambda data: data["adjustment"].pop("s44"),
+        lambda data: data["cautions"].append({"code": "x", "severity": "grave", "text": ""}),
+        lambda data: data["matrix"].update(transform=None),
+        lambda data: data.update(schema_version=1),
+    ):
+        data = json.loads(json_text(content))
+        change(data)
+        found.append(data)
+    return found
+
+
+def test_what_is_broken_does_not_pass(project: Project, schema: dict[str, Any]) -> None:
+    for data in _broken(sample_content(project)):
+        with pytest.raises(ValidationError):
+            Draft202012Validator(schema).validate(data)
+
+
+def test_the_command_prints_it_and_wants_a_project_else(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["report", "--schema"]) == 0
+    assert capsys.readouterr().out == PATH.read_text(encoding="utf-8")
+    assert main(["report"]) == 2
+    assert "give a project and --output FILE" in capsys.readouterr().err
