@@ -21,7 +21,7 @@ ABOUT = (
 
 def schema_text() -> str:
     """The schema as the file holds it."""
-    made = TypeAdapter(ReportContent).json_schema(mode="serialization")
+    made = _plain(TypeAdapter(ReportContent).json_schema(mode="serialization"))
     head = {
         "schema": {"const": NAME},
         "schema_version": {"const": SCHEMA_VERSION},
@@ -35,19 +35,26 @@ def schema_text() -> str:
         "required": [*head, *made["required"]],
         "$defs": made["$defs"],
     }
-    return json.dumps(_without_titles(schema), indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(schema, indent=1, ensure_ascii=False) + "\n"
 
 
-def _without_titles(value: Any, *, named: bool = False) -> Any:
-    """Without titles that only repeat the names, and with docstrings as one line."""
-    if isinstance(value, dict):
-        return {
-            key: " ".join(item.split("\n\nAttributes")[0].split()) if key == "description" and not named
-            else _without_titles(item, named=key in ("properties", "$defs"))
-            for key, item in value.items()
-            if named or key != "title" or item == "LISPAC boresight report"
-        }  # fmt: skip
-    return [_without_titles(item) for item in value] if isinstance(value, list) else value
+def _plain(value: Any, *, named: bool = False) -> Any:
+    """Without titles that only repeat the names, and with the sentences of docstrings alone.
+
+    ``named`` says that the keys are names of the content's.
+    """
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
+    if not isinstance(value, dict):
+        return value
+    kept = {}
+    for key, item in value.items():
+        if key == "title" and not named:
+            continue
+        if key == "description" and not named:
+            item = " ".join(item.split("\n\nAttributes")[0].split())
+        kept[key] = _plain(item, named=key in ("properties", "$defs") and not named)
+    return kept
 
 
 if __name__ == "__main__":

@@ -16,6 +16,10 @@ from lispac.workflow.survey_dates import survey_dates
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
+    from lispac.report.pdf import Preview
+
+PPI = 96.0
+"""Pixels per inch of a page on the screen, where a pixel is one of the screen's."""
 
 
 class Reporting(QObject):
@@ -29,6 +33,7 @@ class Reporting(QObject):
         self._panel, self._settings = window.report, window.settings
         self._panel.show_choice(self._settings.report_choice())
         self._panel.report_asked.connect(self.export)
+        self._panel.preview_asked.connect(self.preview)
         self._panel.template_asked.connect(self.ask_template)
         self._panel.changed.connect(self._remember)
         window.actions_["report"].triggered.connect(lambda _=False: self.export())
@@ -80,6 +85,45 @@ class Reporting(QObject):
             return path
 
         self._runner.run("Writing the report", work, self._written, lasting=True)
+
+    def preview(self) -> None:
+        """Show the pages as they will be printed."""
+        project, survey, options = self._document.project, self._survey, self._options()
+        if project is None or project.result is None or survey is None or options is None:
+            return
+        folder = tempfile.TemporaryDirectory(prefix="lispac-")
+        pictures = self._pictures(Path(folder.name))
+        ppi = PPI * self._panel.devicePixelRatioF()
+
+        def work(progress: Progress) -> "Preview":
+            from lispac.workflow.export import preview_report
+
+            try:
+                return preview_report(
+                    project, survey, pictures=pictures, options=options, ppi=ppi,
+                    progress=progress,
+                )  # fmt: skip
+            finally:
+                folder.cleanup()
+
+        self._runner.run("Setting the pages", work, lambda preview: self._show(project, preview))
+
+    def _show(self, project: Project, preview: "Preview") -> None:
+        def save() -> str:
+            path = self._dialogs.pdf_file(project.folder / f"{project.name}.pdf")
+            if path is None:
+                return ""
+            from lispac.workflow.export import save_preview
+
+            try:
+                save_preview(preview, path)
+            except InputError as error:
+                self._controller.refused.emit(error)
+                return ""
+            self._written(path)
+            return f"Wrote {path}"
+
+        self._dialogs.preview(preview.pages, save)
 
     def _written(self, path: Path) -> None:
         self._controller.noted.emit(f"Wrote {path}")

@@ -6,8 +6,9 @@ on every machine.
 
 import json
 import tempfile
-from collections.abc import Iterator, Mapping
-from dataclasses import asdict
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
 from datetime import datetime
 from importlib.resources import files
 from pathlib import Path
@@ -40,30 +41,70 @@ def write_pdf(
     LispacError
         Where a picture cannot be read or drawn.
     """
+    with _typesetting(content, pictures, options, path.name) as set_as:
+        path.write_bytes(set_as("pdf"))
+
+
+@dataclass(frozen=True)
+class Preview:
+    """A report to be looked at before it is saved: its pages as PNG pictures, and its PDF."""
+
+    pages: tuple[bytes, ...]
+    pdf: bytes
+
+
+def preview_of(
+    content: ReportContent,
+    pictures: Mapping[str, Path],
+    options: ReportOptions = USUAL,
+    *,
+    ppi: float,
+) -> Preview:
+    """Set a report once, for the screen and as PDF.
+
+    Parameters
+    ----------
+    pictures : file of a PNG or SVG picture by its caption
+    ppi : pixels per inch of the pages
+
+    Raises
+    ------
+    LispacError
+        Where a picture cannot be read or drawn.
+    """
+    with _typesetting(content, pictures, options, content.project) as set_as:
+        pages = set_as("png", ppi)
+        return Preview((pages,) if isinstance(pages, bytes) else tuple(pages), set_as("pdf"))
+
+
+@contextmanager
+def _typesetting(
+    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions, name: str
+) -> Iterator[Callable[..., Any]]:
+    """What sets the report: given ``pdf`` or ``png`` and pixels per inch, its bytes."""
     import typst
 
     document = document_of(content, pictures, options)
-    with tempfile.TemporaryDirectory(prefix="lispac-report-") as name:
-        folder = Path(name)
+    with tempfile.TemporaryDirectory(prefix="lispac-report-") as temporary:
+        folder = Path(temporary)
         text = _lay_out(document, folder)
         template = files("lispac.report") / "templates" / "report.typ"
         main = folder / "report.typ"
         main.write_bytes(template.read_bytes())
+        compiler = typst.Compiler(
+            main,
+            root=folder,
+            font_paths=[_matplotlib_fonts()],
+            # A letter that neither typst nor matplotlib brings may come from the system;
+            # without it in the text, the PDF is the same on every machine.
+            ignore_system_fonts=_has_fonts_for(text),
+        )
+        made = datetime.fromisoformat(content.generated)
         try:
-            typst.compile(
-                main,
-                output=path,
-                format="pdf",
-                root=folder,
-                font_paths=[_matplotlib_fonts()],
-                # A letter that neither typst nor matplotlib brings may come from the system;
-                # without it in the text, the PDF is the same on every machine.
-                ignore_system_fonts=_has_fonts_for(text),
-                timestamp=datetime.fromisoformat(content.generated),
-            )
+            yield lambda kind, ppi=None: compiler.compile(format=kind, ppi=ppi, timestamp=made)
         except typst.TypstError as error:
             raise LispacError(
-                f"{path.name}: the report could not be set ({error.message}); check the pictures "
+                f"{name}: the report could not be set ({error.message}); check the pictures "
                 "given to it."
             ) from error
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from lispac.report.content import ReportContent, report_content
 from lispac.report.options import USUAL, ReportOptions
 from lispac.workflow.qualities import qualities
 from lispac.workflow.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.report.pdf import Preview
 
 REPORT_ENDINGS = (".pdf", ".html", ".json", ".zip")
 
@@ -96,3 +100,49 @@ def write_report(
 
             write_pdf(content, temporary, pictures or {}, options)
     progress(1.0, "Report written")
+
+
+def preview_report(
+    project: Project,
+    survey: Survey,
+    *,
+    pictures: Mapping[str, Path] | None = None,
+    options: ReportOptions = USUAL,
+    ppi: float = 96.0,
+    progress: Progress = no_progress,
+) -> "Preview":
+    """The report as `write_report` makes it, to be looked at: its pages, and its PDF.
+
+    Parameters
+    ----------
+    pictures : mapping of caption to PNG file, optional
+    options : page, convention and letterhead
+    ppi : pixels per inch of the pages
+
+    Raises
+    ------
+    InputError
+        Where a picture or the logo cannot be read.
+    """
+    from lispac.report.pdf import preview_of
+
+    progress(0.0, "Collecting the report")
+    content = content_of(
+        project, survey, convention=options.convention, progress=part(progress, 0.0, 0.5)
+    )
+    progress(0.5, "Setting the pages")
+    preview = preview_of(content, pictures or {}, options, ppi=ppi)
+    progress(1.0, "Pages set")
+    return preview
+
+
+def save_preview(preview: "Preview", path: Path) -> None:
+    """Write the PDF of what was looked at.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be written.
+    """
+    with written_whole(path) as temporary:
+        temporary.write_bytes(preview.pdf)

@@ -67,6 +67,10 @@ class ScriptedDialogs(Dialogs):
     def report_file(self, start: Path) -> Path | None:
         return self.path
 
+    def pdf_file(self, start: Path) -> Path | None:
+        self.asked.append(start.name)
+        return self.path
+
     def report_template(self, start: Path) -> Path | None:
         return self.path
 

@@ -1,8 +1,17 @@
-"""The report from the window: its details, and how it is wanted."""
+"""The report from the window: its details, how it is wanted, and its preview."""
 
+import re
 from pathlib import Path
 
-from PySide6.QtWidgets import QLabel, QLineEdit, QPlainTextEdit, QPushButton, QWidget
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import (
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QPushButton,
+    QScrollArea,
+    QWidget,
+)
 
 from lispac.gui.panels.report import ReportPanel
 from lispac.gui.panels.widgets import Choice
@@ -116,3 +125,66 @@ def test_a_bad_template_is_said_at_once_and_refused(adjusted: Driver, tmp_path: 
     (error,) = adjusted.dialogs.errors
     assert "has no colour" in str(error)
     assert not adjusted.window.runner.active
+
+
+def test_the_preview_shows_every_page_and_saves_what_it_shows(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    open_step(adjusted, REPORT)
+    panel = adjusted.window.report
+    choose(adjusted, panel.page, 1)
+    seen: list[QPixmap] = []
+
+    def answer(dialog: QWidget) -> None:
+        pages = [
+            label for label in dialog.findChildren(QLabel)
+            if label.objectName().startswith("preview_page_")
+        ]  # fmt: skip
+        seen.extend(label.pixmap() for label in pages)
+        place = dialog.findChild(QLabel, "preview_place")
+        adjusted.bot.waitUntil(lambda: place.text() == f"Page 1 of {len(pages)}")
+        area = dialog.findChild(QScrollArea, "preview_pages")
+        adjusted.bot.keyClick(area, Key.Key_End)
+        assert place.text() == f"Page {len(pages)} of {len(pages)}"
+        adjusted.bot.keyClick(area, Key.Key_Home)
+        assert place.text().startswith("Page 1 ")
+        adjusted.dialogs.path = tmp_path / "seen.pdf"
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
+        assert "seen.pdf" in dialog.findChild(QLabel, "preview_said").text()
+        adjusted.dialogs.path = None  # asked again, and cancelled
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_close"), Left)
+
+    hand(adjusted, answer)
+    click(adjusted, panel.preview)
+    adjusted.rest()
+    pdf = (tmp_path / "seen.pdf").read_bytes()
+    assert pdf.startswith(b"%PDF")
+    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(seen) > 5
+    # Letter at 96 pixels an inch
+    assert {(page.width(), page.height()) for page in seen} == {(816, 1056)}
+    assert b"[0 0 612 792]" in pdf
+    assert adjusted.dialogs.errors == []
+    assert adjusted.dialogs.asked == [f"{adjusted.project.name}.pdf"] * 2
+
+
+def test_a_preview_that_cannot_be_saved_says_so(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT)
+    (tmp_path / "file").write_text("")
+
+    def answer(dialog: QWidget) -> None:
+        adjusted.dialogs.path = tmp_path / "file" / "r.pdf"
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
+        assert dialog.findChild(QLabel, "preview_said").text() == ""
+        adjusted.bot.keyClick(dialog, Key.Key_Escape)
+
+    hand(adjusted, answer)
+    click(adjusted, adjusted.window.report.preview)
+    adjusted.rest()
+    (error,) = adjusted.dialogs.errors
+    assert "cannot be written" in str(error)
+
+
+def test_there_is_no_preview_without_an_answer(opened: Driver) -> None:
+    open_step(opened, REPORT)
+    assert not opened.window.report.preview.isEnabled()

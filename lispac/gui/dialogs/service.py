@@ -17,6 +17,7 @@ from lispac.gui.dialogs.history import HistoryDialog
 from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.preview import PreviewDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
@@ -149,6 +150,22 @@ class Dialogs:
         path = Path(name)
         endings = {"PDF": ".pdf", "HTML": ".html", "Numbers": ".json", "Tables": ".zip"}
         return path if path.suffix else path.with_suffix(endings[kind.split(" ")[0]])
+
+    def pdf_file(self, start: Path) -> Path | None:
+        """Where the report that was looked at goes."""
+        name, _ = QFileDialog.getSaveFileName(
+            self.parent, "Save the report as PDF", str(start), "PDF (*.pdf)"
+        )
+        path = Path(name)
+        return (
+            path.with_name(f"{path.name}.pdf" if not path.suffix else path.name) if name else None
+        )
+
+    def preview(self, pages: Sequence[bytes], save: Callable[[], str]) -> None:
+        """Show the pages of the report; ``save`` keeps them and says where."""
+        dialog = PreviewDialog(pages, save, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
 
     def report_template(self, start: Path) -> Path | None:
         """The template of a company's reports."""

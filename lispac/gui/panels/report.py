@@ -23,6 +23,7 @@ class ReportPanel(QWidget):
     report_asked = Signal()
     lines_asked = Signal()
     details_asked = Signal()
+    preview_asked = Signal()
     template_asked = Signal()
     changed = Signal()
     """How the report is wanted is another."""
@@ -46,13 +47,19 @@ class ReportPanel(QWidget):
             "Export report…", "export_report", icon="file-document-outline", primary=True,
             tip="PDF, HTML or JSON; pictures of the view before and after go into it (Ctrl+E)",
         )  # fmt: skip
+        self.preview = widgets.button(
+            "Preview", "preview_report", icon="eye-outline",
+            tip="Look at the pages as they will be printed, and save them as PDF",
+        )  # fmt: skip
         self.lines = widgets.button(
             "Export georeferenced lines…", "export_lines", icon="export-variant",
             tip="Every line as LAZ or LAS in a coordinate system of your choice (Ctrl+Shift+E)",
         )  # fmt: skip
         self.details.clicked.connect(self.details_asked)
+        self.preview.clicked.connect(self.preview_asked)
         self.report.clicked.connect(self.report_asked)
         self.lines.clicked.connect(self.lines_asked)
+        layout.addWidget(self.preview)
         layout.addWidget(self.report)
         layout.addWidget(self.lines)
         self.show_template(None)
@@ -107,6 +114,7 @@ class ReportPanel(QWidget):
         """What can be exported now."""
         self.advice.setText(status.advice)
         self.details.setEnabled(data_ready)
+        self.preview.allow(status.ready and not busy)
         self.report.allow(status.ready and not busy)
         self.lines.allow(data_ready and not busy)
 

@@ -1,0 +1,103 @@
+"""The pages of the report as they will be printed."""
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent, QPixmap
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+
+from lispac.gui import theme
+from lispac.gui.panels import widgets
+
+DESK = "#8d96a0"
+"""What the pages lie on."""
+
+
+class PreviewDialog(QDialog):
+    """Pages one below the other; they can be saved as the PDF they are.
+
+    Parameters
+    ----------
+    pages : PNG pictures
+    save : asks where to, saves, and says where; empty where nothing was saved
+    """
+
+    def __init__(
+        self, pages: Sequence[bytes], save: Callable[[], str], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("preview_dialog")
+        self.setWindowTitle("Preview of the report")
+        self._save = save
+        self._pages = [_page(data, k + 1, self.devicePixelRatioF()) for k, data in enumerate(pages)]
+        desk = QWidget()
+        desk.setStyleSheet(f"background: {DESK}")
+        stack = QVBoxLayout(desk)
+        stack.setContentsMargins(16, 16, 16, 16)
+        stack.setSpacing(16)
+        for page in self._pages:
+            stack.addWidget(page, 0, Qt.AlignmentFlag.AlignHCenter)
+        self.area = QScrollArea()
+        self.area.setObjectName("preview_pages")
+        self.area.setWidgetResizable(True)
+        self.area.setWidget(desk)
+        self.area.installEventFilter(self)
+        self.place = widgets.label("", "muted", name="preview_place")
+        self.said = widgets.label("", "muted", name="preview_said")
+        keep = widgets.button("Save as PDF…", "preview_save", icon="content-save", primary=True)
+        keep.setAutoDefault(False)
+        keep.clicked.connect(self._keep)
+        close = widgets.button("Close", "preview_close")
+        close.setAutoDefault(False)
+        close.clicked.connect(self.accept)
+        row = QHBoxLayout()
+        row.setSpacing(theme.SPACE)
+        row.addWidget(self.place)
+        row.addWidget(self.said, 1)
+        row.addWidget(keep)
+        row.addWidget(close)
+        layout = widgets.column(self, 12)
+        layout.addWidget(self.area, 1)
+        layout.addLayout(row)
+        bar = self.area.verticalScrollBar()
+        bar.valueChanged.connect(self._tell_place)
+        bar.rangeChanged.connect(self._tell_place)
+        widest = max((page.sizeHint().width() for page in self._pages), default=600)
+        screen = self.screen().availableGeometry()
+        self.resize(min(widest + 80, screen.width()), min(1000, screen.height() - 60))
+        self.area.setFocus()
+        self._tell_place()
+
+    @property
+    def page(self) -> int:
+        """The page at the middle of what is seen, from 1."""
+        middle = self.area.verticalScrollBar().value() + self.area.viewport().height() / 2
+        above = [k for k, page in enumerate(self._pages) if page.geometry().top() <= middle]
+        return above[-1] + 1 if above else 1
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            bar = self.area.verticalScrollBar()
+            ends = {Qt.Key.Key_Home: bar.minimum(), Qt.Key.Key_End: bar.maximum()}
+            if event.key() in ends:
+                bar.setValue(ends[event.key()])
+                return True
+        return super().eventFilter(watched, event)
+
+    def _keep(self) -> None:
+        if said := self._save():
+            self.said.setText(said)
+
+    def _tell_place(self) -> None:
+        self.place.setText(f"Page {self.page} of {len(self._pages)}")
+
+
+def _page(data: bytes, number: int, ratio: float) -> QLabel:
+    pixmap = QPixmap()
+    pixmap.loadFromData(data, "PNG")
+    pixmap.setDevicePixelRatio(ratio)
+    page = QLabel()
+    page.setObjectName(f"preview_page_{number}")
+    page.setAccessibleName(f"Page {number}")
+    page.setPixmap(pixmap)
+    return page
