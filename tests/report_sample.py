@@ -21,6 +21,7 @@ from lispac.adjustment.stochastic import StochasticModel
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
 from lispac.survey.georeferencing import Mounting
+from lispac.validation.distance_map import DistanceMap
 from lispac.validation.plane_offset import PlaneOffset
 from lispac.validation.profile import Profile
 from lispac.validation.results import (
@@ -190,7 +191,14 @@ def _plane(name: str, scale: float, pairs: tuple[tuple[str, str, bool], ...]) ->
         after=statistics[1],
         by_height=profile,
         by_range=None if name == "V3" else profile,
+        maps=() if name == "V3" else tuple(_map(a, b, scale) for a, b, _ in pairs[:2]),
     )
+
+
+def _map(line_a: str, line_b: str, scale: float) -> DistanceMap:
+    """Three metres across, 1.5 up; farther apart to the right, one corner not seen."""
+    across, up = (v.ravel()[1:] for v in np.meshgrid(np.arange(0.25, 3, 0.5), (0.25, 0.75, 1.25)))
+    return DistanceMap(line_a, line_b, 0.5, across, up, -scale * across, 0.001 * up)
 
 
 def _on_every_line(k: int) -> tuple[PickedSighting, ...]:

@@ -66,9 +66,9 @@ def _content(project: Project, key: str) -> ReportContent:
 def test_a_template_holds_what_a_company_wants(template: Path) -> None:
     options = report_options(template)
     assert options == ReportOptions(
-        "letter", "applanix", template.parent / "art" / "logo.svg",
-        "Levés du Fleuve inc.\n12, rue du Quai", "Order 4711",
-        "Valid until an instrument is moved.",
+        "letter", "applanix", logo=template.parent / "art" / "logo.svg",
+        company="Levés du Fleuve inc.\n12, rue du Quai", heading="Order 4711",
+        closing="Valid until an instrument is moved.",
     )  # fmt: skip
     assert set(KEYS) == set(asdict(options))
     chosen = report_options(template, "a4", "qinsy")

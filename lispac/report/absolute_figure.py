@@ -5,11 +5,12 @@ from matplotlib.figure import Figure
 
 from lispac.report.absolute_values import Absolute
 from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank, dress, short_name
+from lispac.report.translation import Say, unchanged
 
 
-def absolute_figure(found: Absolute, figure: Figure | None = None) -> Figure:
+def absolute_figure(found: Absolute, say: Say = unchanged) -> Figure:
     """All lines together; the bins at both ends hold all beyond."""
-    figure = blank(figure, (6.3, 2.5))
+    figure = blank(None, (6.3, 2.5))
     axes = figure.add_subplot()
     edges = 1000 * np.asarray(found.bin_edges_m)
     for state, colour, counts, each in (
@@ -21,18 +22,20 @@ def absolute_figure(found: Absolute, figure: Figure | None = None) -> Figure:
             f"{state}: n {each.distances.n:,}\nmedian {1000 * each.signed.median_m:+.1f}, "
             f"RMS {1000 * each.distances.rms_m:.1f}, 95 % {1000 * each.distances.p95_m:.1f} mm"
         ).replace("-", "\u2212")
-        axes.stairs(values, edges, fill=True, color=colour, alpha=0.5, label=words)
+        axes.stairs(values, edges, fill=True, color=colour, alpha=0.5, label=say(words))
         axes.stairs(values, edges, color=colour, linewidth=1.0)
     axes.set_xlim(edges[0], edges[-1])
     axes.set_ylim(bottom=0)
     dress(
         axes,
-        "Distance from the reference (mm), positive towards the vessel; the end bins hold all "
-        "beyond",
-        "Places",
+        say(
+            "Distance from the reference (mm), positive towards the vessel; the end bins hold all "
+            "beyond"
+        ),
+        say("Places"),
     )
-    axes.yaxis.set_major_formatter(lambda value, _: f"{value:,.0f}")
-    title = f"{short_name(found.reference)}, all lines, along the normal"
+    axes.yaxis.set_major_formatter(lambda value, _: say(f"{value:,.0f}"))
+    title = f"{short_name(found.reference)}, {say('all lines, along the normal')}"
     axes.set_title(title, fontsize=TEXT + 1, color=INK, loc="left")
     axes.legend(loc="upper right", fontsize=TEXT, frameon=False, labelcolor=INK)
     return figure

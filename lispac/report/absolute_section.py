@@ -3,14 +3,13 @@
 from collections.abc import Sequence
 
 from lispac.report.absolute_values import Absolute, AgainstReference, SurveyedPoint
-from lispac.report.blocks import Block, Bullets, Column, Paragraph, Picture, Table, rows
+from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.values import ReportContent
 from lispac.report.wording import UNKNOWN, known, mm, signed
 
 
 def absolute(content: ReportContent) -> list[Block]:
     from lispac.report.absolute_figure import absolute_figure
-    from lispac.report.figures import pictures_of
 
     found = content.absolute
     if found is None:
@@ -26,9 +25,8 @@ def absolute(content: ReportContent) -> list[Block]:
         _table(found),
         Bullets(found.in_words),
     ]
-    (svg,) = pictures_of(absolute_figure, found)
     caption = "Distances of all lines from the reference, before and after."
-    blocks += [Picture(caption, svg, ".svg"), _uncertainty(found)]
+    blocks += [Drawing(caption, absolute_figure, (found,)), _uncertainty(found)]
     blocks.append(
         Paragraph(
             "POS: by the stated accuracies, one error for all that a line saw. Scatter: of the "

@@ -216,7 +216,7 @@ def pictures_of(
     return list(svgs)
 
 
-@lru_cache(maxsize=32)  # those of a few reports, some megabytes
+@lru_cache(maxsize=64)  # those of a few reports, some megabytes
 def drawn(
     draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
 ) -> tuple[tuple[bytes, ...], tuple[str, ...]]:

@@ -12,7 +12,7 @@ import zipfile
 from io import StringIO
 from pathlib import Path
 
-from lispac.report.blocks import Block, Table
+from lispac.report.blocks import Block, Column, Table, rows
 from lispac.report.document import document_of
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.values import ReportContent
@@ -23,17 +23,40 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 def write_tables(content: ReportContent, path: Path, options: ReportOptions = USUAL) -> None:
-    """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order."""
+    """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order.
+
+    The cells of the maps come last.
+    """
     document = document_of(content, {}, options)
     blocks: list[Block] = [document.identity, *document.summary]
     for section in document.sections:
         blocks += section.blocks
     tables = [block for block in blocks if isinstance(block, Table)]
+    tables += map_tables(content)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for k, table in enumerate(tables, start=1):
             entry = zipfile.ZipInfo(f"{k:02d}-{_slug(table.title)}.csv", _EPOCH)
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, csv_text(table))
+
+
+def map_tables(content: ReportContent) -> list[Table]:
+    """The cells of every map of distances, which the report shows as pictures alone."""
+    columns = tuple(map(Column, ("Across (m)", "Up (m)", "Before (mm)", "After (mm)")))
+    return [
+        Table(
+            f"Map of {plane.name}, {each.line_a} from {each.line_b}",
+            columns,
+            rows(
+                [f"{across:.3f}", f"{up:.3f}", f"{1000 * before:.2f}", f"{1000 * after:.2f}"]
+                for across, up, before, after in zip(
+                    each.across_m, each.up_m, each.before_m, each.after_m, strict=True
+                )
+            ),
+        )
+        for plane in content.validation
+        for each in plane.maps
+    ]
 
 
 def csv_text(table: Table) -> str:

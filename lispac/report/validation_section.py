@@ -13,6 +13,7 @@ PLANES = "Planes of the two lines against each other, reciprocal pairs"
 
 def validation(content: ReportContent) -> list[Block]:
     from lispac.report.histograms import validation_figure
+    from lispac.report.maps import map_figure_of
     from lispac.report.profiles import profile_figure_of
 
     if not content.validation:
@@ -44,6 +45,13 @@ def validation(content: ReportContent) -> list[Block]:
             )
             caption = f"{plane.name}: median and 95th percentile of the distances against {words}."
             blocks.append(Drawing(caption, profile_figure_of, (plane,)))
+        if plane.maps:
+            caption = (
+                f"{plane.name}: distance of the first line from the second along the normal, over "
+                "the plane as seen from the vessel; red where the first is nearer, blue where it "
+                "is farther, grey where one of them has too few points."
+            )
+            blocks.append(Drawing(caption, map_figure_of, (plane,)))
     blocks.append(
         distance_table(
             "Every pair of lines (mm)",

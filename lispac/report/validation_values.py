@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import degrees, sqrt
 
+from lispac.validation.distance_map import DistanceMap
 from lispac.validation.plane_offset import PlaneOffset
 from lispac.validation.profile import Profile
 from lispac.validation.results import (
@@ -142,6 +143,25 @@ class Against:
 
 
 @dataclass(frozen=True)
+class Mapped:
+    """Distances of the first line from the second, cell by cell; see `DistanceMap`."""
+
+    line_a: str
+    line_b: str
+    cell_m: float
+    across_m: tuple[float, ...]
+    up_m: tuple[float, ...]
+    before_m: tuple[float, ...]
+    after_m: tuple[float, ...]
+
+    @classmethod
+    def of(cls, values: DistanceMap) -> "Mapped":
+        """The same figures."""
+        figures = (values.across, values.up, values.before, values.after)
+        return cls(values.line_a, values.line_b, values.cell, *(tuple(f.tolist()) for f in figures))
+
+
+@dataclass(frozen=True)
 class ValidationPlane:
     """Distances between the lines on one validation plane, with their histogram.
 
@@ -160,6 +180,7 @@ class ValidationPlane:
     counts_after: tuple[int, ...]
     by_height: Against | None
     by_range: Against | None
+    maps: tuple[Mapped, ...] = ()
 
     @classmethod
     def of(cls, plane: PlaneComparison) -> "ValidationPlane":
@@ -177,6 +198,7 @@ class ValidationPlane:
             counts_after=tuple(map(int, plane.counts_after)),
             by_height=None if plane.by_height is None else Against.of(plane.by_height),
             by_range=None if plane.by_range is None else Against.of(plane.by_range),
+            maps=tuple(map(Mapped.of, plane.maps)),
         )
 
 

@@ -21,6 +21,7 @@ from lispac.errors import InputError, NotComparable
 from lispac.progress import Progress, no_progress, part
 from lispac.validation.bins import counted, shared_edges
 from lispac.validation.cloud_distance import cloud_to_cloud
+from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.overlap import Overlap
 from lispac.validation.profile import Profile
@@ -44,6 +45,8 @@ Array = NDArray[np.float64]
 
 RECIPROCAL_TOLERANCE = np.radians(20.0)
 MAX_POINTS_PER_LINE = 100_000
+MOST_MAPS = 4
+"""Pairs of lines whose distances are mapped on a plane."""
 # Fewer points are no sample of a surface, and percentiles of fewer distances say nothing.
 FEWEST_POINTS = 30
 
@@ -120,6 +123,7 @@ def compare_plane(
     pairs: list[PairComparison] = []
     not_compared: list[tuple[str, str]] = []
     measured: list[_Measured] = []
+    maps: list[DistanceMap] = []
     for i, (a, b) in enumerate(couples):
         a_in_b, b_in_a = overlap.of(a, b), overlap.of(b, a)
         if np.count_nonzero(a_in_b) < FEWEST_POINTS or np.count_nonzero(b_in_a) < FEWEST_POINTS:
@@ -145,6 +149,16 @@ def compare_plane(
                 PairState(DistanceStatistics.of(apart), signed, planes_apart(ours, theirs, facing))
             )
         both_ways = reciprocal(headings[a], headings[b])
+        # Reciprocal pairs come first, and where there are any the others are not pooled.
+        if len(maps) < MOST_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
+            mapped = distance_map(
+                (a, b),
+                (clouds[0][a][a_in_b], clouds[1][a][a_in_b]),
+                (clouds[0][b][b_in_a], clouds[1][b][b_in_a]),
+                facing=facing, spacing=overlap.spacing(a, b),
+                reach=(float(distances[0].max()), float(distances[1].max())),
+            )  # fmt: skip
+            maps += [] if mapped is None else [mapped]
         pairs.append(PairComparison(a, b, both_ways, *states))
         of_points = [clouds[1][a][a_in_b, 2], clouds[1][b][b_in_a, 2]]
         if ranges is not None:
@@ -184,6 +198,7 @@ def compare_plane(
         model=model,
         by_height=Profile.of(pool.height, pool.before, pool.after),
         by_range=None if pool.range is None else Profile.of(pool.range, pool.before, pool.after),
+        maps=tuple(maps),
     )
 
 

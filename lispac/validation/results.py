@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
+from lispac.validation.distance_map import DistanceMap
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.normal_distance import NMAD, NormalDistances
 from lispac.validation.plane_offset import PlaneOffset
@@ -213,6 +214,8 @@ class PlaneComparison:
         What the distances were measured to.
     by_height, by_range : Profile, optional
         Distances against height and against range from the scanner.
+    maps : tuple of DistanceMap
+        Where on the plane the first lines of some pooled pairs lie off the second.
     """
 
     name: str
@@ -227,6 +230,7 @@ class PlaneComparison:
     model: LocalModel = SIX_POINT_PLANE
     by_height: Profile | None = None
     by_range: Profile | None = None
+    maps: tuple[DistanceMap, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers, strings and lists, for JSON."""
@@ -243,6 +247,7 @@ class PlaneComparison:
             "model": self.model.to_dict(),
             "by_height": None if self.by_height is None else self.by_height.to_dict(),
             "by_range": None if self.by_range is None else self.by_range.to_dict(),
+            "maps": [each.to_dict() for each in self.maps],
         }
 
     @classmethod
@@ -261,6 +266,7 @@ class PlaneComparison:
             model=LocalModel.from_dict(data["model"]),
             by_height=_profile(data["by_height"]),
             by_range=_profile(data["by_range"]),
+            maps=tuple(DistanceMap.from_dict(each) for each in data.get("maps", ())),
         )
 
 

@@ -1,0 +1,134 @@
+"""Where on a plane two lines lie apart: pictures of the distances, before and after."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from lispac.report.figures import INK, SMALL, TEXT, blank, dress, short_name
+from lispac.report.translation import Say, unchanged
+from lispac.report.validation_values import Mapped, ValidationPlane
+from lispac.validation.results import PlaneComparison
+
+Array = NDArray[np.float64]
+
+STATES = ("before", "after", "after, own scale")
+COLOURS = "RdBu_r"
+"""Red where the first line lies nearer to the vessel, white where the two fall on each other."""
+WITHIN = 98.0
+"""Percentile of the distances that ends the colours."""
+LEAST = 1e-4
+PIXELS = 10
+"""Along a cell's side: viewers blur the pixels of an image, so a cell has to be many."""
+WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
+"""Inches: of the figure, and the height of a picture."""
+BESIDE = 1.4
+"""Height over width of a plane beyond which its pairs stand beside each other."""
+
+
+def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
+    """Signed distances over the plane for each pair mapped: before and after on one scale, and
+    after on its own."""
+    return _maps(figure, comparison.name, [Mapped.of(each) for each in comparison.maps])
+
+
+def map_figure_of(plane: ValidationPlane, say: Say = unchanged) -> Figure:
+    """`map_figure` of a report's content."""
+    return _maps(None, plane.name, plane.maps, say)
+
+
+def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped], say: Say = unchanged) -> Figure:
+    if not maps:
+        figure = blank(figure, (WIDTH, 1.0))
+        axes = figure.add_subplot()
+        axes.set_axis_off()
+        axes.text(
+            0.5, 0.5, f"{short_name(name)}: {say('no map; validate again')}", ha="center",
+            va="center", fontsize=TEXT, color=INK, transform=axes.transAxes,
+        )  # fmt: skip
+        return figure
+    sides = np.max([_size(each) for each in maps], axis=0)
+    tall = bool(sides[1] > BESIDE * sides[0])
+    figure, places = _panels(figure, len(maps), sides, tall)
+    common = max(_end(each.before_m + each.after_m) for each in maps)
+    own = max(_end(each.after_m) for each in maps)
+    for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
+        before, after = _grids(pair)
+        words = f"{short_name(pair.line_a)}\n{say('from')} {short_name(pair.line_b)}"
+        for axes, values, end, state in zip(
+            row, (before, after, after), (common, common, own), STATES, strict=True
+        ):
+            _draw(axes, values, end, pair.cell_m)
+            last, first = tall or k == len(maps) - 1, axes is row[0] and not (tall and k)
+            dress(axes, say("Across (m)") if last else "", say("Up (m)") if first else "")
+            axes.grid(False)
+            title = say(state) if not k else ""
+            if tall:
+                title = f"{say(state)}\n{words}"
+            elif first:
+                axes.set_ylabel(f"{words}\n{say('Up (m)')}", fontsize=SMALL, color=INK)
+            axes.set_title(title, fontsize=SMALL, color=INK)
+    for columns in ((0, 1), (2,)):
+        beside = [row[k] for k in columns for row in places]
+        bar = figure.colorbar(
+            beside[0].images[0], ax=beside, orientation="horizontal", shrink=0.85, aspect=25,
+            extend="both", pad=0.02,
+        )  # fmt: skip
+        bar.set_label("mm", fontsize=SMALL, color=INK)
+        bar.locator = MaxNLocator(5)
+        bar.update_ticks()
+        bar.ax.tick_params(labelsize=SMALL, colors=INK)
+    figure.suptitle(short_name(name), x=0.01, ha="left", fontsize=TEXT + 1, color=INK)
+    return figure
+
+
+def _panels(
+    figure: Figure | None, pairs: int, sides: Array, tall: bool
+) -> tuple[Figure, list[list[Axes]]]:
+    """Three panels a pair: in a row of their own, or, where the plane is tall, all in one row."""
+    down, along = (1, 3 * pairs) if tall else (pairs, 3)
+    high = float(np.clip(sides[1] / sides[0] * (WIDTH / along - 0.45), LOWEST, TALLEST))
+    figure = blank(figure, (WIDTH, (1.25 if tall else 1.0) + down * (high + 0.25)))
+    if not tall:
+        return figure, [list(row) for row in figure.subplots(down, along, squeeze=False)]
+    # Those on one scale beside each other, so that its bar belongs to them
+    panels = list(figure.subplots(1, along, squeeze=False)[0])
+    return figure, [[panels[2 * k], panels[2 * k + 1], panels[2 * pairs + k]] for k in range(pairs)]
+
+
+def _draw(axes: Axes, values: Array, end: float, cell: float) -> None:
+    rows, columns = values.shape
+    sharp = np.repeat(np.repeat(1000 * values, PIXELS, axis=0), PIXELS, axis=1)
+    axes.imshow(
+        sharp, cmap=COLOURS, vmin=-1000 * end, vmax=1000 * end, origin="lower",
+        extent=(0.0, columns * cell, 0.0, rows * cell), aspect="equal", interpolation="none",
+    )  # fmt: skip
+    axes.set_facecolor("#eeeeee")
+    axes.locator_params(axis="x", nbins=4)
+
+
+def _grids(pair: Mapped) -> tuple[Array, Array]:
+    """The cells before and after as pictures (up, across), NaN where there is no distance."""
+    columns, rows = (np.floor(np.array(v) / pair.cell_m).astype(int) for v in _axes(pair))
+    grids = []
+    for values in (pair.before_m, pair.after_m):
+        grid = np.full((rows.max() + 1, columns.max() + 1), np.nan)
+        grid[rows, columns] = values
+        grids.append(grid)
+    return grids[0], grids[1]
+
+
+def _axes(pair: Mapped) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    return pair.across_m, pair.up_m
+
+
+def _size(pair: Mapped) -> Array:
+    """Width and height of what is drawn, metres."""
+    return np.array([max(values) + pair.cell_m / 2 for values in _axes(pair)])
+
+
+def _end(values: Sequence[float]) -> float:
+    return max(float(np.percentile(np.abs(values), WITHIN)), LEAST)

@@ -1,0 +1,122 @@
+"""Where on a plane one line lies off another: signed distances over the plane's own two axes.
+
+A histogram does not tell a tilt from noise, nor a bent board from a POS error; the picture does.
+Each cell has the distance along the normal (M3C2) at the point in its middle, in a cylinder as wide
+as the cell; before and after are of the same points, drawn where they are after.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import NotComparable
+from lispac.geometry.planes import fit_plane, in_plane_axes
+from lispac.targets.thinning import thin
+from lispac.validation.normal_distance import NormalDistances, distances_along_normal
+
+Array = NDArray[np.float64]
+
+WIDE = 4.0
+"""Side of a cell in spacings of the sparser line."""
+SMOOTH = 2.0
+"""Diameter of the sphere that a normal comes from, in sides of a cell."""
+MOST_CELLS = 1_500
+DIGITS = 6
+"""Decimals of metres that are kept: a micrometre."""
+
+
+@dataclass(frozen=True, eq=False)
+class DistanceMap:
+    """Distances of the first line from the second, cell by cell.
+
+    Attributes
+    ----------
+    line_a, line_b : str
+    cell : float, metres
+        Side of the square cells.
+    across, up : ndarrays of shape (n,), metres
+        Middles of the cells that have a distance, from the lower left corner as seen from the
+        vessel: along the level direction in the plane, and up its slope.
+    before, after : ndarrays of shape (n,), metres
+        Positive where the first line lies nearer to the vessel.
+    """
+
+    line_a: str
+    line_b: str
+    cell: float
+    across: Array
+    up: Array
+    before: Array
+    after: Array
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain numbers and strings, for JSON."""
+        return {
+            name: value.tolist() if isinstance(value, np.ndarray) else value
+            for name, value in vars(self).items()
+        }
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> "DistanceMap":
+        """The inverse of `to_dict`."""
+        figures = ("across", "up", "before", "after")
+        return cls(
+            data["line_a"], data["line_b"], float(data["cell"]),
+            *(np.array(data[name], dtype=np.float64) for name in figures),
+        )  # fmt: skip
+
+
+def distance_map(
+    lines: tuple[str, str],
+    ours: tuple[Array, Array],
+    theirs: tuple[Array, Array],
+    *,
+    facing: Array,
+    spacing: float,
+    reach: tuple[float, float],
+) -> DistanceMap | None:
+    """Map the distances of the first of two lines from the second.
+
+    Parameters
+    ----------
+    lines : pair of str
+    ours, theirs : pairs of ndarray of shape (n, 3), metres, local frame
+        The first line's points of the part that both saw, before and after, and the second's.
+    facing : ndarray of shape (3,)
+        Towards the vessel.
+    spacing : float, metres
+        Of the sparser line's points, where they are sparse.
+    reach : pair of float, metres
+        The farthest that the two lines are apart, before and after.
+
+    Returns
+    -------
+    DistanceMap, or None where no cell has enough points of both lines
+    """
+    after = theirs[1]
+    axes = in_plane_axes(fit_plane(after).facing(facing).normal)
+    flat = after @ axes.T
+    corner = flat.min(axis=0)
+    flat = flat - corner
+    cell = max(WIDE * spacing, float(np.sqrt(np.prod(flat.max(axis=0)) / MOST_CELLS)))
+    chosen = thin(np.column_stack([flat, np.zeros(len(flat))]), cell)
+    found: list[NormalDistances] = []
+    try:
+        for compared, reference, apart in zip(ours, theirs, reach, strict=True):
+            found.append(
+                distances_along_normal(
+                    compared, reference, reference[chosen], facing=facing,
+                    normal_scale=SMOOTH * cell, diameter=cell, depth=apart + cell,
+                )
+            )  # fmt: skip
+    except NotComparable:
+        return None
+    common = np.intersect1d(found[0].at, found[1].at)
+    if not len(common):
+        return None
+    before, after = (np.round(state.only(common).distance, DIGITS) for state in found)
+    middles = cell * (np.floor(flat[chosen[common]] / cell) + 0.5)
+    across, up = np.round(middles, DIGITS).T
+    return DistanceMap(*lines, round(cell, DIGITS), across, up, before, after)

@@ -1,0 +1,110 @@
+"""Maps of the distances between two lines on a plane: a known shape comes back in its place."""
+
+import csv
+import json
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.report.maps import map_figure
+from lispac.report.tables import write_tables
+from lispac.validation.comparison import compare_plane
+from lispac.validation.distance_map import DistanceMap, distance_map
+from lispac.validation.results import PlaneComparison
+from tests.report_sample import sample_content, sample_project
+
+OPPOSITE = {"L1": 0.0, "L2": np.pi}
+TO_VESSEL = np.array([0.0, 1.0, 0.0])
+
+
+def wall(seed: int, *, slope: float = 0.0, lift: float = 0.0, noise: float = 0.002) -> np.ndarray:
+    """A wall 6 m along north and 3 m high, the vessel to the west: seen from there north is left.
+
+    ``slope`` metres a metre to the right (south) and ``lift`` upward it comes nearer to the vessel.
+    """
+    rng = np.random.default_rng(seed)
+    north, up = rng.uniform(0, 6, 6000), rng.uniform(2, 5, 6000)
+    off = slope * (6 - north) + lift * (up - 2) + rng.normal(0, noise, 6000)
+    return np.column_stack([north, -20.0 + off, up])
+
+
+def test_every_cell_has_the_distance_of_its_place() -> None:
+    before = wall(1, slope=0.01), wall(1, lift=0.004)
+    found = distance_map(
+        ("L1", "L2"), before, (wall(2), wall(2)), facing=TO_VESSEL, spacing=0.1, reach=(0.08, 0.03)
+    )
+    assert found is not None
+    assert found.cell == pytest.approx(0.4)
+    assert len(found.before) > 0.9 * (6 / 0.4) * (3 / 0.4)
+    # A place is that of a point within its cell; means of 40 points of 2 mm noise each.
+    np.testing.assert_allclose(found.before, 0.01 * found.across, atol=0.01 * 0.2 + 0.0025)
+    np.testing.assert_allclose(found.after, 0.004 * found.up, atol=0.004 * 0.2 + 0.0025)
+    assert np.corrcoef(found.before, found.across)[0, 1] > 0.99
+    again = DistanceMap.from_dict(json.loads(json.dumps(found.to_dict())))
+    for name, values in vars(found).items():
+        np.testing.assert_array_equal(getattr(again, name), values)
+
+
+def test_a_comparison_maps_its_reciprocal_pairs() -> None:
+    clouds = {"L1": wall(1), "L2": wall(2), "L3": wall(3)}
+    found = compare_plane("V1", clouds, clouds, OPPOSITE | {"L3": 0.1}, facing=TO_VESSEL)
+    assert {(m.line_a, m.line_b) for m in found.maps} == {("L1", "L2"), ("L2", "L3")}
+    none = compare_plane("V1", clouds, clouds, dict.fromkeys(clouds, 0.0), facing=TO_VESSEL)
+    assert len(none.maps) == 3
+
+
+def images(figure: Figure) -> list[tuple[str, np.ndarray, tuple[float, float]]]:
+    return [
+        (axes.get_title(), image.get_array(), image.get_clim())
+        for axes in figure.axes
+        for image in axes.images
+    ]
+
+
+@pytest.mark.parametrize("tall", [False, True])
+def test_the_picture_has_one_scale_for_before_and_after(tmp_path: Path, tall: bool) -> None:
+    plane = sample_project(tmp_path).validation[0]
+    if tall:
+        turned = [replace(m, across=m.up, up=m.across) for m in plane.maps]
+        plane = replace(plane, maps=tuple(turned))
+    figure = map_figure(plane)
+    figure.canvas.draw()
+    found = images(figure)
+    assert len(found) == 3 * len(plane.maps)
+    limits = {clim for *_, clim in found}
+    assert all(low == -high for low, high in limits)
+    assert len(limits) == 2  # the common one, and that of after alone
+    first = plane.maps[0]
+    cells = np.unique(np.ma.compressed(np.ma.masked_invalid(found[0][1])))
+    np.testing.assert_allclose(cells, np.unique(1000 * first.before))
+    shown = [axes for axes in figure.axes if axes.images]
+    assert all(axes.get_aspect() == 1.0 for axes in shown)
+
+
+def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    write_tables(sample_content(project), tmp_path / "r.zip")
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        (name,) = (n for n in archive.namelist() if n.endswith("map-of-v1-l1-from-l2.csv"))
+        rows = list(csv.reader(archive.read(name).decode("utf-8-sig").splitlines()))
+    found = project.validation[0].maps[0]
+    assert rows[0] == ["Across (m)", "Up (m)", "Before (mm)", "After (mm)"]
+    values = np.array(rows[1:], dtype=float)
+    np.testing.assert_allclose(values[:, 2], 1000 * found.before, atol=0.005)
+    write_project(project)
+    path = project.folder / FILE_NAME
+    stored = json.loads(path.read_text())
+    again = read_project(project.folder).validation[0].maps[0]
+    np.testing.assert_array_equal(again.after, found.after)
+    # A file of before has no maps, and the picture says what to do.
+    for plane in stored["validation"]:
+        del plane["maps"]
+    path.write_text(json.dumps(stored))
+    older: PlaneComparison = read_project(project.folder).validation[0]
+    assert older.maps == ()
+    assert "validate again" in map_figure(older).axes[0].texts[0].get_text()
