@@ -6,7 +6,7 @@ import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -29,6 +29,15 @@ from lispac.report.translation import Translator
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.hidden import Shown
 from lispac.targets.quality import SightingQuality
+from lispac.validation.absolute import (
+    ALL_LINES,
+    AbsoluteCheck,
+    AbsoluteState,
+    Explained,
+    LineCheck,
+    PointCheck,
+)
+from lispac.validation.results import DistanceStatistics, SignedStatistics
 from tests.report_sample import MADE, sample_content, sample_project
 from tests.test_doubts import CASES
 from tests.test_quality import board, judged
@@ -243,6 +252,42 @@ def test_conventions_are_told_in_french(project: Project, key: str) -> None:
     )
     assert made.in_convention is not None
     content = replace(_content(project), in_convention=made.in_convention)
+    assert _english_left(content) == ()
+
+
+def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
+    def state(off: float) -> AbsoluteState:
+        far = DistanceStatistics.of(np.abs(np.linspace(off - 0.01, off + 0.01, 50)))
+        return AbsoluteState(
+            far,
+            SignedStatistics(50, off, off, 0.004, 0.001, 0.4),
+            Explained(0.002, 0.003, 0.001, 0.001, 0.0005),
+            Explained(0.002, 0.003, 0.001, 0.001),
+        )
+
+    lines = tuple(
+        LineCheck(name, state(-0.08), state(off)) for name, off in (("L1", mean), ("L2", 0.0))
+    )
+    return AbsoluteCheck(
+        reference="quay.xyz", size_bytes=12_345, sha256="a" * 64, kind=kind,
+        system="the local frame" if kind == "scan" else "WGS 84 / UTM zone 19N", sigma=0.002,
+        reach=0.5, lines=lines, together=LineCheck(ALL_LINES, state(-0.08), state(mean)),
+        unseen=(
+            "L3: No place of the reference is seen before and after the calibration.",
+            "No line has a flat place in front of P7, P9.",
+        ),
+        bin_edges=(-0.1, 0.0, 0.1), counts_before=(40, 10), counts_after=(20, 30),
+        points=() if kind == "scan" else (PointCheck("yes", 2, 0.002, -0.08, 0.001),),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", ["scan", "points"])
+@pytest.mark.parametrize("mean", [-0.05, 0.0, 0.05])
+def test_absolute_checks_are_told_in_french(
+    project: Project, kind: Literal["scan", "points"], mean: float
+) -> None:
+    content = _content(project.with_absolute(_absolute(kind, mean)))
+    assert content.absolute is not None
     assert _english_left(content) == ()
 
 

@@ -73,6 +73,9 @@ def test_a_template_holds_what_a_company_wants(template: Path) -> None:
     assert set(KEYS) == set(asdict(options))
     chosen = report_options(template, "a4", "qinsy")
     assert (chosen.page, chosen.convention) == ("a4", "qinsy")
+    template.write_text(TEMPLATE + 'language = "FR"', encoding="utf-8")
+    assert report_options(template).language == "fr"
+    assert report_options(template, language="en").language == "en"
     assert report_options() == USUAL
 
 
@@ -82,6 +85,7 @@ def test_a_template_holds_what_a_company_wants(template: Path) -> None:
         ("colour = 'red'", "has no colour; it can have logo, company"),
         ("page = 'a5'", "There is no page a5; choose one of a4, letter"),
         ("page = 4", "page must be a text in quotation marks"),
+        ("language = 'de'", "There is no report in 'de'; choose one of en, fr"),
         ("convention = 'lidarsoft'", "There is no system named lidarsoft"),
         ("company = Fleuve", "this report template is no TOML file"),
         ("logo = 'none.png'", r"none\.png: there is no such logo file"),

@@ -146,6 +146,8 @@ MODULES: dict[str, set[str] | None] = {
     "targets/spheres_across_lines.py": None,
     "geometry/planes.py": None,
     "geometry/spheres.py": None,
+    "validation/absolute_words.py": None,
+    "validation/reference_places.py": {"at_points"},
     "validation/comparison.py": None,
     "validation/local_models.py": None,
     "workflow/survey.py": {"_with_shifts", "_accuracy", "_opened", "_inside"},

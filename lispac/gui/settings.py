@@ -6,7 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QByteArray, QSettings, QStandardPaths
 
 MOST_RECENT = 8
-REPORT_KEYS = ("template", "page", "convention")
+REPORT_KEYS = ("template", "page", "convention", "language")
 POINT_SIZES = range(1, 13)  # pixels
 
 
@@ -80,12 +80,12 @@ class AppSettings:
     def point_size(self, pixels: int) -> None:
         self._store.setValue("point_size", pixels)
 
-    def report_choice(self) -> tuple[str, str, str]:
-        """Template, page and convention of the report, as they were chosen last."""
-        a, b, c = (str(self._store.value(f"report_{k}", "")) for k in REPORT_KEYS)
-        return a, b, c
+    def report_choice(self) -> tuple[str, str, str, str]:
+        """Template, page, convention and language of the report, as they were chosen last."""
+        a, b, c, d = (str(self._store.value(f"report_{k}", "")) for k in REPORT_KEYS)
+        return a, b, c, d
 
-    def keep_report_choice(self, choice: tuple[str, str, str]) -> None:
+    def keep_report_choice(self, choice: tuple[str, str, str, str]) -> None:
         """Remember them for the next report."""
         for key, text in zip(REPORT_KEYS, choice, strict=True):
             self._store.setValue(f"report_{key}", text)

@@ -17,20 +17,20 @@ class ReportOptions:
     ----------
     convention : key of the program whose convention the boresight is stated in, besides this
         program's; empty for none
-    language : code of one of `LANGUAGES`
     logo : PNG or SVG file at the top of page one
     company : line or lines beside it
     heading : text under the title
     closing : text above the signature
+    language : code of one of `LANGUAGES`
     """
 
     page: Page = "a4"
     convention: str = ""
-    language: str = "en"
     logo: Path | None = None
     company: str = ""
     heading: str = ""
     closing: str = ""
+    language: str = "en"
 
 
 USUAL = ReportOptions()

@@ -29,6 +29,8 @@ def names_of(content: ReportContent) -> Iterator[str]:
     for line in content.lines:
         yield from (line.name, line.file)
     yield from (file.name for file in content.files)
+    if content.absolute is not None:
+        yield from (point.name for point in content.absolute.points)
     if content.adjustment is not None:
         for sighting in content.adjustment.sightings:
             yield from (sighting.target, sighting.line)

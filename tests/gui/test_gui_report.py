@@ -97,6 +97,7 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     assert panel.options() == ReportOptions("letter", "qinsy", heading="Order 4711")
     names = [panel.convention.itemText(k) for k in range(panel.convention.count())]
     choose(adjusted, panel.convention, names.index("Applanix POS MV, LVX, POSPac (verified)"))
+    choose(adjusted, panel.language, 1)
     adjusted.dialogs.path = tmp_path / "r.html"
     click(adjusted, panel.report)
     adjusted.rest()
@@ -104,13 +105,16 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert "Order 4711" in text
     assert "size: letter;" in text
-    assert "Convention of Applanix" in text
-    assert adjusted.window.settings.report_choice() == (str(template), "letter", "applanix")
+    assert "Convention de Applanix" in text
+    assert 'lang="fr"' in text
+    assert adjusted.window.settings.report_choice() == (
+        str(template), "letter", "applanix", "fr",
+    )  # fmt: skip
     fresh = ReportPanel()
     fresh.show_choice(adjusted.window.settings.report_choice())
     assert fresh.options() == panel.options()
     click(adjusted, panel.no_template)
-    assert panel.options() == ReportOptions("letter", "applanix")
+    assert panel.options() == ReportOptions("letter", "applanix", language="fr")
 
 
 def test_a_bad_template_is_said_at_once_and_refused(adjusted: Driver, tmp_path: Path) -> None:

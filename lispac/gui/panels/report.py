@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 from lispac.errors import InputError
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
+from lispac.report.catalogue import LANGUAGES
 from lispac.report.options import PAGES, USUAL, ReportOptions
 from lispac.survey.conventions.systems import LISPAC, STATUS_WORDS, SYSTEMS
 from lispac.workflow.report_options import report_options
@@ -65,11 +66,11 @@ class ReportPanel(QWidget):
         self.show_template(None)
 
     @property
-    def choice(self) -> tuple[str, str, str]:
-        """Template, page and convention, to be remembered."""
+    def choice(self) -> tuple[str, str, str, str]:
+        """Template, page, convention and language, to be remembered."""
         template = "" if self._template is None else str(self._template)
         options = self._chosen(USUAL)
-        return template, options.page, options.convention
+        return template, options.page, options.convention, options.language
 
     def options(self) -> ReportOptions:
         """How the report is wanted.
@@ -81,18 +82,20 @@ class ReportPanel(QWidget):
         """
         return self._chosen(report_options(self._template))
 
-    def show_choice(self, choice: tuple[str, str, str]) -> None:
+    def show_choice(self, choice: tuple[str, str, str, str]) -> None:
         """Fill in what was chosen last; what is no longer there is left out."""
-        template, page, convention = choice
+        template, page, convention, language = choice
         self.show_template(Path(template) if template else None)
         if page in PAGES:
             self.page.setCurrentIndex(list(PAGES).index(page))
+        if language in LANGUAGES:
+            self.language.setCurrentIndex(list(LANGUAGES).index(language))
         keys = ["", *(each.key for each in OTHERS)]
         if template or convention:
             self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
 
     def show_template(self, path: Path | None) -> None:
-        """Take a template's page and convention over, or say what is wrong with it."""
+        """Take a template's page, convention and language over, or say what is wrong with it."""
         self._template = path
         self.template.setText(NO_TEMPLATE if path is None else path.name)
         self.template.setToolTip("" if path is None else str(path))
@@ -105,6 +108,7 @@ class ReportPanel(QWidget):
                 self.said.setText(str(error))
             else:
                 self.page.setCurrentIndex(list(PAGES).index(options.page))
+                self.language.setCurrentIndex(list(LANGUAGES).index(options.language))
                 keys = ["", *(each.key for each in OTHERS)]
                 if options.convention in keys:
                     self.convention.setCurrentIndex(keys.index(options.convention))
@@ -120,6 +124,10 @@ class ReportPanel(QWidget):
 
     def _choices(self) -> QFormLayout:
         self.page = widgets.Choice("report_page", list(PAGES.values()), "Size of the paper")
+        self.language = widgets.Choice(
+            "report_language", list(LANGUAGES.values()),
+            "Language of the report; numbers keep their decimal point, JSON stays English",
+        )  # fmt: skip
         names = [f"{each.name} ({STATUS_WORDS[each.status].lower()})" for each in OTHERS]
         self.convention = widgets.Choice(
             "report_convention", ["This program alone", *names],
@@ -131,7 +139,7 @@ class ReportPanel(QWidget):
         self.template.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         choose = widgets.button(
             "Choose…", "report_template_choose",
-            tip="TOML file with logo, company, own texts, page and convention",
+            tip="TOML file with logo, company, own texts, page, convention and language",
         )  # fmt: skip
         self.no_template = widgets.button("Without", "report_template_none", tip="Use no template")
         choose.clicked.connect(self.template_asked)
@@ -142,10 +150,11 @@ class ReportPanel(QWidget):
         row.addWidget(choose)
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow("Language", self.language)
         form.addRow("Page", self.page)
         form.addRow("Values also for", self.convention)
         form.addRow("Template", row)
-        for box in (self.page, self.convention):
+        for box in (self.language, self.page, self.convention):
             box.activated.connect(lambda _index: self.changed.emit())
         return form
 
@@ -159,4 +168,5 @@ class ReportPanel(QWidget):
             options,
             page=list(PAGES)[self.page.currentIndex()],
             convention=keys[self.convention.currentIndex()],
+            language=list(LANGUAGES)[self.language.currentIndex()],
         )
