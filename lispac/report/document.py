@@ -16,7 +16,6 @@ from lispac.report.blocks import (
     Status,
 )
 from lispac.report.boresight_section import boresight
-from lispac.report.catalogue import catalogue_of
 from lispac.report.checks_section import cross_checks, reliability
 from lispac.report.convention_section import other_programs
 from lispac.report.identity_section import identity, signature
@@ -24,8 +23,7 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
 from lispac.report.standards_section import standards
-from lispac.report.translated import drawn, names_of, translated
-from lispac.report.translation import Translator
+from lispac.report.translated import drawn, translated, translator
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
@@ -46,7 +44,7 @@ def document_of(
     InputError
         Where a picture or the logo cannot be read, or there is no report in this language.
     """
-    say = Translator(catalogue_of(options.language), names_of(content))
+    say = translator(content, options.language)
     document = drawn(in_english(content, pictures, options), say)
     return document if options.language == "en" else translated(document, say)
 

@@ -15,6 +15,7 @@ from pathlib import Path
 from lispac.report.blocks import Block, Column, Table, rows
 from lispac.report.document import document_of
 from lispac.report.options import USUAL, ReportOptions
+from lispac.report.translated import said, translator
 from lispac.report.values import ReportContent
 
 _NUMBER = re.compile(r"(?:\u00b1 ?)?([+-]?)(\d{1,3}(?:[,\u202f]\d{3})+|\d+)(\.\d+)?")
@@ -32,7 +33,8 @@ def write_tables(content: ReportContent, path: Path, options: ReportOptions = US
     for section in document.sections:
         blocks += section.blocks
     tables = [block for block in blocks if isinstance(block, Table)]
-    tables += map_tables(content)
+    say = translator(content, options.language)
+    tables += [said(table, say) for table in map_tables(content)]
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for k, table in enumerate(tables, start=1):
             entry = zipfile.ZipInfo(f"{k:02d}-{_slug(table.title)}.csv", _EPOCH)

@@ -15,10 +15,16 @@ from lispac.report.blocks import (
     Signature,
     Table,
 )
+from lispac.report.catalogue import catalogue_of
 from lispac.report.translation import Translator
 from lispac.report.values import ReportContent
 
 POINT = "Numbers are written with a decimal point, as other programs take them."
+
+
+def translator(content: ReportContent, language: str) -> Translator:
+    """Says what a report says in a language, and leaves the names of its content alone."""
+    return Translator(catalogue_of(language), names_of(content))
 
 
 def names_of(content: ReportContent) -> Iterator[str]:
@@ -73,7 +79,7 @@ def translated(document: Document, say: Translator) -> Document:
         verdict=say(document.verdict),
         serious=tuple(map(say, document.serious)),
         cautions=tuple(map(say, document.cautions)),
-        identity=_table(document.identity, say),
+        identity=said(document.identity, say),
         summary=_with_point(summary, say),
         sections=sections,
         language=say.catalogue.code,
@@ -108,14 +114,15 @@ def _block(block: Block, say: Translator) -> Block:
         case Bullets():
             return Bullets(tuple(map(say, block.items)))
         case Table():
-            return _table(block, say)
+            return said(block, say)
         case Picture() | Drawing():
             return replace(block, caption=say(block.caption))
         case Signature():
             return replace(block, fields=tuple(map(say, block.fields)))
 
 
-def _table(table: Table, say: Translator) -> Table:
+def said(table: Table, say: Translator) -> Table:
+    """The table in the translator's language; what the user typed into a form stays."""
     columns = tuple(replace(column, title=say(column.title)) for column in table.columns)
     rows = tuple(
         tuple(
