@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from jsonschema import Draft202012Validator
 from pydantic import TypeAdapter
 
 from lispac.report.json_report import NAME, SCHEMA_FILE, SCHEMA_VERSION
@@ -55,6 +56,18 @@ def _plain(value: Any, *, named: bool = False) -> Any:
             item = " ".join(item.split("\n\nAttributes")[0].split())
         kept[key] = _plain(item, named=key in ("properties", "$defs") and not named)
     return kept
+
+
+def followed(text: str) -> dict[str, Any]:
+    """The report of a JSON text, which has to follow the published schema.
+
+    Raises
+    ------
+    jsonschema.ValidationError
+    """
+    data = json.loads(text)
+    Draft202012Validator(json.loads(PATH.read_text(encoding="utf-8"))).validate(data)
+    return data  # type: ignore[no-any-return]
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from lispac.project import Project
 from lispac.report.absolute_values import Absolute
 from lispac.report.blocks import Table
 from lispac.report.document import document_of
+from lispac.report.json_report import json_text
 from lispac.report.pdf import write_pdf
 from lispac.simulation.port import ORIGIN
 from lispac.simulation.survey import SimulatedSurvey, port_survey
@@ -29,6 +30,7 @@ from lispac.validation.reference_places import at_points
 from lispac.workflow.absolute import check_absolute
 from lispac.workflow.survey import Survey, load_survey
 from tests.report_sample import sample_content, sample_project
+from tests.report_schema import followed
 from tests.static_scans import on_plane, plane_of, tripod_scan
 from tests.test_cli import answer, refused, run
 
@@ -308,6 +310,7 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     assert again.with_result(again.result).absolute is None
     content = sample_content(again)
     assert content.files[-1].sha256 == check.sha256
+    assert followed(json_text(content))["absolute"]["reference"] == check.reference
     (section,) = (s for s in document_of(content, {}).sections if s.title == "Absolute check")
     tables = [block for block in section.blocks if isinstance(block, Table)]
     shown = tables[0].rows[-1]
