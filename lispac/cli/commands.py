@@ -11,6 +11,7 @@ from typing import Any
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.angles import angles as angles
+from lispac.cli.budget import budget as budget
 from lispac.cli.check import check as check
 from lispac.cli.compare import compare as compare
 from lispac.cli.console import ConsoleProgress, UsageError, has_display, print_json

@@ -40,6 +40,7 @@ def build_parser() -> argparse.ArgumentParser:
     _check(commands)
     _compare(commands)
     _history(commands)
+    _budget(commands)
     _georeference(commands)
     _export(commands)
     report_options.add(commands)
@@ -214,6 +215,19 @@ def _history(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="control chart of the system with most calibrations, .png, .svg or .pdf",
     )  # fmt: skip
     json_option(history)
+
+
+def _budget(commands: "Commands[argparse.ArgumentParser]") -> None:
+    budget = command(
+        commands, "budget", "say what every source of error does to a point at a distance"
+    )
+    budget.add_argument("project", type=Path, metavar="PROJECT")
+    budget.add_argument(
+        "--distance", type=positive, nargs="+", metavar="M",
+        help="from the scanner (default 10 50 100)",
+    )  # fmt: skip
+    triple(budget, "--lever-sigma", ("X", "Y", "Z"), "how well the lever arm is known, 1 sigma (m)")
+    json_option(budget)
 
 
 def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:

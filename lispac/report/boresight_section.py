@@ -2,6 +2,7 @@
 
 from lispac.adjustment.parameters import SIGNIFICANT
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, facts, rows
+from lispac.report.budget_section import budget_blocks
 from lispac.report.values import Adjustment, ExtraParameter, ReportContent, Seen
 from lispac.report.wording import (
     UNKNOWN,
@@ -26,6 +27,8 @@ def boresight(content: ReportContent) -> list[Block]:
     if adjustment.observability is not None:
         blocks += _observability(content, adjustment.observability)
     blocks.append(_effects(adjustment))
+    if content.budget is not None:
+        blocks += budget_blocks(content.budget)
     return blocks
 
 

@@ -12,12 +12,14 @@ from numpy.typing import NDArray
 import lispac
 from lispac.adjustment.critical import critical_w
 from lispac.adjustment.doubts import doubts
+from lispac.adjustment.error_budget import ErrorBudget
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubles
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
 from lispac.report.absolute_values import Absolute
+from lispac.report.budget_values import Budget
 from lispac.report.cautions import cautions_of
 from lispac.report.convention_values import in_convention, scanner_to_body
 from lispac.report.diagnostics import (
@@ -63,6 +65,7 @@ def report_content(
     generated: datetime,
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     convention: str = "",
+    budget: ErrorBudget | None = None,
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Gather what a report says about a project, finished or not.
@@ -78,6 +81,7 @@ def report_content(
         Taken as UTC where it has no time zone.
     qualities : by the names of target and line
     convention : key of another program, to state the boresight as that has it; empty for none
+    budget : of the system, where something was estimated
 
     Raises
     ------
@@ -125,6 +129,7 @@ def report_content(
         in_convention=in_convention(project, convention) if convention else None,
         matrix=scanner_to_body(project),
         absolute=None if project.absolute is None else Absolute.of(project.absolute),
+        budget=None if budget is None else Budget.of(budget),
     )
     also = doubles(project)
     found = doubts(project.result, project.cross_checks, also) if project.result else also

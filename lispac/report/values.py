@@ -10,6 +10,7 @@ from typing import Literal
 
 from lispac.identity import Identity
 from lispac.report.absolute_values import Absolute
+from lispac.report.budget_values import Budget
 from lispac.report.convention_values import InConvention, ScannerToBody
 from lispac.report.validation_values import SwathDifference, ValidationPlane
 
@@ -366,3 +367,4 @@ class ReportContent:
     in_convention: InConvention | None = None
     matrix: ScannerToBody | None = None
     absolute: Absolute | None = None
+    budget: Budget | None = None

@@ -13,6 +13,7 @@ from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
 from lispac.report.options import USUAL, ReportOptions
+from lispac.workflow.budget import budget_of
 from lispac.workflow.qualities import qualities
 from lispac.workflow.survey import Survey
 
@@ -44,6 +45,7 @@ def content_of(
         generated=generated or datetime.now(UTC),
         qualities=qualities(project, survey, progress=progress),
         convention=convention,
+        budget=None if project.result is None else budget_of(project, survey),
     )
 
 

@@ -1,0 +1,272 @@
+"""What every source of error does to a point at a distance (thesis table 1.3), for one system.
+
+The derivatives are those of the adjustment (`sensitivity`). A geometry is stated, since what an
+angle does depends on where the beam goes: an error about the beam itself moves nothing.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.sensitivity import Sensitivity, sensitivity
+from lispac.errors import InputError
+from lispac.survey.georeferencing import CALIBRATION, Mounting, place, to_lidar
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+DISTANCES = (10.0, 50.0, 100.0)
+"""Metres from the scanner."""
+BEAMS: Mapping[str, tuple[float, float, float]] = {
+    "level to starboard": (0.0, -1.0, 0.0),
+    "45 deg up to starboard": (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
+}
+"""Directions in the body frame (forward, left, up) of a vessel that sails north, level."""
+POSITION, RANGE, BEAM, LIDAR = "GNSS position", "LiDAR range", "LiDAR beam angle", "LiDAR noise"
+ATTITUDE = ("POS roll", "POS pitch", "POS heading")
+LEVER, LATENCY = "Lever arm", "Latency"
+OFFSETS = {"range_offset": "Range offset", "scan_angle_offset": "Scan-angle offset"}
+BEFORE, AFTER = "Boresight before", "Boresight after"
+TOTAL_BEFORE, TOTAL_AFTER = "All together, before", "All together, after"
+
+
+@dataclass(frozen=True, eq=False)
+class SystemErrors:
+    """Standard deviations of one system, and the boresight before and after.
+
+    Attributes
+    ----------
+    position : ndarray of shape (3,), metres; north, west, up
+    attitude : ndarray of shape (3,), radians; roll, pitch, heading
+    lidar : float or pair of float
+        Metres on each axis of the LiDAR, or of range (metres) and direction of the beam (radians).
+    lever_arm : ndarray of shape (3,), metres, or None
+        Forward, left, up; None where it is not known. Not used where the lever arm was estimated.
+    mounting : Mounting
+        As estimated.
+    prior_boresight : ndarray of shape (3,), radians
+    estimated : tuple of str, covariance : ndarray of shape (e, e)
+        Names among `CALIBRATION` and their covariance, radians, metres, seconds.
+    speed : float, metres per second
+    rates : ndarray of shape (3,), radians per second
+        RMS of the turning of roll, pitch and heading; for the latency alone.
+    """
+
+    position: Array
+    attitude: Array
+    lidar: float | tuple[float, float]
+    lever_arm: Array | None
+    mounting: Mounting
+    prior_boresight: Array
+    estimated: tuple[str, ...]
+    covariance: Array
+    speed: float
+    rates: Array
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Standard deviation of a point, metres: the root of the sum of squares in each space.
+
+    Attributes
+    ----------
+    horizontal : in the plane of north and west
+    vertical : upwards
+    across : in the plane across the beam
+    total : in space
+    """
+
+    horizontal: float
+    vertical: float
+    across: float
+    total: float
+
+
+@dataclass(frozen=True)
+class SourceBudget:
+    """What one source does at each distance; ``spreads`` is None where the source is unknown."""
+
+    source: str
+    spreads: tuple[Spread, ...] | None
+
+
+@dataclass(frozen=True)
+class BeamBudget:
+    """All sources for one direction of the beam, and their sums before and after."""
+
+    beam: str
+    sources: tuple[SourceBudget, ...]
+    before: SourceBudget
+    after: SourceBudget
+
+
+@dataclass(frozen=True)
+class ErrorBudget:
+    """The budget of a system.
+
+    Attributes
+    ----------
+    distances : tuple of float, metres
+    beams : tuple of BeamBudget
+    in_words : tuple of str
+        What it rests on.
+    """
+
+    distances: tuple[float, ...]
+    beams: tuple[BeamBudget, ...]
+    in_words: tuple[str, ...]
+
+
+def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -> ErrorBudget:
+    """The error of a point by source, at distances from the scanner.
+
+    Raises
+    ------
+    InputError
+        No distance, or one that is not positive.
+    """
+    if not distances or not all(0.0 < each < np.inf for each in distances):
+        raise InputError("Give the distances of the error budget in metres, each larger than 0.")
+    chosen = tuple(sorted(set(map(float, distances))))
+    beams = tuple(_beam(name, np.array(way), system, chosen) for name, way in BEAMS.items())
+    return ErrorBudget(chosen, beams, tuple(_words(system)))
+
+
+def _beam(name: str, way: Array, system: SystemErrors, distances: Sequence[float]) -> BeamBudget:
+    found = [_covariances(way, system, distance) for distance in distances]
+    sources = tuple(
+        SourceBudget(source, _spreads([each[source] for each in found], way)) for source in found[0]
+    )
+    known = [{k: c for k, c in each.items() if c is not None} for each in found]
+    totals = []
+    for out in (AFTER, BEFORE):
+        # What was estimated besides the boresight is correlated with it.
+        both = [
+            sum((c for source, c in each.items() if source != out), np.zeros((3, 3)))
+            + (_crossed(way, system, far) if out == BEFORE else 0.0)
+            for each, far in zip(known, distances, strict=True)
+        ]
+        totals.append(_spreads(both, way))
+    return BeamBudget(
+        name, sources, SourceBudget(TOTAL_BEFORE, totals[0]), SourceBudget(TOTAL_AFTER, totals[1])
+    )
+
+
+def _seen(way: Array, system: SystemErrors, distance: float) -> tuple[Array, Poses, Sensitivity]:
+    """The point in the LiDAR frame, the pose, and the derivatives of its north, west and up."""
+    poses = Poses(np.zeros((3, 3)), np.zeros((3, 3)))
+    local = np.tile(system.mounting.lever_arm + distance * way, (3, 1))
+    points_lidar = to_lidar(local, poses, system.mounting)
+    rate = np.tile([system.speed, 0.0, 0.0, *system.rates], (3, 1))
+    moved = sensitivity(points_lidar, poses, system.mounting, np.eye(3), pose_rate=rate)
+    return points_lidar, poses, moved
+
+
+def _covariances(way: Array, system: SystemErrors, distance: float) -> dict[str, Array | None]:
+    """Covariance of the point by each source, shape (3, 3), square metres; None if unknown."""
+    points_lidar, poses, moved = _seen(way, system, distance)
+    found: dict[str, Array | None] = {POSITION: _of(moved.by_position, system.position)}
+    for k, name in enumerate(ATTITUDE):
+        found[name] = _of(moved.by_attitude[:, [k]], system.attitude[[k]])
+    if isinstance(system.lidar, tuple):
+        reading = points_lidar[0]
+        beam = reading / np.linalg.norm(reading)
+        # The reading's own length, which an offset makes another one than the distance
+        across = system.lidar[1] * float(np.linalg.norm(reading))
+        along = np.outer(beam, beam)
+        jacobian = moved.by_lidar
+        found[RANGE] = system.lidar[0] ** 2 * (jacobian @ along @ jacobian.T)
+        found[BEAM] = across**2 * (jacobian @ (np.eye(3) - along) @ jacobian.T)
+    else:
+        found[LIDAR] = _of(moved.by_lidar, np.full(3, system.lidar))
+    levers = [name for name in system.estimated if name.startswith("lever")]
+    if levers:
+        found[LEVER] = _estimated(moved, system, levers)
+    else:
+        lever = system.lever_arm
+        found[LEVER] = None if lever is None else _of(moved.by_mounting[:, 3:6], lever)
+    for name, words in OFFSETS.items():
+        if name in system.estimated:
+            found[words] = _estimated(moved, system, [name])
+    if "latency" in system.estimated:
+        variance = system.covariance[(system.estimated.index("latency"),) * 2]
+        # Speed and turning do not belong together in a known way: their squares add up.
+        rates = np.array([system.speed, *system.rates])
+        moves = np.column_stack([moved.by_position[:, 0], moved.by_attitude])
+        found[LATENCY] = _of(moves, np.sqrt(variance) * rates)
+    before = system.mounting.with_boresight(system.prior_boresight)
+    # Not a standard deviation but the one error there was; it may be too large for derivatives.
+    off = (place(points_lidar, poses, before) - place(points_lidar, poses, system.mounting))[0]
+    found[BEFORE] = np.outer(off, off)
+    found[AFTER] = _estimated(moved, system, ["roll", "pitch", "yaw"])
+    return found
+
+
+def _of(jacobian: Array, sigma: Array) -> Array:
+    """Covariance of independent errors."""
+    moves = jacobian * sigma
+    return moves @ moves.T
+
+
+def _estimated(moved: Sensitivity, system: SystemErrors, names: Sequence[str]) -> Array:
+    """Covariance of the point by some of the values estimated, by themselves."""
+    chosen = [system.estimated.index(name) for name in names]
+    jacobian = moved.by_mounting[:, [CALIBRATION.index(name) for name in names]]
+    return jacobian @ system.covariance[np.ix_(chosen, chosen)] @ jacobian.T
+
+
+def _crossed(way: Array, system: SystemErrors, distance: float) -> Array:
+    """What the correlations between groups of estimated values add to the covariance after."""
+    _, _, moved = _seen(way, system, distance)
+    names = [name for name in system.estimated if name != "latency"]
+    groups = [["roll", "pitch", "yaw"], [n for n in names if n.startswith("lever")]]
+    groups += [[name] for name in names if name in OFFSETS]
+    alone = sum(_estimated(moved, system, group) for group in groups if group)
+    return _estimated(moved, system, names) - alone
+
+
+def _spreads(covariances: Sequence[Array | None], way: Array) -> tuple[Spread, ...] | None:
+    spreads = []
+    for covariance in covariances:
+        if covariance is None:
+            return None
+        # Rounding may leave a variance that is nothing a little below zero.
+        north, west, up = np.maximum(np.diag(covariance), 0.0)
+        total = north + west + up
+        across = max(total - way @ covariance @ way, 0.0)
+        spreads.append(Spread(*(float(np.sqrt(v)) for v in (north + west, up, across, total))))
+    return tuple(spreads)
+
+
+def _words(system: SystemErrors) -> list[str]:
+    position = ", ".join(f"{1000 * v:.1f}" for v in system.position)
+    attitude = ", ".join(f"{v:.4f}" for v in np.degrees(system.attitude))
+    said = [
+        "Standard deviations of a point as seen from a vessel that sails north, level; distances "
+        "are from the scanner. Horizontal and across the beam are the root of the sum of squares "
+        "of two directions.",
+        f"POS: median of the accuracies on the lines, {position} mm (north, east, up) and "
+        f"{attitude} deg (roll, pitch, heading).",
+        "Boresight before is no standard deviation but by how much the prior angles put the point "
+        "elsewhere than the estimated ones; boresight after is by their covariance.",
+    ]
+    if not isinstance(system.lidar, tuple):
+        said.append(
+            "The LiDAR noise is stated on each axis alike; stated of range and beam it would grow "
+            "with the distance."
+        )
+    if any(name.startswith("lever") for name in system.estimated):
+        said.append("The lever arm counts by what of it was estimated, with its covariance.")
+    elif system.lever_arm is None:
+        said.append("How well the lever arm is known is not stated, so that it is not counted.")
+    if "latency" in system.estimated:
+        rates = ", ".join(f"{v:.2f}" for v in np.degrees(system.rates))
+        said.append(
+            f"Latency: at the speed of the lines, {system.speed:.1f} m/s, and their RMS turning, "
+            f"{rates} deg/s (roll, pitch, heading)."
+        )
+    else:
+        said.append("A latency was not estimated and is not counted.")
+    return said

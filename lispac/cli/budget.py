@@ -1,0 +1,43 @@
+"""``lispac budget``: what every source of error does to a point at a distance."""
+
+from argparse import Namespace
+from dataclasses import asdict
+
+from lispac.adjustment.error_budget import DISTANCES
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.report.budget_values import Budget
+from lispac.workflow.budget import budget_of
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import load_survey
+
+
+def budget(arguments: Namespace) -> None:
+    """Print a table for each direction of the beam."""
+    project = open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+    found = Budget.of(
+        budget_of(
+            project, survey, arguments.distance or DISTANCES, lever_sigma=arguments.lever_sigma
+        )
+    )
+    if arguments.json:
+        print_json(asdict(found))
+        return
+    heads = "".join(f"{f'at {distance:g} m':>30s}" for distance in found.distances_m)
+    columns = "".join(f"{name:>10s}" for name in ("horiz.", "vertical", "across"))
+    for beam in found.beams:
+        print(f"{'beam ' + beam.beam:28s}{heads}")
+        print(f"{'1 sigma, cm':28s}{columns * len(found.distances_m)}")
+        for each in (*beam.sources, beam.before, beam.after):
+            cells = "not known".rjust(30)
+            if each.at_distance is not None:
+                cells = "".join(
+                    f"{100 * e.horizontal_m:10.2f}{100 * e.vertical_m:10.2f}"
+                    f"{100 * e.across_beam_m:10.2f}"
+                    for e in each.at_distance
+                )
+            print(f"{each.source:28s}{cells}")
+        print()
+    for sentence in found.in_words:
+        print(sentence)
