@@ -61,6 +61,10 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                  "Adjust boresight and planes together"),
     "validate": ("&Validate", "Validate", "check-decagram-outline", "F10",
                  "Compare the lines on the validation planes"),
+    "check": ("Check against a &reference…", "Check", "", "Shift+F10",
+              "Compare the lines with a static scan or surveyed points"),
+    "budget": ("Error &budget…", "Budget", "", "",
+               "What each source of error does to a point at a distance"),
     "history": ("Calibrations over the &years…", "History", "", "F11",
                 "All calibrations of a vessel's system: has its mounting moved?"),
     "subsampling": ("&Subsampling study…", "Subsampling", "", "Shift+F9",
@@ -122,7 +126,7 @@ _MENUS: dict[str, Menu] = {
         "lasso_remove",
     ),
     "&Adjust": ("estimate", "", "subsampling", "", "cancel"),
-    "Va&lidate": ("validate", "", "history"),
+    "Va&lidate": ("validate", "check", "", "budget", "history"),
     "&Help": ("keys", "about"),
 }
 _TOOLBAR = (

@@ -1,4 +1,5 @@
-"""Studies that change nothing: calibrations over the years, and the distance between points."""
+"""Studies of an answer: against a reference, over the years, with other distances between points,
+and what each source of error does."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -7,8 +8,14 @@ from PySide6.QtCore import QObject
 
 from lispac.gui.panels.histograms import preload
 from lispac.progress import Progress
+from lispac.project import Project
+from lispac.report.absolute_values import Absolute
+from lispac.report.budget_values import Budget
+from lispac.workflow.absolute import check_absolute
+from lispac.workflow.budget import budget_of
 from lispac.workflow.history import History, histories
 from lispac.workflow.subsampling import USUAL, Subsampled, subsampling_study
+from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -22,8 +29,13 @@ class Studies(QObject):
         self._document, self._runner = window.document, window.runner
         self._controller, self._dialogs = window.controller, window.dialogs
         self._actions = window.actions_
-        self._actions["history"].triggered.connect(lambda _=False: self.history())
-        self._actions["subsampling"].triggered.connect(lambda _=False: self.subsampling())
+        for name, study in {
+            "check": self.check,
+            "history": self.history,
+            "subsampling": self.subsampling,
+            "budget": self.budget,
+        }.items():
+            self._actions[name].triggered.connect(lambda _=False, study=study: study())
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
             moved.connect(self._enable)
         self._enable()
@@ -46,10 +58,48 @@ class Studies(QObject):
             "Reading the calibrations", work, lambda found: self._dialogs.history(*found)
         )
 
+    def check(self) -> None:
+        """Compare the lines with a static scan or surveyed points: one undo step."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        request = self._dialogs.check(project, survey.trajectory)
+        if request is None:
+            return
+
+        def work(progress: Progress) -> tuple[Project, tuple[str, ...]]:
+            preload()
+            return check_absolute(
+                project, survey, request.path, crs=request.crs, height=request.height,
+                sigma=request.sigma, reach=request.reach, progress=progress,
+            )  # fmt: skip
+
+        def done(checked: tuple[Project, tuple[str, ...]]) -> None:
+            found, notes = checked
+            self._document.edit(f"check against {request.path.name}", found)
+            for note in notes:
+                self._controller.noted.emit(note)
+            assert found.absolute is not None
+            self._dialogs.checked(Absolute.of(found.absolute))
+
+        task = self._runner.run(f"Checking against {request.path.name}", work, done)
+        self._controller.based_on_project(task)
+
+    def budget(self) -> None:
+        """Show what each source of error does to a point."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        task = self._runner.run(
+            "Adding up the errors",
+            lambda _progress: Budget.of(budget_of(project, survey)),
+            self._dialogs.budget,
+        )
+        self._controller.based_on_project(task)
+
     def subsampling(self) -> None:
         """Adjust with points nearer together and farther apart."""
-        project = self._document.project
-        survey = self._document.survey if self._document.survey_is_current else None
+        project, survey = self._ready()
         if project is None or survey is None:
             return
         used = project.settings.subsample
@@ -63,10 +113,16 @@ class Studies(QObject):
         )  # fmt: skip
         self._controller.based_on_project(task)
 
+    def _ready(self) -> tuple[Project | None, Survey | None]:
+        current = self._document.survey_is_current
+        return self._document.project, self._document.survey if current else None
+
     def _enable(self) -> None:
-        project, busy = self._document.project, self._runner.busy
+        (project, survey), busy = self._ready(), self._runner.busy
+        ready = survey is not None and not busy
         picked = project is not None and bool(project.of_role("target"))
+        estimated = project is not None and project.result is not None
         self._actions["history"].setEnabled(not busy)
-        self._actions["subsampling"].setEnabled(
-            picked and self._document.survey_is_current and not busy
-        )
+        self._actions["subsampling"].setEnabled(picked and ready)
+        for name in ("check", "budget"):
+            self._actions[name].setEnabled(estimated and ready)

@@ -8,9 +8,9 @@ from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank, dress, short_
 from lispac.report.translation import Say, unchanged
 
 
-def absolute_figure(found: Absolute, say: Say = unchanged) -> Figure:
+def absolute_figure(found: Absolute, say: Say = unchanged, figure: Figure | None = None) -> Figure:
     """All lines together; the bins at both ends hold all beyond."""
-    figure = blank(None, (6.3, 2.5))
+    figure = blank(figure, (6.3, 2.5))
     axes = figure.add_subplot()
     edges = 1000 * np.asarray(found.bin_edges_m)
     for state, colour, counts, each in (

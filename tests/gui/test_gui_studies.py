@@ -9,13 +9,16 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QDialog
 
+from lispac.gui.dialogs.budget import BudgetDialog
+from lispac.gui.dialogs.check import CheckDialog, CheckedDialog
 from lispac.gui.dialogs.history import HistoryDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
 from lispac.project import Project
-from tests.gui.support import Driver
+from tests.gui.support import WAIT_MS, Driver
 from tests.report_sample import sample_project
+from tests.static_scans import tripod_scan
 
 Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
@@ -23,29 +26,26 @@ SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
 
 def answered(driver: Driver, look) -> None:
     """Look at the dialogue that comes, and close it with Enter; its errors are the test's."""
-    failed: list[BaseException] = []
-    tries = 0
+    looked: list[BaseException | None] = []
 
-    def wait() -> None:
-        nonlocal tries
+    def wait(tries: int) -> None:
         dialog = QApplication.activeModalWidget()
-        tries += 1
-        if not isinstance(dialog, QDialog) and tries < 1200:
-            QTimer.singleShot(50, wait)
+        if not isinstance(dialog, QDialog):
+            if tries:
+                QTimer.singleShot(50, lambda: wait(tries - 1))
             return
         try:
             look(dialog)
+            looked.append(None)
         except BaseException as error:
-            failed.append(error)
+            looked.append(error)
         finally:
-            if isinstance(dialog, QDialog):
-                driver.bot.keyClick(dialog, Key.Key_Return)
+            driver.bot.keyClick(dialog, Key.Key_Return)
 
-    QTimer.singleShot(50, wait)
-    driver.rest()
-    assert QApplication.activeModalWidget() is None
-    if failed:
-        raise failed[0]
+    QTimer.singleShot(50, lambda: wait(1200))
+    driver.bot.waitUntil(lambda: bool(looked), timeout=WAIT_MS)
+    if looked[0] is not None:
+        raise looked[0]
 
 
 @pytest.fixture
@@ -118,6 +118,79 @@ def test_fewer_points_and_more(adjusted: Driver) -> None:
     assert adjusted.project is project
 
 
+def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_path: Path) -> None:
+    scan = tmp_path / "tripod.txt"
+    np.savetxt(scan, tripod_scan(("V1",), shift=(0.02, 0.0, 0.0)), fmt="%.4f", header="x y z")
+    seen: list[QDialog] = []
+
+    def ask(dialog: CheckDialog) -> None:
+        assert isinstance(dialog, CheckDialog)
+        seen.append(dialog)
+        assert not dialog.check.isEnabled()
+        dialog.file.setFocus()
+        adjusted.bot.keyClicks(dialog.file, str(scan))
+        assert dialog.check.isEnabled()
+        assert dialog.system.currentData() == ""
+        assert not dialog.height.isVisible()
+        dialog.system.setCurrentIndex(dialog.system.findData("local"))
+        dialog.sigma.setValue(2.0)
+
+    def look(dialog: CheckedDialog) -> None:
+        assert isinstance(dialog, CheckedDialog)
+        seen.append(dialog)
+        found = adjusted.project.absolute
+        assert found is not None
+        assert found.sigma == pytest.approx(0.002)
+        rows = dialog.table.rowCount()
+        assert rows == len(found.lines) + 1
+        mean = 1000 * found.together.after.signed.mean
+        assert dialog.table.item(rows - 1, 5).text().replace("−", "-") == f"{mean:+.1f}"
+        assert "mean" in dialog.said.text().lower()
+        assert len(dialog.canvas.figure.axes) == 1
+
+    QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
+    answered(adjusted, ask)
+    answered(adjusted, look)
+    assert len(seen) == 2
+    stack = adjusted.window.document.undo_stack
+    assert stack.undoText() == "check against tripod.txt"
+    stack.undo()
+    adjusted.rest()
+    assert adjusted.project.absolute is None
+
+
+def test_a_reference_that_is_missing_is_told(adjusted: Driver, tmp_path: Path) -> None:
+    def ask(dialog: CheckDialog) -> None:
+        dialog.file.setText(str(tmp_path / "gone.laz"))
+
+    QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
+    answered(adjusted, ask)
+    adjusted.rest()
+    (error,) = adjusted.dialogs.errors
+    assert "gone.laz" in str(error)
+    assert adjusted.project.absolute is None
+
+
+def test_the_error_budget(adjusted: Driver) -> None:
+    def look(dialog: BudgetDialog) -> None:
+        assert isinstance(dialog, BudgetDialog)
+        rows = {dialog.table.item(row, 0).text(): row for row in range(dialog.table.rowCount())}
+        before, after = (
+            float(dialog.table.item(rows[name], 9).text())
+            for name in ("Boresight before", "Boresight after")
+        )
+        assert before > 10 * after > 0
+        level = dialog.table.item(rows["GNSS position"], 3).text()
+        dialog.beam.setCurrentIndex(1)
+        assert dialog.table.item(rows["GNSS position"], 3).text() != level
+        assert dialog.table.item(rows["Lever arm"], 1).text() == "–"
+
+    QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
+    answered(adjusted, look)
+
+
 def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:
+    assert not opened.window.actions_["check"].isEnabled()
+    assert not opened.window.actions_["budget"].isEnabled()
     assert not opened.window.actions_["subsampling"].isEnabled()
     assert opened.window.actions_["history"].isEnabled()

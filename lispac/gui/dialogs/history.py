@@ -62,7 +62,7 @@ class HistoryDialog(StudyDialog):
         from lispac.report.control_charts import control_figure
 
         history = self._histories[self.system.currentIndex()]
-        self.table.show_rows([_row(each) for each in history.entries])
+        self.show_rows([_row(each) for each in history.entries])
         self.said.setText("\n".join((*history.remarks, *self._remarks)))
         self.said.setVisible(bool(self.said.text()))
         control_figure(

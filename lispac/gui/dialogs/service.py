@@ -10,6 +10,8 @@ from typing import Literal
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QWidget
 
 from lispac.gui.dialogs.about import about_box, shortcuts_box
+from lispac.gui.dialogs.budget import BudgetDialog
+from lispac.gui.dialogs.check import CheckDialog, CheckedDialog, CheckRequest
 from lispac.gui.dialogs.error import error_box
 from lispac.gui.dialogs.export import ExportDialog
 from lispac.gui.dialogs.find_again import FindAgainDialog
@@ -26,6 +28,8 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
 from lispac.project import LineSource, Project, Target, Triple
+from lispac.report.absolute_values import Absolute
+from lispac.report.budget_values import Budget
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.settings import FinderChoices
 from lispac.workflow.export_request import ExportRequest, What
@@ -127,6 +131,25 @@ class Dialogs:
             self.parent, "Folder with the projects of all calibrations", str(start)
         )
         return Path(name) if name else None
+
+    def check(self, project: Project, trajectory: LocalTrajectory) -> CheckRequest | None:
+        """Against which reference the lines are to be checked."""
+        dialog = CheckDialog(project, trajectory, self.parent)
+        answer = dialog.request if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def checked(self, found: Absolute) -> None:
+        """Show how far the lines are from the reference."""
+        dialog = CheckedDialog(found, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def budget(self, budget: Budget) -> None:
+        """Show what each source of error does."""
+        dialog = BudgetDialog(budget, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
 
     def history(self, histories: Sequence[History], remarks: Sequence[str]) -> None:
         """Show the calibrations of each system."""

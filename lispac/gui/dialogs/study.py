@@ -1,10 +1,15 @@
 """What a study found: a table, sentences, a plot where there is one, and both to copy."""
 
+from collections.abc import Sequence
+
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui.panels import widgets
-from lispac.gui.panels.diagnostics_table import DiagnosticsTable
+from lispac.gui.panels.diagnostics_table import DiagnosticsTable, Row
+
+HEAD, ROW, MOST_SHOWN = 64, 24, 10
+"""Pixels of the table's headings and of a row, and rows shown at the least."""
 
 
 class StudyDialog(QDialog):
@@ -49,6 +54,11 @@ class StudyDialog(QDialog):
         row.addWidget(close)
         self._buttons = row
         self.body.addLayout(row)
+
+    def show_rows(self, rows: Sequence[Row]) -> None:
+        """Show rows in the table, all of them where they are few."""
+        self.table.show_rows(rows)
+        self.table.setMinimumHeight(HEAD + ROW * min(len(rows), MOST_SHOWN))
 
     def figure(self):
         """The figure of the plot, which stands below the table."""

@@ -36,7 +36,7 @@ class SubsamplingDialog(StudyDialog):
             "points only take time. The project stays as it is.",
             table, parent,
         )  # fmt: skip
-        table.show_rows([_row(each, each.distance == used) for each in found])
+        self.show_rows([_row(each, each.distance == used) for each in found])
         self.said.setText(f"In orange: the {used:.2f} m of the project's settings.")
         self.said.setVisible(any(each.distance == used for each in found))
         self.resize(860, 330)
