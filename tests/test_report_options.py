@@ -12,10 +12,11 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError
+from lispac.identity import BLANK
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.html import html_text
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import USUAL, Page, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
 from lispac.survey.conventions.conversion import Setup, mounting_of, mounting_of_angles
@@ -143,6 +144,35 @@ def test_pages_have_the_size_that_is_chosen(project: Project, tmp_path: Path) ->
     # 210 by 297 mm, and 8.5 by 11 inches, at 72 points an inch
     assert a4[2:] == pytest.approx((210 / 25.4 * 72, 297 / 25.4 * 72), abs=0.01)
     assert letter[2:] == (612, 792)
+
+
+@pytest.mark.parametrize(
+    ("finished", "remarks", "page"),
+    [
+        (True, 0, "a4"),
+        (True, 25, "letter"),
+        (False, 0, "a4"),
+        (False, 4, "letter"),
+        (False, 25, "a4"),
+    ],
+)
+def test_pages_are_numbered_wherever_the_contents_stand(
+    project: Project, tmp_path: Path, finished: bool, remarks: int, page: Page
+) -> None:
+    if not finished:
+        project = replace(project, result=None, validation=(), cross_checks=None, targets=())
+    said = BLANK.changed(remarks="\n".join(["word"] * remarks))
+    content = sample_content(project.with_identity(said))
+    write_pdf(content, tmp_path / "r.pdf", {}, ReportOptions(page))
+    text = _pdf_text(tmp_path / "r.pdf")
+    numbers = [tuple(map(int, found)) for found in re.findall(r"Page (\d+) of (\d+)", text)]
+    assert numbers == [(k + 1, len(numbers)) for k in range(len(numbers))]
+    assert len(numbers) > 2
+    assert text.count("Boresight calibration report") == len(numbers)  # title, then headers
+    # The contents send the reader to the right page.
+    leaves = text.split("\f")
+    (at,) = re.findall(r"Settings and input files[ .\u2060]+(\d+)", text)
+    assert re.search(r"\d +Settings and input files\s*\n", leaves[int(at) - 1])
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS if each.has_angles])
