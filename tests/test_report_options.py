@@ -3,6 +3,8 @@
 import csv
 import json
 import re
+import textwrap
+import tomllib
 import zipfile
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -78,6 +80,17 @@ def test_a_template_holds_what_a_company_wants(template: Path) -> None:
     assert report_options(template).language == "fr"
     assert report_options(template, language="en").language == "en"
     assert report_options() == USUAL
+
+
+def test_the_template_of_the_manual_is_one(tmp_path: Path) -> None:
+    manual = Path(__file__).resolve().parents[1] / "resources" / "manual" / "report.md"
+    blocks = re.findall(r"(?:^ {4}.*\n)+", manual.read_text(encoding="utf-8"), re.MULTILINE)
+    (text,) = (textwrap.dedent(block) for block in blocks if "logo" in block)
+    (tmp_path / "logo.svg").write_bytes(LOGO)
+    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+    options = report_options(tmp_path / "own.toml")
+    assert all(asdict(options).values())
+    assert set(tomllib.loads(text)) == set(KEYS)
 
 
 @pytest.mark.parametrize(
