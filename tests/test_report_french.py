@@ -15,6 +15,7 @@ from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import Component
 from lispac.adjustment.robust import LOSSES
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.io.formats import POINTS
 from lispac.project import Project
 from lispac.report.blocks import Paragraph, Signature
 from lispac.report.catalogue import catalogue_of
@@ -54,6 +55,11 @@ SENTENCES = (
 )
 """As `lispac.adjustment.observability` makes them; those of the sample are made up."""
 NOTES = (
+    "L1 was imported again: L1: how its file is read and the latency changed since it was imported",
+    "L2 was imported again: /tmp/lines/L2/x.bin: this part of the imported line L2 is missing",
+    "The header gives no unit for Alt; metres are taken.",
+    "column Alt is in feet of 0.3048 m, the feet of the coordinate system",
+    *(f"L3.laz is {format.name}" for format in POINTS),
     "SBET times and point times share one time base once the shifts are added",
     "L1.laz: times are shifted by +18.000 s",
     "smrmsg.out: it covers 416,012.0 to 416,100.0 s, not the whole trajectory (416,000.0 to "
@@ -176,7 +182,7 @@ def _content(project: Project) -> ReportContent:
         )
         checks = project.cross_checks and replace(project.cross_checks, parts=parts)
         project = replace(project, result=replace(result, observability=seen), cross_checks=checks)
-    notes = NOTES if project.accuracy is not None else NOTES[:2]
+    notes = tuple(n for n in NOTES if project.accuracy is not None or not n.startswith("smrmsg"))
     return replace(sample_content(project), notes=notes)
 
 
