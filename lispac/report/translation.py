@@ -18,6 +18,8 @@ _LETTER = re.compile(r"[^\W\d_]")
 _THOUSANDS = re.compile(r"(?<=\d),(?=\d{3}(?!\d))")
 _SENTENCE = re.compile(r"(?<=[.?!])[ \u00a0](?=[^\W_])")
 
+_CLAUSE = re.compile(r"[.;:?!] ")
+
 
 def unchanged(text: str) -> str:
     """The text as it is made, in English."""
@@ -127,10 +129,12 @@ class Translator:
         return _Said(text, tuple(u for each in said.values() for u in each.unknown))
 
     def _in_place(self, kind: str, value: str) -> _Said | None:
-        if value in self._names or kind == "kept":
+        if value in self._names:
             return _Said(value)
         if kind == "name":
             return None
+        if kind == "kept":  # what holds the end of a clause is more than belongs there
+            return None if _CLAUSE.search(value) else _Said(value)
         if kind == "list":
             return self._list(value)
         # What is not known and holds the end of a sentence is more than belongs there
