@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
+from lispac.adjustment.error_budget import error_budget
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import Component
 from lispac.adjustment.robust import LOSSES
@@ -19,6 +20,7 @@ from lispac.adjustment.stochastic import StochasticModel
 from lispac.io.formats import POINTS
 from lispac.project import Project
 from lispac.report.blocks import Paragraph, Signature
+from lispac.report.budget_values import Budget
 from lispac.report.catalogue import catalogue_of
 from lispac.report.content import ReportContent, report_content
 from lispac.report.document import document_of, in_english
@@ -42,6 +44,7 @@ from lispac.validation.absolute import (
 from lispac.validation.results import DistanceStatistics, SignedStatistics
 from tests.report_sample import MADE, sample_content, sample_project
 from tests.test_doubts import CASES
+from tests.test_error_budget import system
 from tests.test_quality import board, judged
 from tests.test_report import _pdf_text
 
@@ -301,6 +304,22 @@ def test_absolute_checks_are_told_in_french(
     assert _english_left(content) == ()
 
 
+@pytest.mark.parametrize(
+    "known",
+    [
+        {},
+        {"lidar": 0.005, "estimated": ("roll", "pitch", "yaw"), "covariance": np.eye(3) * 1e-7},
+        {
+            "estimated": ("roll", "pitch", "yaw", "range_offset", "scan_angle_offset"),
+            "lever_arm": np.full(3, 0.01),
+        },
+    ],
+)
+def test_error_budgets_are_told_in_french(project: Project, known: dict[str, Any]) -> None:
+    budget = Budget.of(error_budget(system(**known), (10, 1_000)))
+    assert _english_left(replace(_content(project), budget=budget)) == ()
+
+
 def test_what_the_user_typed_stays(project: Project) -> None:
     typed = replace(project.identity, vessel="Points", remarks="Roll. Pitch.", company="up")
     options = ReportOptions(language="fr", heading="Good.", closing="yes", company="no")
@@ -377,3 +396,5 @@ def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None
         (lines,) = (n for n in archive.namelist() if n.endswith("-lignes.csv"))
         rows = list(csv.reader(archive.read(lines).decode("utf-8-sig").splitlines()))
     assert rows[0] == ["Ligne", "Fichier", "Cap (°)", "Points"]
+    assert rows[1] == ["L1", "L1.laz", "0.4", "1234567"]
+    assert "-carte-de-v1-" in " ".join(archive.namelist())
