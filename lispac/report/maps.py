@@ -25,6 +25,9 @@ PIXELS = 10
 """Along a cell's side: viewers blur the pixels of an image, so a cell has to be many."""
 WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
 """Inches: of the figure, and the height of a picture."""
+LEFT, RIGHT, BETWEEN = 0.8, 0.12, 0.34
+TOP, TOP_TALL, BELOW, BOTTOM = 0.4, 0.8, 0.26, 0.85
+"""Inches around and between the pictures."""
 BESIDE = 1.4
 """Height over width of a plane beyond which its pairs stand beside each other."""
 
@@ -67,21 +70,16 @@ def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped], say: Say = u
             axes.grid(False)
             title = say(state) if not k else ""
             if tall:
-                title = f"{say(state)}\n{words}"
+                own_scale = say(state).replace(", ", ",\n")
+                title = f"{own_scale}\n{words}"
             elif first:
                 axes.set_ylabel(f"{words}\n{say('Up (m)')}", fontsize=SMALL, color=INK)
             axes.set_title(title, fontsize=SMALL, color=INK)
     for columns in ((0, 1), (2,)):
-        beside = [row[k] for k in columns for row in places]
-        bar = figure.colorbar(
-            beside[0].images[0], ax=beside, orientation="horizontal", shrink=0.85, aspect=25,
-            extend="both", pad=0.02,
-        )  # fmt: skip
-        bar.set_label("mm", fontsize=SMALL, color=INK)
-        bar.locator = MaxNLocator(5)
-        bar.update_ticks()
-        bar.ax.tick_params(labelsize=SMALL, colors=INK)
-    figure.suptitle(short_name(name), x=0.01, ha="left", fontsize=TEXT + 1, color=INK)
+        _bar(figure, [row[k] for row in places for k in columns])
+    figure.suptitle(
+        short_name(name), x=0.01, y=0.99, ha="left", va="top", fontsize=TEXT + 1, color=INK
+    )
     return figure
 
 
@@ -90,13 +88,42 @@ def _panels(
 ) -> tuple[Figure, list[list[Axes]]]:
     """Three panels a pair: in a row of their own, or, where the plane is tall, all in one row."""
     down, along = (1, 3 * pairs) if tall else (pairs, 3)
-    high = float(np.clip(sides[1] / sides[0] * (WIDTH / along - 0.45), LOWEST, TALLEST))
-    figure = blank(figure, (WIDTH, (1.25 if tall else 1.0) + down * (high + 0.25)))
+    wide = (WIDTH - LEFT - RIGHT - (along - 1) * BETWEEN) / along
+    high = float(np.clip(sides[1] / sides[0] * wide, LOWEST, TALLEST))
+    top = TOP_TALL if tall else TOP
+    size = WIDTH, top + down * high + (down - 1) * BELOW + BOTTOM
+    figure = blank(figure, size)
+    # Placed by hand: to measure every text of so many panels takes a second a figure
+    figure.set_layout_engine("none")
+
+    def panel(row: int, column: int) -> Axes:
+        left = LEFT + column * (wide + BETWEEN)
+        low = size[1] - top - high - row * (high + BELOW)
+        return figure.add_axes((left / WIDTH, low / size[1], wide / WIDTH, high / size[1]))
+
+    panels = [[panel(row, column) for column in range(along)] for row in range(down)]
     if not tall:
-        return figure, [list(row) for row in figure.subplots(down, along, squeeze=False)]
+        return figure, panels
     # Those on one scale beside each other, so that its bar belongs to them
-    panels = list(figure.subplots(1, along, squeeze=False)[0])
-    return figure, [[panels[2 * k], panels[2 * k + 1], panels[2 * pairs + k]] for k in range(pairs)]
+    (one,) = panels
+    return figure, [[one[2 * k], one[2 * k + 1], one[2 * pairs + k]] for k in range(pairs)]
+
+
+def _bar(figure: Figure, panels: Sequence[Axes]) -> None:
+    """The colours of some panels below them, in millimetres."""
+    boxes = [axes.get_position(original=True) for axes in panels]
+    left, right = min(box.x0 for box in boxes), max(box.x1 for box in boxes)
+    inch = 1 / figure.get_size_inches()[1]
+    spare = 0.08 * (right - left)
+    place = (left + spare, min(box.y0 for box in boxes) - 0.52 * inch, right - left - 2 * spare)
+    bar = figure.colorbar(
+        panels[0].images[0], cax=figure.add_axes((*place, 0.09 * inch)), orientation="horizontal",
+        extend="both",
+    )  # fmt: skip
+    bar.set_label("mm", fontsize=SMALL, color=INK)
+    bar.locator = MaxNLocator(5)
+    bar.update_ticks()
+    bar.ax.tick_params(labelsize=SMALL, colors=INK)
 
 
 def _draw(axes: Axes, values: Array, end: float, cell: float) -> None:
