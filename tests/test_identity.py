@@ -7,6 +7,7 @@ import zipfile
 from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from pathlib import Path
+from types import SimpleNamespace
 
 import laspy
 import numpy as np
@@ -16,7 +17,7 @@ from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.project import LineSource
+from lispac.project import LineSource, Reading
 from lispac.report.document import document_of
 from lispac.report.html import html_text
 from lispac.report.pdf import write_pdf
@@ -165,6 +166,21 @@ def test_days_come_from_times_that_tell_them(tmp_path: Path, demo_folder: Path) 
     assert days(one, two) == "2026-03-04 to 2026-03-05"
     assert days(two, week) == days(lying) == ""
     assert days(replace(one, path=tmp_path / "gone.las")) == ""
+
+
+def test_days_come_from_the_survey_in_the_trajectorys_time(
+    tmp_path: Path, demo_folder: Path
+) -> None:
+    noon = _adjusted(2026, 3, 4, 12)
+    to_week = -456_358_400.0  # from adjusted GPS time to seconds of the GPS week 2408
+    line = _line(tmp_path / "one.las", [noon, noon + 60], absolute=True)
+    line = replace(line, reading=Reading(time_shift=to_week))
+    first, last = noon + to_week, noon + to_week + 60
+    survey = SimpleNamespace(scans={"one": SimpleNamespace(first_time=first, last_time=last)})
+    project = replace(read_project(demo_folder), lines=(line,))
+    assert 0 < first < 604_800
+    assert survey_dates(project, survey) == "2026-03-04"  # type: ignore[arg-type]
+    assert survey_dates(project) == "2026-03-04"
 
 
 @pytest.fixture
