@@ -194,6 +194,13 @@ def test_surveyed_points_and_planes(
         assert min(seen) - 0.012 <= found[name].after <= max(seen) - 0.008
     assert check.together.before.distances.rms > 2 * check.together.after.distances.rms
 
+    content = sample_content(sample_project(tmp_path / "p").with_absolute(check))
+    (section,) = (s for s in document_of(content, {}).sections if s.title == "Absolute check")
+    (listed,) = (b for b in section.blocks if isinstance(b, Table) and "Surveyed" in b.title)
+    assert [row[0] for row in listed.rows] == ["A0", "A1", "BOARD"]
+    assert listed.rows[2][2] == "2.0"
+    assert listed.rows[2][4].replace("\N{MINUS SIGN}", "-") == f"{1000 * found['BOARD'].after:+.1f}"
+
 
 def test_the_interval_at_a_surveyed_point_holds_what_it_says() -> None:
     """93 to 97 % of 1,000 points a millimetre to two centimetres before a noisy wall."""
@@ -209,7 +216,7 @@ def test_the_interval_at_a_surveyed_point_holds_what_it_says() -> None:
             ]
         )
         how = {"diameter": 0.3, "reach": 1.0, "roughest": 0.015}
-        found = at_points([wall], [wall], place, facing=facing, **how).after
+        found = at_points(wall, wall, place, facing=facing, **how).after
         held.append(abs(found.distance[0] - offset) <= found.half_width[0])
     assert abs(np.mean(held) - 0.95) <= 0.02
 

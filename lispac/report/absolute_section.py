@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from lispac.report.absolute_values import Absolute, AgainstReference, SurveyedPoint
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.values import ReportContent
-from lispac.report.wording import UNKNOWN, known, mm, signed
+from lispac.report.wording import known, mm, signed
 
 
 def absolute(content: ReportContent) -> list[Block]:
@@ -95,13 +95,12 @@ def _points(points: Sequence[SurveyedPoint]) -> Table:
         "Surveyed points and planes, on the mean of the lines (mm)",
         (
             Column("Name", "left"), Column("Lines"), Column("Sigma"), Column("Before"),
-            Column("After"), Column("After over\nits sigma"),
+            Column("After"),
         ),
         rows(
             [
                 point.name, str(point.lines), mm(point.sigma_m), signed(1000 * point.before_m, 1),
                 signed(1000 * point.after_m, 1),
-                UNKNOWN if point.sigma_m == 0 else signed(point.after_m / point.sigma_m, 1),
             ]
             for point in points
         ),

@@ -8,12 +8,13 @@ points about the one nearest to the surveyed point, if the point's foot lies wit
 from dataclasses import dataclass
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 from scipy.stats import t as student
 
 from lispac.errors import NotComparable
 from lispac.geometry.knn import build_tree
+from lispac.geometry.neighbours import Cells, PointGrid, gather
 from lispac.geometry.planes import in_plane_axes
 from lispac.validation.normal_distance import NMAD, NormalDistances, distances_along_normal
 
@@ -77,25 +78,37 @@ def flat_places(reference: Array, cores: Array, diameter: float, roughest: float
     roughest : float, metres
         RMS about a plane that is noise, however small the place.
     """
-    tree = cKDTree(reference)
-    found = tree.query_ball_point(cores, diameter / 2, workers=-1)
     flat = np.zeros(len(cores), dtype=bool)
-    counts = np.fromiter(map(len, found), dtype=np.intp, count=len(found))
+    cells = PointGrid(reference, diameter / 2).cells
+    counts, sums, products = _moments(np.ascontiguousarray(cores), cells, diameter / 2)
     some = np.flatnonzero(counts >= FEWEST_ON_PLANE)
-    if not len(some):
-        return flat
-    starts = np.concatenate([[0], np.cumsum(counts[some])[:-1]])
-    points = reference[np.concatenate([found[k] for k in some]).astype(np.intp)]
-    points = points - np.repeat(cores[some], counts[some], axis=0)
-    means = np.add.reduceat(points, starts) / counts[some, None]
-    products = (points[:, :, None] * points[:, None, :]).reshape(-1, 9)
-    scatter = np.add.reduceat(products, starts).reshape(-1, 3, 3) / counts[some, None, None]
+    means = sums[some] / counts[some, None]
+    scatter = products[some] / counts[some, None, None]
     spread = np.linalg.eigvalsh(scatter - means[:, :, None] * means[:, None, :])
     rms = np.sqrt(np.maximum(spread[:, 0], 0.0))
     is_surface = spread[:, 1] > ROUND * spread[:, 2]
     is_inside = np.linalg.norm(means, axis=1) <= INSIDE * diameter / 2
     flat[some] = is_surface & is_inside & (rms <= max(FLAT * diameter, roughest))
     return flat
+
+
+@njit(nogil=True, cache=True)
+def _moments(
+    cores: Array, reference: Cells, radius: float
+) -> tuple[NDArray[np.int64], Array, Array]:  # pragma: no cover - compiled
+    """Number, sum (n, 3) and sum of products (n, 3, 3) of the points about each core, from it."""
+    counts = np.zeros(len(cores), np.int64)
+    sums, products = np.zeros((len(cores), 3)), np.zeros((len(cores), 3, 3))
+    for k in range(len(cores)):
+        found = gather(reference, cores[k], radius)
+        counts[k] = found.size
+        for i in found:
+            for a in range(3):
+                off = reference[0][i, a] - cores[k, a]
+                sums[k, a] += off
+                for b in range(3):
+                    products[k, a, b] += off * (reference[0][i, b] - cores[k, b])
+    return counts, sums, products
 
 
 def on_surface(
@@ -149,8 +162,8 @@ def on_surface(
 
 
 def at_points(
-    before: list[Array],
-    after: list[Array],
+    before: Array,
+    after: Array,
     places: Array,
     *,
     facing: Array,
@@ -162,8 +175,8 @@ def at_points(
 
     Parameters
     ----------
-    before, after : lists of k ndarrays of shape (n, 3), metres, local frame
-        The line's points about each place.
+    before, after : ndarrays of shape (n, 3), metres, local frame
+        The line's points with the prior and with the estimated boresight.
     places, facing : ndarrays of shape (k, 3), metres, local frame
         The surveyed points, and where the vessel is from each.
 
@@ -172,14 +185,16 @@ def at_points(
     NotComparable
         No point has a flat place of the line in front of it.
     """
-    how = {"diameter": diameter, "reach": reach, "roughest": roughest}
-    states = [
-        _of_planes(
-            places,
-            [_plane_before(p, x, f, **how) for p, x, f in zip(clouds, places, facing, strict=True)],
-        )
-        for clouds in (before, after)
-    ]
+    states = []
+    for points in (before, after):
+        grid = PointGrid(points)
+        found = []
+        for place, side in zip(places, facing, strict=True):
+            about = points[grid.within(place, reach + max(diameter, WIDEST))]
+            found.append(
+                _plane_before(about, place, side, diameter=diameter, reach=reach, roughest=roughest)
+            )
+        states.append(_of_planes(places, found))
     return _common(*states)
 
 

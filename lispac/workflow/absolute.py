@@ -124,7 +124,7 @@ def check_absolute(
     points = point_checks(lines, where.names, where.sigmas) if reference.kind == "points" else ()
     missed = sorted(set(where.names) - {p.name for p in points})
     if reference.kind == "points" and missed:
-        unseen.append(f"No line has a flat place in front of {', '.join(missed)}.")
+        unseen.append(f"No line has a flat place within {reach:g} m of {', '.join(missed)}.")
     edges, before, after = shared_bins(lines)
     check = AbsoluteCheck(
         path.name, reference.size_bytes, reference.sha256, reference.kind, reference.system,
@@ -238,15 +238,9 @@ def _compared(project: Project, survey: Survey, cloud: _Gathered, where: _Where)
             continue
         found.append((measured, np.full(len(measured.after.distance), group)))
     if len(where.places) and len(cloud.before):
-        trees = [build_tree(points) for points in (cloud.before, cloud.after)]
-        before, after = (
-            [points[tree.query_ball_point(place, where.reach + where.diameter)]
-             for place in where.places]
-            for points, tree in zip((cloud.before, cloud.after), trees, strict=True)
-        )  # fmt: skip
         try:
             alone = at_points(
-                before, after, where.places, facing=where.vessel - where.places,
+                cloud.before, cloud.after, where.places, facing=where.vessel - where.places,
                 diameter=where.diameter, reach=where.reach, roughest=where.roughest,
             )  # fmt: skip
             found.append((alone, alone.after.at))

@@ -26,7 +26,7 @@ from lispac.workflow.target_systems import LOCAL, own_datum
 
 Array = NDArray[np.float64]
 
-MOST_POINTS = 6_000_000
+MOST_POINTS = 2_000_000
 """Of a static scan; of more a fair sample is kept."""
 LEAST_CELL = 1.0
 """Metres: side of the cells that tell what part of a scan the lines have seen."""
