@@ -279,11 +279,13 @@ def _check(
     for which, distances in zip(("before", "after"), _distances(lines), strict=True):
         # About each line's own mean: what the lines differ by is no scatter of places.
         within = sum(float(np.sum((d - d.mean()) ** 2)) for d in distances)
-        scatter = float(np.sqrt(within)) / len(groups)
+        found = [getattr(line.measured, which) for line in lines]
+        # A single place does not scatter; its own interval says how sure it is.
+        own = sum(float(np.sum((each.half_width / NORMAL_95) ** 2)) for each in found)
+        scatter = float(np.sqrt(max(within, own))) / len(groups)
         boresight = of_mean.boresight, of_rms.boresight
         if which == "before":
             boresight = None, None
-        found = [getattr(line.measured, which) for line in lines]
         states.append(
             AbsoluteState(
                 DistanceStatistics.of(np.concatenate(distances)),

@@ -14,8 +14,9 @@ def absolute_words(check: AbsoluteCheck) -> tuple[str, ...]:
         _single_lines(check),
         f"The RMS of all distances is {_mm(before.distances.rms)} before and "
         f"{_mm(after.distances.rms)} after. Of the latter the reference's own uncertainty "
-        f"({_mm(check.sigma)}) explains {100 * after.reference_share:.0f} %; reference, POS and "
-        f"boresight together let one expect {_mm(after.rms_expected.total)}.",
+        f"({_mm(after.rms_expected.reference)}) explains "
+        f"{100 * after.reference_share:.0f} %; reference, POS and boresight together let one "
+        f"expect {_mm(after.rms_expected.total)}.",
         _shared(check),
     )
 
