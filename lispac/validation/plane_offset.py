@@ -22,6 +22,8 @@ NMAD = 1.4826
 """Standard deviation of normal noise over its median absolute value."""
 STRAY = 3.5
 """Robust sigmas beyond which a point is no noise of the plane: left out, and counted."""
+FINEST = 1e-9
+"""Metres; the least noise that is told from rounding."""
 NEAREST = 1e-4
 """Metres; nearer to the plane all points weigh the same in its first fit."""
 
@@ -128,9 +130,9 @@ def _fit(placed: Array) -> _Fit:
         values = np.linalg.lstsq(terms[kept], z[kept], rcond=None)[0]
         off = z - terms @ values
         sigma = NMAD * float(np.median(np.abs(off[kept])))
-        near = np.abs(off) <= STRAY * sigma
-        # Points that are exactly on a plane have no sigma; then all of them are kept.
-        if np.array_equal(near, kept) or np.count_nonzero(near) <= UNKNOWNS or sigma == 0.0:
+        # Points that are exactly on a plane are off it by rounding alone, and all are kept.
+        near = np.abs(off) <= STRAY * max(sigma, FINEST)
+        if np.array_equal(near, kept) or np.count_nonzero(near) <= UNKNOWNS:
             break
         kept = near
     used = terms[kept]
