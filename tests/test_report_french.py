@@ -339,7 +339,7 @@ def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> No
     content = _content(project)
     document = document_of(content, {}, FRENCH)
     assert document.language == "fr"
-    assert document.title == "Rapport d'étalonnage des angles de visée"
+    assert document.title == "Rapport d’étalonnage des angles de visée"
     assert document.cautions == ()
     assert any("point décimal" in getattr(block, "text", "") for block in document.summary)
     once = document_of(replace(content, notes=("nobody translated this",)), {}, FRENCH)

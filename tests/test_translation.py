@@ -112,13 +112,13 @@ def test_signs_are_those_of_the_convention() -> None:
         "Repère local\u00a0: nord, ouest, haut",
         "avant, gauche (bâbord), haut",
         "roulis est positif quand bâbord monte",
-        "tangage est positif quand l'étrave descend",
-        "lacet est positif dans le sens horaire vu d'en haut",
+        "tangage est positif quand l’étrave descend",
+        "lacet est positif dans le sens horaire vu d’en haut",
     ):
         assert words in said
     assert "Rz(−lacet)·Ry(tangage)·Rx(roulis)" in said.replace("\u200b", "")
     applanix = say(sbet.ASSUMPTIONS[0])
-    assert "roulis positif quand tribord descend, tangage positif quand l'étrave monte" in applanix
+    assert "roulis positif quand tribord descend, tangage positif quand l’étrave monte" in applanix
     assert say.unknown == ()
 
 
