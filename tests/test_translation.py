@@ -73,6 +73,15 @@ def test_what_is_not_known_stays_and_is_counted(small: Catalogue) -> None:
     assert say.unknown == ("Nobody knows this.", "nobody knows that", "X")
 
 
+@pytest.mark.timeout(20)  # all pieces tried, there were not hours enough
+def test_many_sentences_that_nobody_knows_take_no_time(small: Catalogue) -> None:
+    known = ["Good.", "It has only 7 points."] * 100
+    english = " ".join(f"{each} Nobody knows sentence {k}." for k, each in enumerate(known))
+    say = Translator(small)
+    assert say(english).startswith("Bonne. Nobody knows sentence 0. Elle n'a que 7 points. Nobody")
+    assert len(say.unknown) == 200
+
+
 def test_a_name_that_is_a_word_is_not_translated(small: Catalogue) -> None:
     say = Translator(small, {"north", "Good."})
     assert say.cell("north") == "north"

@@ -48,6 +48,7 @@ class Translator:
         self._names = frozenset(names)
         self._said: dict[str, str] = {}
         self._unknown: dict[str, None] = {}
+        self._most = max((len(_SENTENCE.split(each)) for each in catalogue.exact), default=1)
 
     @property
     def unknown(self) -> tuple[str, ...]:
@@ -80,6 +81,16 @@ class Translator:
         """The text said, in part at least; None where nothing of it is known."""
         if not _LETTER.search(text):
             return _Said(_THOUSANDS.sub(self.catalogue.thousands, text))
+        whole = self._as_one(text)
+        if whole is not None and not whole.unknown:
+            return whole
+        sentences = _SENTENCE.split(text)
+        parts = self._one_by_one(sentences) if len(sentences) > 1 else None
+        found = [said for said in (whole, parts) if said is not None]
+        return min(found, key=lambda said: len(said.unknown), default=None)
+
+    def _as_one(self, text: str) -> _Said | None:
+        """The text by one entry of the catalogue."""
         plain = text.replace("\u00a0", " ")
         if plain in self.catalogue.exact:
             return _Said(self.catalogue.exact[plain])
@@ -93,26 +104,21 @@ class Translator:
                     return said
                 if said is not None:
                     partly.append(said)
-        sentences = _SENTENCE.split(text)
-        if len(sentences) > 1:
-            said = self._one_by_one(sentences)
-            if said is not None:
-                partly.append(said)
         return min(partly, key=lambda said: len(said.unknown), default=None)
 
     def _one_by_one(self, sentences: list[str]) -> _Said | None:
-        """Sentences said in as long pieces as are known."""
+        """Sentences said in as long pieces as one entry says; None where no piece is known."""
         said: list[_Said] = []
         at, known = 0, False
         while at < len(sentences):
-            for end in range(len(sentences), at, -1):
-                if end - at == len(sentences):
-                    continue  # that is the text itself
-                found = self._known(" ".join(sentences[at:end]))
-                if found is not None and not (found.unknown and end - at > 1):
+            for end in range(min(len(sentences), at + self._most), at, -1):
+                found = self._as_one(" ".join(sentences[at:end]))
+                if found is not None and (not found.unknown or end == at + 1):
                     known = True
                     break
-            said.append(found or _Said(sentences[at], (sentences[at],)))
+            else:
+                found = _Said(sentences[at], (sentences[at],))
+            said.append(found)
             at = end
         text = " ".join(each.text for each in said)
         return _Said(text, tuple(u for each in said for u in each.unknown)) if known else None
