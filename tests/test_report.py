@@ -9,7 +9,6 @@ import shutil
 import subprocess
 import zipfile
 from dataclasses import replace
-from datetime import timedelta
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -26,7 +25,7 @@ from lispac.report.html import html_text, write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
-from tests.report_sample import MADE, sample_content, sample_project
+from tests.report_sample import sample_content, sample_project
 
 ODD = "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"
 
@@ -332,23 +331,6 @@ def test_letters_no_font_of_ours_has_are_no_failure(content: ReportContent, tmp_
     far = replace(far, validation=(replace(far.validation[0], name="\u5854"),))
     write_pdf(far, tmp_path / "far.pdf", {})
     assert (tmp_path / "far.pdf").stat().st_size > 10_000
-
-
-def test_same_content_same_bytes(project: Project, tmp_path: Path) -> None:
-    pages = {}
-    for name, made in (("a", MADE), ("b", MADE), ("later", MADE + timedelta(days=1))):
-        figures.drawn.cache_clear()  # they are drawn again, not kept
-        content = sample_content(project, made)
-        write_json(content, tmp_path / f"{name}.json")
-        write_html(content, tmp_path / f"{name}.html", {})
-        if made == MADE:
-            write_pdf(content, tmp_path / f"{name}.pdf", {})
-        pages[name] = [(tmp_path / f"{name}.{kind}").read_bytes() for kind in ("json", "html")]
-    assert pages["a"] == pages["b"]
-    assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
-    for early, late in zip(pages["a"], pages["later"], strict=True):
-        lines = list(zip(early.splitlines(), late.splitlines(), strict=True))
-        assert sum(a != b for a, b in lines) == 1
 
 
 def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_path: Path) -> None:

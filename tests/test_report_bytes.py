@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 
 from lispac.project import Project
+from lispac.report.html import write_html
+from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
 from lispac.workflow.export import write_report
 from lispac.workflow.projects import open_project
@@ -24,6 +26,8 @@ RUN = """
 import sys
 from dataclasses import replace
 from pathlib import Path
+from lispac.report.html import write_html
+from lispac.report.json_report import write_json
 from lispac.report.html import write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
@@ -67,10 +71,17 @@ def test_two_processes_in_two_folders_write_the_same_bytes(tmp_path: Path) -> No
 
 def test_only_lines_with_the_date_differ_where_it_does(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
-    texts = []
+    texts, others = [], []
     for made in (MADE, MADE + timedelta(days=3)):
-        write_pdf(sample_content(project, made), tmp_path / "r.pdf", {})
+        content = sample_content(project, made)
+        write_pdf(content, tmp_path / "r.pdf", {})
+        write_json(content, tmp_path / "r.json")
+        write_html(content, tmp_path / "r.html", {})
         texts.append(_pdf_text(tmp_path / "r.pdf").splitlines())
+        others.append([(tmp_path / name).read_bytes() for name in ("r.json", "r.html")])
+    for early, late in zip(*others, strict=True):
+        lines = zip(early.splitlines(), late.splitlines(), strict=True)
+        assert sum(a != b for a, b in lines) == 1
     differing = [pair for pair in zip(*texts, strict=True) if pair[0] != pair[1]]
     assert differing
     for early, late in differing:
