@@ -4,7 +4,7 @@ import csv
 import json
 import re
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -13,11 +13,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.error_budget import error_budget
-from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import Component
-from lispac.adjustment.robust import LOSSES
 from lispac.adjustment.stochastic import StochasticModel
-from lispac.io.formats import POINTS
 from lispac.project import Project
 from lispac.report.blocks import Paragraph, Signature
 from lispac.report.budget_values import Budget
@@ -42,7 +38,8 @@ from lispac.validation.absolute import (
     PointCheck,
 )
 from lispac.validation.results import DistanceStatistics, SignedStatistics
-from tests.report_sample import MADE, sample_content, sample_project
+from tests.report_sample import MADE, sample_project
+from tests.report_variants import VARIANTS, content_of_sample, with_result, with_settings
 from tests.test_doubts import CASES
 from tests.test_error_budget import system
 from tests.test_quality import board, judged
@@ -50,153 +47,10 @@ from tests.test_report import _pdf_text
 
 FRENCH = ReportOptions(language="fr")
 
-SENTENCES = (
-    "The weakest direction is yaw together with roll and pitch, known to 0.038 deg; the strongest "
-    "is roll, known to 0.016 deg (1 sigma).",
-    "Without lines L1 and L2 the angles would not be determined.",
-    "Pitch is seen mainly by line L3: without L3 its sigma would be 0.040 instead of 0.029 deg.",
-    "Roll hangs on no single line.",
-)
-"""As `lispac.adjustment.observability` makes them; those of the sample are made up."""
-NOTES = (
-    "L1 was imported again: L1: how its file is read and the latency changed since it was imported",
-    "L2 was imported again: /tmp/lines/L2/x.bin: this part of the imported line L2 is missing",
-    "The header gives no unit for Alt; metres are taken.",
-    "column Alt is in feet of 0.3048 m, the feet of the coordinate system",
-    *(f"L3.laz is {format.name}" for format in POINTS),
-    "SBET times and point times share one time base once the shifts are added",
-    "L1.laz: times are shifted by +18.000 s",
-    "smrmsg.out: it covers 416,012.0 to 416,100.0 s, not the whole trajectory (416,000.0 to "
-    "416,200.0 s); beyond, its first and last values are taken",
-    "L2.laz: 12 points outside the trajectory's time and 1,003 points in a gap of the trajectory "
-    "longer than 0.5 s, of 1,234,567, are left out",
-)
-
-Change = Callable[[Project], Project]
-
-
-def _result(**values: Any) -> Change:
-    def change(project: Project) -> Project:
-        assert project.result is not None
-        return replace(project, result=replace(project.result, **values))
-
-    return change
-
-
-def _settings(**values: Any) -> Change:
-    return lambda project: replace(project, settings=replace(project.settings, **values))
-
-
-def _chi_square(factor: float, *, thesis: bool = False) -> Change:
-    def change(project: Project) -> Project:
-        assert project.result is not None
-        test = project.result.chi_square
-        model = StochasticModel("independent") if thesis else project.result.model
-        test = replace(test, statistic=test.upper * factor)
-        return _result(chi_square=test, model=model)(project)
-
-    return change
-
-
-def _few_lines(project: Project) -> Project:
-    first, second, third, fourth, fifth = project.targets
-    reason = "Only 12 points lie within 1 m of (0.60, -14.70, 5.10), fewer than the 50 a target "
-    reason += "needs; move the seed or enlarge the radius."
-    return replace(
-        project,
-        targets=(
-            replace(first, sightings=first.sightings[:1], missing={"L2": reason, "L3": reason}),
-            replace(second, sightings=second.sightings[:2]),
-            replace(third, sightings=()),
-            replace(fourth, used=False),
-            replace(fifth, missing={"L4": "The line has no points within 4.5 m of the seed."}),
-        ),
-    )
-
-
-def _parameters(project: Project) -> Project:
-    assert project.result is not None
-    reason = (
-        "These lines and targets do not see the scan-angle offset: it turns the points about the "
-        "scanner's axis, as the boresight does; it is held."
-    )
-    unseen = Estimate("scan_angle_offset", 0.0, None, reason=reason)
-    late = Estimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
-    far = Estimate("range_offset", 0.0, 0.002, 0.0051, 0.0008, None)
-    return _result(parameters=(*project.result.parameters, unseen, late, far))(project)
-
-
-def _worse(project: Project) -> Project:
-    first, *rest = project.validation
-    turned = replace(first, before=first.after, after=first.before, pooled_from="all pairs")
-    refused = "The validation plane V2 is seen on one line only (L1), with at least 100 points; a "
-    refused += "comparison needs two lines. Pick it in another line or choose another plane."
-    return replace(project, validation=(turned, *rest), not_compared={"V2": refused})
-
-
-def _components(project: Project) -> Project:
-    found = (
-        Component("LiDAR", 0.82, 0.78, 0.87, applied=True),
-        Component("POS position", 1.3, 0.6, 2.9, applied=True),
-        Component("POS attitude", 1.3, 0.1, 2.9),
-    )
-    return _result(components=found, left_out=1)(project)
-
-
-VARIANTS: dict[str, Change] = {
-    "as it is": lambda project: project,
-    "not calibrated": lambda p: replace(p, result=None, validation=(), cross_checks=None),
-    "nothing picked": lambda p: replace(p, result=None, validation=(), targets=()),
-    "not checked": lambda p: replace(p, cross_checks=None, validation=()),
-    "simulated": lambda p: replace(p, truth_deg=(0.44, -1.87, 0.6)),
-    "few lines": _few_lines,
-    "parameters": _parameters,
-    "worse": _worse,
-    "components": _components,
-    "thesis": _result(model=StochasticModel("independent"), reliability=(), surface=0.0),
-    "chi-square high": _chi_square(1.1),
-    "chi-square high, thesis": _chi_square(1.1, thesis=True),
-    "chi-square low": _chi_square(0.5),
-    "no redundancy": _result(degrees_of_freedom=0, variance_factor=float("nan")),
-    "by beam": _settings(lidar_beam_sigma=(0.006, 0.02), range_offset=0.012, latency=0.001),
-    "by axis": _settings(lidar_sigma_xyz=(0.003, 0.004, 0.005), scan_angle_offset_deg=0.1),
-    "typed": lambda p: replace(_settings(subsample=0.0, accept_one_facing=True)(p), accuracy=None),
-    "origin": _settings(origin_deg_m=(45.5, -73.5, -25.6)),
-    "file gone": lambda p: replace(p, trajectory=p.folder / "gone.sbet"),
-    **{loss: _result(model=StochasticModel(loss=loss)) for loss in LOSSES},
-    **{f"{code} {k}": change for k, (code, _, change, _) in enumerate(CASES)},
-}
-
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
     return sample_project(tmp_path_factory.mktemp("french") / "harbour 2025")
-
-
-def _content(project: Project) -> ReportContent:
-    """Of the sample, with sentences and notes as the program makes them."""
-    result = project.result
-    if result is not None and result.observability is not None:
-        seen = replace(result.observability, sentences=SENTENCES)
-        parts = tuple(
-            replace(p, reason="No target is left on two lines." if p.reason else "")
-            if p.kind != "half"
-            else replace(p, boresight=None, reason=_refused())
-            for p in (project.cross_checks.parts if project.cross_checks else ())
-        )
-        checks = project.cross_checks and replace(project.cross_checks, parts=parts)
-        project = replace(project, result=replace(result, observability=seen), cross_checks=checks)
-    notes = tuple(n for n in NOTES if project.accuracy is not None or not n.startswith("smrmsg"))
-    return replace(sample_content(project), notes=notes)
-
-
-def _refused() -> str:
-    return (
-        "These lines and targets do not determine the boresight, mainly not yaw together with "
-        "roll: all lines run parallel and T1 is the only target. Add a target of another "
-        "inclination, or lines in other directions: a vertical target shows roll on lines along "
-        "it, pitch and yaw on lines at 45 deg to it."
-    )
 
 
 def _english_left(content: ReportContent) -> tuple[str, ...]:
@@ -210,7 +64,7 @@ def _english_left(content: ReportContent) -> tuple[str, ...]:
 
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_nothing_stays_english(project: Project, variant: str) -> None:
-    left = _english_left(_content(VARIANTS[variant](project)))
+    left = _english_left(content_of_sample(VARIANTS[variant](project)))
     # Made up by the tests of doubts
     assert [text for text in left if text != "These lines do not see it."] == []
 
@@ -252,19 +106,19 @@ def test_qualities_are_told_in_french(project: Project, calibrated: bool) -> Non
         project, headings_deg={}, counts={}, track_local={}, notes=(), generated=MADE,
         qualities=dict(zip(names, _qualities(), strict=True)),
     )  # fmt: skip
-    content = replace(_content(project), qualities=made.qualities)
+    content = replace(content_of_sample(project), qualities=made.qualities)
     assert len({reason for each in made.qualities for reason in each.reasons}) > 10
     assert _english_left(content) == ()
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
 def test_conventions_are_told_in_french(project: Project, key: str) -> None:
-    odd = _settings(latency=0.001)(_result(model=StochasticModel("independent"))(project))
+    odd = with_settings(latency=0.001)(with_result(model=StochasticModel("independent"))(project))
     made = report_content(
         odd, headings_deg={}, counts={}, track_local={}, notes=(), generated=MADE, convention=key
     )
     assert made.in_convention is not None
-    content = replace(_content(project), in_convention=made.in_convention)
+    content = replace(content_of_sample(project), in_convention=made.in_convention)
     assert _english_left(content) == ()
 
 
@@ -299,7 +153,7 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
 def test_absolute_checks_are_told_in_french(
     project: Project, kind: Literal["scan", "points"], mean: float
 ) -> None:
-    content = _content(project.with_absolute(_absolute(kind, mean)))
+    content = content_of_sample(project.with_absolute(_absolute(kind, mean)))
     assert content.absolute is not None
     assert _english_left(content) == ()
 
@@ -317,13 +171,13 @@ def test_absolute_checks_are_told_in_french(
 )
 def test_error_budgets_are_told_in_french(project: Project, known: dict[str, Any]) -> None:
     budget = Budget.of(error_budget(system(**known), (10, 1_000)))
-    assert _english_left(replace(_content(project), budget=budget)) == ()
+    assert _english_left(replace(content_of_sample(project), budget=budget)) == ()
 
 
 def test_what_the_user_typed_stays(project: Project) -> None:
     typed = replace(project.identity, vessel="Points", remarks="Roll. Pitch.", company="up")
     options = ReportOptions(language="fr", heading="Good.", closing="yes", company="no")
-    document = document_of(_content(replace(project, identity=typed)), {}, options)
+    document = document_of(content_of_sample(replace(project, identity=typed)), {}, options)
     said = dict(document.identity.rows)  # type: ignore[arg-type]
     assert (said["Navire"], said["Remarques"]) == ("Points", "Roll. Pitch.")
     assert document.letterhead.company == "no"
@@ -336,7 +190,7 @@ def test_what_the_user_typed_stays(project: Project) -> None:
 
 
 def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> None:
-    content = _content(project)
+    content = content_of_sample(project)
     document = document_of(content, {}, FRENCH)
     assert document.language == "fr"
     assert document.title == "Rapport d’étalonnage des angles de visée"
@@ -352,7 +206,7 @@ def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> No
 
 
 def test_numbers_and_names_are_those_of_the_english_report(project: Project) -> None:
-    content = _content(project)
+    content = content_of_sample(project)
     english, french = (
         [b for s in document_of(content, {}, options).sections for b in s.blocks]
         for options in (USUAL, FRENCH)
@@ -372,15 +226,30 @@ def _numbers(text: str) -> list[str]:
 
 def test_names_that_are_words_stay(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "before", target="Points")
-    document = document_of(_content(project), {}, FRENCH)
+    document = document_of(content_of_sample(project), {}, FRENCH)
     tables = {b.title: b for s in document.sections for b in s.blocks if b.kind == "table"}
     fits = tables["Ajustement de chaque vue à la surface de sa cible"]
     assert fits.rows[0][0] == "Points"
     assert document.project == "before"
 
 
+@pytest.mark.parametrize("name", ["Board with hole", "Board on line 3", "rock, and roll: hall"])
+@pytest.mark.parametrize("case", range(len(CASES)))
+def test_no_part_of_a_name_is_translated(tmp_path: Path, name: str, case: int) -> None:
+    project = sample_project(tmp_path / "p", target=name)
+    content = content_of_sample(CASES[case][2](project))
+    english = in_english(content, {})
+    say = Translator(catalogue_of("fr"), names_of(content))
+    french = translated(english, say)
+    before, after = (json.dumps(asdict(d), default=lambda _: "") for d in (english, french))
+    assert after.count(name) == before.count(name)
+    made_up = ("These lines do not see it.", "T1 is the only target")
+    left = [text for text in say.unknown if text not in made_up]
+    assert left == [] or ": " in name
+
+
 def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None:
-    content = _content(project)
+    content = content_of_sample(project)
     write_pdf(content, tmp_path / "r.pdf", {}, FRENCH)
     text = _pdf_text(tmp_path / "r.pdf")
     assert "Page 1 sur" in text

@@ -90,6 +90,14 @@ def test_a_name_that_is_a_word_is_not_translated(small: Catalogue) -> None:
     assert say.unknown == ()
 
 
+def test_a_name_that_looks_like_a_list_stays(small: Catalogue) -> None:
+    say = Translator(small, {"rock and roll", "a, b", "L1"})
+    assert say("Seen on rock and roll, L1 and a, b.") == "Vue sur rock and roll, L1 et a, b."
+    assert say("Seen on a, b and rock and roll.") == "Vue sur a, b et rock and roll."
+    assert say("Seen on rock and roll.") == "Vue sur rock and roll."
+    assert say.unknown == ()
+
+
 def test_places_have_to_agree() -> None:
     for english, translation in (("{a} of {b}", "{a}"), ("{a}", "{b}"), ("{a} {a}", "{a}")):
         with pytest.raises(ValueError, match="differ"):

@@ -12,7 +12,7 @@ A file pairs each English text with its translation. Placeholders stand for what
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from importlib.resources import files
@@ -53,13 +53,29 @@ class Template:
         parts = _PLACE.sub("\0", self.english).split("\0")
         return tuple(sorted((part for part in parts if part), key=len, reverse=True))
 
+    def matches(self, text: str) -> Iterator[tuple[str, ...]]:
+        """What a text has in the places; where names hold literals, there are two ways."""
+        found = self._shortest.fullmatch(text)
+        if found is not None:
+            yield found.groups()
+            other = self._longest.fullmatch(text) if len(self.places) > 1 else None
+            if other is not None and other.groups() != found.groups():
+                yield other.groups()
+
     @cached_property
-    def pattern(self) -> re.Pattern[str]:
-        """Matches a whole text; a blank matches a fixed one as well."""
+    def _shortest(self) -> re.Pattern[str]:
+        return self._pattern("(.+?)")
+
+    @cached_property
+    def _longest(self) -> re.Pattern[str]:
+        return self._pattern("(.+)")
+
+    def _pattern(self, anything: str) -> re.Pattern[str]:
+        """Of a whole text; a blank matches a fixed one as well."""
         found, end = [], 0
         for place in _PLACE.finditer(self.english):
             found.append(_escaped(self.english[end : place.start()]))
-            found.append(f"({_NUMBER})" if place.group(2) == "n" else "(.+?)")
+            found.append(f"({_NUMBER})" if place.group(2) == "n" else anything)
             end = place.end()
         return re.compile("".join(found) + _escaped(self.english[end:]), re.DOTALL)
 

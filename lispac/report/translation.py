@@ -48,6 +48,7 @@ class Translator:
         self._names = frozenset(names)
         self._said: dict[str, str] = {}
         self._unknown: dict[str, None] = {}
+        self._parting = [name for name in self._names if ", " in name or " and " in name]
         self._most = max((len(_SENTENCE.split(each)) for each in catalogue.exact), default=1)
 
     @property
@@ -98,12 +99,12 @@ class Translator:
         for template in self.catalogue.templates:
             # Few texts hold even the longest literal of a template
             if not template.literals or template.literals[0] in plain:
-                found = template.pattern.fullmatch(text)
-                said = None if found is None else self._filled(template, found.groups())
-                if said is not None and not said.unknown:
-                    return said
-                if said is not None:
-                    partly.append(said)
+                for values in template.matches(text):
+                    said = self._filled(template, values)
+                    if said is not None and not said.unknown:
+                        return said
+                    if said is not None:
+                        partly.append(said)
         return min(partly, key=lambda said: len(said.unknown), default=None)
 
     def _one_by_one(self, sentences: list[str]) -> _Said | None:
@@ -149,7 +150,7 @@ class Translator:
 
     def _list(self, value: str) -> _Said:
         text, unknown = "", list[str]()
-        for part, sign in _parted(value):
+        for part, sign in _parted(value, self._parting):
             said = _Said(part) if part in self._names else self._whole(part)
             joint = f" {self.catalogue.conjunction} " if sign == " and " else sign
             text += said.text + joint
@@ -157,10 +158,17 @@ class Translator:
         return _Said(text, tuple(unknown))
 
 
-def _parted(text: str) -> Iterator[tuple[str, str]]:
-    """The parts of ``a, b and c`` with what follows each; what stands in brackets stays whole."""
+def _parted(text: str, whole: Iterable[str]) -> Iterator[tuple[str, str]]:
+    """The parts of ``a, b and c`` with what follows each.
+
+    What stands in brackets stays whole, as do names that could be parted.
+    """
     start = depth = k = 0
     while k < len(text):
+        if k == start:
+            k += max((len(name) for name in whole if text.startswith(name, k)), default=0)
+        if k == len(text):
+            break
         depth += (text[k] == "(") - (text[k] == ")")
         sign = next((s for s in (", ", " and ") if not depth and text.startswith(s, k)), None)
         if sign is None:

@@ -1,0 +1,160 @@
+"""The sample report in every kind it can have, with sentences as the program makes them."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.result import Component
+from lispac.adjustment.robust import LOSSES
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.io.formats import POINTS
+from lispac.project import Project
+from lispac.report.content import ReportContent
+from tests.report_sample import sample_content
+from tests.test_doubts import CASES
+
+SENTENCES = (
+    "The weakest direction is yaw together with roll and pitch, known to 0.038 deg; the strongest "
+    "is roll, known to 0.016 deg (1 sigma).",
+    "Without lines L1 and L2 the angles would not be determined.",
+    "Pitch is seen mainly by line L3: without L3 its sigma would be 0.040 instead of 0.029 deg.",
+    "Roll hangs on no single line.",
+)
+"""As `lispac.adjustment.observability` makes them; those of the sample are made up."""
+NOTES = (
+    "L1 was imported again: L1: how its file is read and the latency changed since it was imported",
+    "L2 was imported again: /tmp/lines/L2/x.bin: this part of the imported line L2 is missing",
+    "The header gives no unit for Alt; metres are taken.",
+    "column Alt is in feet of 0.3048 m, the feet of the coordinate system",
+    *(f"L3.laz is {format.name}" for format in POINTS),
+    "SBET times and point times share one time base once the shifts are added",
+    "L1.laz: times are shifted by +18.000 s",
+    "smrmsg.out: it covers 416,012.0 to 416,100.0 s, not the whole trajectory (416,000.0 to "
+    "416,200.0 s); beyond, its first and last values are taken",
+    "L2.laz: 12 points outside the trajectory's time and 1,003 points in a gap of the trajectory "
+    "longer than 0.5 s, of 1,234,567, are left out",
+)
+
+Change = Callable[[Project], Project]
+
+
+def with_result(**values: Any) -> Change:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        return replace(project, result=replace(project.result, **values))
+
+    return change
+
+
+def with_settings(**values: Any) -> Change:
+    return lambda project: replace(project, settings=replace(project.settings, **values))
+
+
+def _chi_square(factor: float, *, thesis: bool = False) -> Change:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        test = project.result.chi_square
+        model = StochasticModel("independent") if thesis else project.result.model
+        test = replace(test, statistic=test.upper * factor)
+        return with_result(chi_square=test, model=model)(project)
+
+    return change
+
+
+def _few_lines(project: Project) -> Project:
+    first, second, third, fourth, fifth = project.targets
+    reason = "Only 12 points lie within 1 m of (0.60, -14.70, 5.10), fewer than the 50 a target "
+    reason += "needs; move the seed or enlarge the radius."
+    return replace(
+        project,
+        targets=(
+            replace(first, sightings=first.sightings[:1], missing={"L2": reason, "L3": reason}),
+            replace(second, sightings=second.sightings[:2]),
+            replace(third, sightings=()),
+            replace(fourth, used=False),
+            replace(fifth, missing={"L4": "The line has no points within 4.5 m of the seed."}),
+        ),
+    )
+
+
+def _parameters(project: Project) -> Project:
+    assert project.result is not None
+    reason = (
+        "These lines and targets do not see the scan-angle offset: it turns the points about the "
+        "scanner's axis, as the boresight does; it is held."
+    )
+    unseen = Estimate("scan_angle_offset", 0.0, None, reason=reason)
+    late = Estimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
+    far = Estimate("range_offset", 0.0, 0.002, 0.0051, 0.0008, None)
+    return with_result(parameters=(*project.result.parameters, unseen, late, far))(project)
+
+
+def _worse(project: Project) -> Project:
+    first, *rest = project.validation
+    turned = replace(first, before=first.after, after=first.before, pooled_from="all pairs")
+    refused = "The validation plane V2 is seen on one line only (L1), with at least 100 points; a "
+    refused += "comparison needs two lines. Pick it in another line or choose another plane."
+    return replace(project, validation=(turned, *rest), not_compared={"V2": refused})
+
+
+def _components(project: Project) -> Project:
+    found = (
+        Component("LiDAR", 0.82, 0.78, 0.87, applied=True),
+        Component("POS position", 1.3, 0.6, 2.9, applied=True),
+        Component("POS attitude", 1.3, 0.1, 2.9),
+    )
+    return with_result(components=found, left_out=1)(project)
+
+
+VARIANTS: dict[str, Change] = {
+    "as it is": lambda project: project,
+    "not calibrated": lambda p: replace(p, result=None, validation=(), cross_checks=None),
+    "nothing picked": lambda p: replace(p, result=None, validation=(), targets=()),
+    "not checked": lambda p: replace(p, cross_checks=None, validation=()),
+    "simulated": lambda p: replace(p, truth_deg=(0.44, -1.87, 0.6)),
+    "few lines": _few_lines,
+    "parameters": _parameters,
+    "worse": _worse,
+    "components": _components,
+    "thesis": with_result(model=StochasticModel("independent"), reliability=(), surface=0.0),
+    "chi-square high": _chi_square(1.1),
+    "chi-square high, thesis": _chi_square(1.1, thesis=True),
+    "chi-square low": _chi_square(0.5),
+    "no redundancy": with_result(degrees_of_freedom=0, variance_factor=float("nan")),
+    "by beam": with_settings(lidar_beam_sigma=(0.006, 0.02), range_offset=0.012, latency=0.001),
+    "by axis": with_settings(lidar_sigma_xyz=(0.003, 0.004, 0.005), scan_angle_offset_deg=0.1),
+    "typed": lambda p: replace(
+        with_settings(subsample=0.0, accept_one_facing=True)(p), accuracy=None
+    ),
+    "origin": with_settings(origin_deg_m=(45.5, -73.5, -25.6)),
+    "file gone": lambda p: replace(p, trajectory=p.folder / "gone.sbet"),
+    **{loss: with_result(model=StochasticModel(loss=loss)) for loss in LOSSES},
+    **{f"{code} {k}": change for k, (code, _, change, _) in enumerate(CASES)},
+}
+
+
+def content_of_sample(project: Project) -> ReportContent:
+    """Of the sample, with sentences and notes as the program makes them."""
+    result = project.result
+    if result is not None and result.observability is not None:
+        seen = replace(result.observability, sentences=SENTENCES)
+        parts = tuple(
+            replace(p, reason="No target is left on two lines." if p.reason else "")
+            if p.kind != "half"
+            else replace(p, boresight=None, reason=_refused())
+            for p in (project.cross_checks.parts if project.cross_checks else ())
+        )
+        checks = project.cross_checks and replace(project.cross_checks, parts=parts)
+        project = replace(project, result=replace(result, observability=seen), cross_checks=checks)
+    notes = tuple(n for n in NOTES if project.accuracy is not None or not n.startswith("smrmsg"))
+    return replace(sample_content(project), notes=notes)
+
+
+def _refused() -> str:
+    return (
+        "These lines and targets do not determine the boresight, mainly not yaw together with "
+        "roll: all lines run parallel and T1 is the only target. Add a target of another "
+        "inclination, or lines in other directions: a vertical target shows roll on lines along "
+        "it, pitch and yaw on lines at 45 deg to it."
+    )
