@@ -1,18 +1,23 @@
-"""Colours of the points of sightings by their distance from the adjusted surface."""
+"""Colours of the points of sightings by their distance from the surface.
+
+Of a target it is the adjusted one. Of a validation plane, which took no part, it is the plane
+through all lines as they are shown: before the calibration its lines differ in colour, after it
+they share one.
+"""
 
 from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.planes import Plane
+from lispac.geometry.planes import Plane, fit_plane
 from lispac.geometry.spheres import Sphere
 from lispac.gui.viewport.base import Array, Shading
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
 
-TITLE = "Distance from the adjusted surface (mm)"
+TITLE = "Distance from the surface (mm)"
 GREY = (188, 194, 200)
 """Of points that belong to no target."""
 OUTER = 2.0
@@ -49,6 +54,30 @@ def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
     return found
 
 
+def apart(project: Project, clouds: Mapping[str, Cloud]) -> dict[Key, Array]:
+    """Signed distances of the points on validation planes from the plane through all lines.
+
+    Parameters
+    ----------
+    clouds : of each line, as it is shown
+
+    Returns
+    -------
+    ndarray of shape (n,), metres, by plane and line
+    """
+    found = {}
+    for target in project.of_role("validation"):
+        points = {
+            sighting.line: clouds[sighting.line][sighting.indices]
+            for sighting in (target.used_sightings if target.used else ())
+            if sighting.line in clouds
+        }
+        if len(points) > 1:
+            plane = fit_plane(np.concatenate(list(points.values())))
+            found |= {(target.name, line): plane.distances(own) for line, own in points.items()}
+    return found
+
+
 def residual_shading(
     project: Project, survey: Survey, clouds: Mapping[str, Cloud]
 ) -> tuple[Shading, dict[Key, NDArray[np.uint8]]]:
@@ -57,11 +86,11 @@ def residual_shading(
     Raises
     ------
     ValueError
-        See `residuals`.
+        Where nothing has been adjusted yet, in words.
     """
     from matplotlib import colormaps
 
-    found = residuals(project, survey)
+    found = residuals(project, survey) | apart(project, clouds)
     everything = np.abs(np.concatenate(list(found.values())))
     reach = float(np.percentile(everything, 100 - OUTER)) or 1e-3
     scale = np.asarray(

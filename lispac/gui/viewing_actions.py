@@ -42,7 +42,8 @@ VIEW_ACTIONS: dict[str, Described] = {
     "copy_picture": ("Cop&y the picture", "Copy", "", "Shift+P",
                      "Copy what the view shows, to be pasted elsewhere"),
     "colour_residual": ("Colour by r&esidual", "Residual", "", "",
-                        "Colour the points of targets by their distance from the adjusted surface"),
+                        "Colour targets by the distance from the adjusted surface, and validation "
+                        "planes by that from the plane of all lines as they are shown"),
 }  # fmt: skip
 
 INSPECT_ACTIONS: dict[str, Described] = {

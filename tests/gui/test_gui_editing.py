@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from lispac.gui.residuals import GREY, residuals
+from lispac.gui.residuals import GREY, apart, residuals
 from tests.gui.support import Driver, Key, press, seed, settle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -161,12 +161,12 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     for name, fit in targets.items():
         mine = np.concatenate([found[key] for key in found if key[0] == name])
         assert np.sqrt(np.mean(mine**2)) == pytest.approx(fit.rms_after, rel=0.25)
-    assert view.shading.title == "Distance from the adjusted surface (mm)"
+    assert view.shading.title == "Distance from the surface (mm)"
     assert {tuple(c) for c in view.shading.colours[window.document.survey.lines[0]]} == {GREY}
     places = {tuple(colour): k for k, colour in enumerate(view.shading.scale.tolist())}
     for highlight in view.highlights:
         if highlight.key not in found:
-            assert highlight.shades is None  # validation planes were not adjusted
+            assert highlight.key[0] == "V1"  # not adjusted: see the next test
             continue
         order = np.argsort(found[highlight.key])
         along = [places[tuple(colour)] for colour in highlight.shades[order].tolist()]
@@ -175,6 +175,26 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     window.controller.use_target("T2", False)
     settle(adjusted)
     assert window.scene.colouring == ("residual" if adjusted.project.result else "line")
+
+
+def test_a_validation_plane_is_a_map_of_what_its_lines_are_apart(adjusted: Driver) -> None:
+    """Before the calibration its lines stand apart by decimetres, after it by millimetres."""
+    window, project = adjusted.window, adjusted.project
+    survey = window.document.survey
+    window.actions_["colour_residual"].trigger()
+    keys = {("V1", sighting.line) for sighting in project.target("V1").used_sightings}
+    shown = {each.key: each.shades for each in adjusted.viewport.highlights}
+    assert all(shown[key] is not None for key in keys)
+    before = apart(project, survey.clouds)
+    after = apart(project, survey.placed(project, "estimated"))
+    assert set(before) == set(after) == keys
+    spread = [np.sqrt(np.mean(np.concatenate(list(d.values())) ** 2)) for d in (before, after)]
+    assert spread[1] < 0.5 * spread[0]
+    colours = {key: shades.copy() for key, shades in shown.items() if key in keys}
+    window.actions_["after"].trigger()
+    adjusted.rest()
+    later = {each.key: each.shades for each in adjusted.viewport.highlights}
+    assert any((later[key] != colours[key]).any() for key in keys)
 
 
 def test_without_a_result_there_are_no_residuals(picked: Driver) -> None:
