@@ -20,6 +20,7 @@ from lispac.adjustment.result import (
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
+from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.distance_map import DistanceMap
 from lispac.validation.plane_offset import PlaneOffset
@@ -250,4 +251,10 @@ def sample_content(
         notes=("the SBET times are taken as GPS seconds of week",),
         generated=generated,
         convention=convention,
+        trajectory=[
+            TrajectoryOnLine(
+                line, 81.2, 1.54, 0.005, 0.010, (1.21, 0.63), 0.017, 0.02, 0.008, 0.012
+            )
+            for line in HEADINGS
+        ],
     )

@@ -293,7 +293,9 @@ def test_uncalibrated_project_says_so_on_page_one(
     write_pdf(content, tmp_path / "r.pdf", {})
     first = _pdf_text(tmp_path / "r.pdf", "-f", "1", "-l", "1")
     assert "NOT CALIBRATED" in first
-    assert re.findall(r"Page (\d) of 3", _pdf_text(tmp_path / "r.pdf")) == ["1", "2", "3"]
+    pages = re.findall(r"Page (\d) of (\d)", _pdf_text(tmp_path / "r.pdf"))
+    assert len(pages) > 2
+    assert pages == [(str(k), str(len(pages))) for k in range(1, len(pages) + 1)]
     assert "Estimated" not in first
 
 

@@ -150,6 +150,8 @@ KEYS = (
     )),
     ("The project", (
         ("F9, F10", "estimate, validate"),
+        ("Shift + F9", "study the distance between points"),
+        ("Shift + F10, F11", "check against a reference, calibrations over the years"),
         ("Ctrl + .", "cancel the running task"),
         ("Ctrl + E, Ctrl + Shift + E", "export the report, the georeferenced lines"),
         ("Ctrl + Z, Ctrl + Y", "undo, redo"),

@@ -32,6 +32,7 @@ from lispac.report.diagnostics import (
 )
 from lispac.report.displacement import EFFECT_DISTANCES_M, effects, in_words_of_s44
 from lispac.report.settings_used import CONVENTION, settings_used
+from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_values import ValidationPlane, swath_overlap
 from lispac.report.values import (
     Adjustment,
@@ -66,6 +67,7 @@ def report_content(
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     convention: str = "",
     budget: ErrorBudget | None = None,
+    trajectory: Sequence[TrajectoryOnLine] = (),
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Gather what a report says about a project, finished or not.
@@ -82,6 +84,7 @@ def report_content(
     qualities : by the names of target and line
     convention : key of another program, to state the boresight as that has it; empty for none
     budget : of the system, where something was estimated
+    trajectory : how good it was on each line
 
     Raises
     ------
@@ -130,6 +133,7 @@ def report_content(
         matrix=scanner_to_body(project),
         absolute=None if project.absolute is None else Absolute.of(project.absolute),
         budget=None if budget is None else Budget.of(budget),
+        trajectory=tuple(trajectory),
     )
     also = doubles(project)
     found = doubts(project.result, project.cross_checks, also) if project.result else also

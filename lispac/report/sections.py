@@ -3,7 +3,10 @@
 Angles have four decimals in degrees, distances one in millimetres.
 """
 
+from collections.abc import Sequence
+
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
+from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_section import distance_table
 from lispac.report.values import (
     Adjustment,
@@ -234,4 +237,47 @@ def site(content: ReportContent) -> list[Block]:
             ),
         )
     )
+    if content.trajectory:
+        blocks += _trajectory(content.trajectory)
     return blocks
+
+
+def _trajectory(lines: Sequence[TrajectoryOnLine]) -> list[Block]:
+    return [
+        Table(
+            "Trajectory on each line",
+            (
+                Column("Line", "left"),
+                Column("Duration\n(s)"),
+                Column("Speed\n(m/s)"),
+                Column("Interval\n(s)"),
+                Column("Longest\ngap (s)"),
+                Column("Roll\n(deg)"),
+                Column("Pitch\n(deg)"),
+                Column("Horizontal\n(mm)"),
+                Column("Vertical\n(mm)"),
+                Column("Roll, pitch\n(deg)"),
+                Column("Heading\n(deg)"),
+            ),
+            rows(
+                [
+                    each.line,
+                    f"{each.duration_s:.1f}",
+                    f"{each.speed_m_s:.2f}",
+                    f"{each.interval_s:.3f}",
+                    f"{each.longest_gap_s:.3f}",
+                    f"{each.motion_deg[0]:.2f}",
+                    f"{each.motion_deg[1]:.2f}",
+                    mm(each.sigma_horizontal_m),
+                    mm(each.sigma_vertical_m),
+                    f"{each.sigma_roll_pitch_deg:.4f}",
+                    f"{each.sigma_heading_deg:.4f}",
+                ]
+                for each in lines
+            ),
+        ),
+        Paragraph(
+            "Roll and pitch: by how much the vessel moved (standard deviation). The last four "
+            "columns are the largest stated 1 sigma of the POS on the line."
+        ),
+    ]

@@ -12,6 +12,7 @@ from lispac.identity import Identity
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
 from lispac.report.convention_values import InConvention, ScannerToBody
+from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_values import SwathDifference, ValidationPlane
 
 
@@ -368,3 +369,4 @@ class ReportContent:
     matrix: ScannerToBody | None = None
     absolute: Absolute | None = None
     budget: Budget | None = None
+    trajectory: tuple[TrajectoryOnLine, ...] = ()

@@ -16,6 +16,7 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.workflow.budget import budget_of
 from lispac.workflow.qualities import qualities
 from lispac.workflow.survey import Survey
+from lispac.workflow.trajectory_quality import trajectory_on_lines
 
 if TYPE_CHECKING:
     from lispac.report.pdf import Preview
@@ -46,6 +47,7 @@ def content_of(
         qualities=qualities(project, survey, progress=progress),
         convention=convention,
         budget=None if project.result is None else budget_of(project, survey),
+        trajectory=trajectory_on_lines(survey),
     )
 
 

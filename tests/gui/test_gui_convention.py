@@ -301,7 +301,8 @@ def test_the_panel_shares_its_place_with_the_results(driver: Driver) -> None:
     window = driver.window
     assert window.tabifiedDockWidgets(window.docks["Results"]) == [window.docks[TITLE]]
     assert window.results.visibleRegion().isEmpty() is False
-    bars = [bar for bar in window.findChildren(QTabBar) if bar.x() >= 0 and bar.y() >= 0]
+    own = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    bars = [bar for bar in own if bar.x() >= 0 and bar.y() >= 0]
     assert len(bars) == 2, "no tab bar of a half-built window lies about"
     window.docks[TITLE].raise_()
     driver.bot.waitUntil(lambda: not window.convention.visibleRegion().isEmpty())

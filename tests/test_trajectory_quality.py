@@ -1,0 +1,48 @@
+"""How good the trajectory was on each line, against how the built-in survey was made."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.project import Project
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.trajectory_quality import trajectory_on_lines
+
+
+@pytest.fixture(scope="module")
+def survey(demo_project: Project) -> Survey:
+    return load_survey(demo_project)
+
+
+def test_the_built_in_survey(survey: Survey) -> None:
+    found = trajectory_on_lines(survey)
+    assert [each.line for each in found] == list(survey.scans)
+    for each in found:
+        scan = survey.scans[each.line]
+        ends = survey.trajectory.at(np.array([scan.first_time, scan.last_time])).position
+        straight = np.linalg.norm(ends[1] - ends[0]) / each.duration_s
+        assert each.duration_s == scan.last_time - scan.first_time
+        assert straight <= each.speed_m_s * 1.01 < 1.2 * straight  # it rolls beside its course
+        assert each.interval_s == pytest.approx(0.005, rel=1e-3)
+        assert each.longest_gap_s == pytest.approx(0.005, rel=1e-2)
+        # As `make_demo` states them, drifting within a few per cent.
+        assert each.sigma_horizontal_m == pytest.approx(np.hypot(0.012, 0.012), rel=0.2)
+        assert each.sigma_vertical_m == pytest.approx(0.020, rel=0.2)
+        assert each.sigma_roll_pitch_deg == pytest.approx(0.008, rel=0.2)
+        assert each.sigma_heading_deg == pytest.approx(0.012, rel=0.2)
+        assert all(0.05 < motion < 5.0 for motion in each.motion_deg)
+
+
+def test_a_gap_is_seen_on_its_line(survey: Survey) -> None:
+    name, scan = next(iter(survey.scans.items()))
+    middle = 0.5 * (scan.first_time + scan.last_time)
+    whole = survey.trajectory
+    kept = np.abs(whole.time - middle) > 0.25
+    gappy = LocalTrajectory(
+        whole.frame, whole.time[kept], whole.position[kept], whole.attitude[kept]
+    )
+    found = {each.line: each for each in trajectory_on_lines(replace(survey, trajectory=gappy))}
+    assert found[name].longest_gap_s == pytest.approx(0.505, abs=0.006)
+    assert all(each.longest_gap_s < 0.01 for line, each in found.items() if line != name)
