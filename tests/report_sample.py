@@ -258,3 +258,10 @@ def sample_content(
             for line in HEADINGS
         ],
     )
+
+
+def with_lines_of_its_own(project: Project) -> Project:
+    """Another survey: its lines are no copies of another sample's."""
+    for line in project.lines:
+        line.path.write_bytes(str(line.path).encode() * 100)
+    return project

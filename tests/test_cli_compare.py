@@ -9,13 +9,14 @@ import pytest
 
 from lispac.io.project_file import write_project
 from lispac.project import Project
-from tests.report_sample import sample_project
+from lispac.workflow.same_lines import shared_lines
+from tests.report_sample import sample_project, with_lines_of_its_own
 from tests.test_cli import answer, refused, run
 
 
 def surveyed_again(folder: Path, off_deg: tuple[float, float, float]) -> Project:
     """Another survey with the same mounting, its answer off by so much."""
-    project = sample_project(folder)
+    project = with_lines_of_its_own(sample_project(folder))
     result = project.result
     assert result is not None
     mounting = result.mounting.with_boresight(result.boresight + np.radians(off_deg))
@@ -60,8 +61,24 @@ def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
     remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["remarks"]
-    assert any("b rests on lines of a" in remark for remark in remarks)
+    assert any(f"b rests on {len(first.lines)} of the lines of a" in remark for remark in remarks)
     assert any("another lever arm than a" in remark for remark in remarks)
+
+
+def test_copies_of_lines_are_the_same_lines(tmp_path: Path) -> None:
+    first = surveyed_again(tmp_path / "a", (0.0, 0.0, 0.0))
+    copied = replace(
+        first,
+        lines=tuple(
+            replace(line, path=Path(shutil.copy(line.path, tmp_path / f"copy-{k}.laz")))
+            for k, line in enumerate(first.lines)
+        ),
+    )
+    assert shared_lines(first, copied) == [line.name for line in first.lines]
+    copied.lines[0].path.write_bytes(b"!" + first.lines[0].path.read_bytes()[1:])
+    assert shared_lines(first, copied) == [line.name for line in first.lines[1:]]
+    copied.lines[1].path.unlink()
+    assert len(shared_lines(first, copied)) == len(first.lines) - 2
 
 
 def test_what_cannot_be_compared(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -72,3 +89,11 @@ def test_what_cannot_be_compared(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert "bare: there is no answer yet; estimate first" in refused(
         capsys, "compare", project.folder, tmp_path / "bare"
     )
+
+
+def test_the_nearest_point_knows_no_radius(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    code, _, error = run(capsys, "validate", tmp_path, "--distance-to", "point", "--radius", "1")
+    assert code == 2
+    assert "knows no --radius" in error

@@ -24,6 +24,7 @@ from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
 from lispac.workflow.survey_dates import survey_dates
 from tests.report_sample import sample_content, sample_project
+from tests.test_cli import run
 from tests.test_report import _page, _pdf_text
 
 FULL = Identity(
@@ -193,3 +194,13 @@ def test_auto_refuses_where_the_times_do_not_tell(
 ) -> None:
     assert main(["identity", str(demo_folder), "--dates", "auto"]) == 1
     assert "do not tell the date; type it" in capsys.readouterr().err
+
+
+def test_dates_without_a_day_are_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    folder = sample_project(tmp_path / "harbour").folder
+    write_project(sample_project(folder))
+    code, _, error = run(capsys, "identity", folder, "--dates", "32/13/2026")
+    assert code == 0
+    assert "no day like 2026-03-04 is in the dates (32/13/2026)" in error
+    _, _, error = run(capsys, "identity", folder, "--dates", "2026-03-04 and 2026-03-05")
+    assert error == ""

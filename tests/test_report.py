@@ -335,6 +335,21 @@ def test_letters_no_font_of_ours_has_are_no_failure(content: ReportContent, tmp_
     assert (tmp_path / "far.pdf").stat().st_size > 10_000
 
 
+def test_what_the_figures_are_drawn_from_is_among_the_tables(
+    project: Project, content: ReportContent, tmp_path: Path
+) -> None:
+    write_tables(content, tmp_path / "r.zip")
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        texts = {
+            name: archive.read(name).decode("utf-8-sig").splitlines() for name in archive.namelist()
+        }
+    (histogram,) = (list(csv.reader(v)) for n, v in texts.items() if "histogram-of-v1" in n)
+    plane = project.validation[0]
+    assert histogram[0] == ["From (mm)", "To (mm)", "Points before", "Points after"]
+    assert [int(row[3]) for row in histogram[1:]] == plane.counts_after.tolist()
+    assert float(histogram[-1][1]) == pytest.approx(1000 * plane.bin_edges[-1], abs=1e-3)
+
+
 def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_path: Path) -> None:
     broken = tmp_path / "broken.png"
     broken.write_bytes(b"no picture")

@@ -113,6 +113,11 @@ def new(arguments: Namespace) -> None:
 def validate(arguments: Namespace) -> None:
     """Compare the lines on the validation planes and save the figures."""
     kind = arguments.distance_to
+    if kind == "point" and not (arguments.radius is None and arguments.neighbours is None):
+        raise UsageError(
+            "validate: the distance to the nearest point knows no --radius and no --neighbours; "
+            "leave them out, or take --distance-to plane."
+        )
     usual = USUAL_NEIGHBOURS[kind]
     model = LocalModel(
         kind, usual if arguments.neighbours is None else arguments.neighbours, arguments.radius

@@ -1,5 +1,6 @@
 """``lispac identity``: who, when and with what, as the report says it."""
 
+import sys
 from argparse import Namespace
 from dataclasses import asdict
 
@@ -7,6 +8,7 @@ from lispac.cli.console import print_json
 from lispac.errors import InputError
 from lispac.identity import LABELS, NAMES
 from lispac.project import Project
+from lispac.workflow.history import day_in
 from lispac.workflow.projects import open_project, save_project
 from lispac.workflow.survey_dates import NOT_TOLD, survey_dates
 
@@ -23,6 +25,12 @@ def identity(arguments: Namespace) -> None:
     if texts:
         project = project.with_identity(project.identity.changed(**texts))
         save_project(project)
+    stated = project.identity.dates
+    if texts.get("dates") and day_in(stated) is None:
+        print(
+            f"note: no day like 2026-03-04 is in the dates ({stated}); without one, lispac history "
+            "leaves this calibration out.", file=sys.stderr,
+        )  # fmt: skip
     if arguments.json:
         print_json(asdict(project.identity))
         return

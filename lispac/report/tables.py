@@ -16,6 +16,7 @@ from lispac.report.blocks import Block, Column, Table, rows
 from lispac.report.document import document_of
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.translated import said, translator
+from lispac.report.validation_values import Against
 from lispac.report.values import ReportContent
 
 _NUMBER = re.compile(r"(?:\u00b1 ?)?([+-]?)(\d{1,3}(?:[,\u202f]\d{3})+|\d+)(\.\d+)?")
@@ -26,7 +27,7 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 def write_tables(content: ReportContent, path: Path, options: ReportOptions = USUAL) -> None:
     """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order.
 
-    The cells of the maps come last.
+    What the figures of the validation planes are drawn from comes last.
     """
     document = document_of(content, {}, options)
     blocks: list[Block] = [document.identity, *document.summary]
@@ -34,12 +35,55 @@ def write_tables(content: ReportContent, path: Path, options: ReportOptions = US
         blocks += section.blocks
     tables = [block for block in blocks if isinstance(block, Table)]
     say = translator(content, options.language)
-    tables += [said(table, say) for table in map_tables(content)]
+    tables += [said(table, say) for table in [*histogram_tables(content), *map_tables(content)]]
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for k, table in enumerate(tables, start=1):
             entry = zipfile.ZipInfo(f"{k:02d}-{_slug(table.title)}.csv", _EPOCH)
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, csv_text(table))
+
+
+def histogram_tables(content: ReportContent) -> list[Table]:
+    """The bins of every histogram, and the distances against height and range."""
+    made = []
+    for plane in content.validation:
+        edges = [1000 * edge for edge in plane.bin_edges_m]
+        bins = zip(edges[:-1], edges[1:], plane.counts_before, plane.counts_after, strict=True)
+        made.append(
+            Table(
+                f"Histogram of {plane.name}",
+                tuple(map(Column, ("From (mm)", "To (mm)", "Points before", "Points after"))),
+                rows([f"{low:.4f}", f"{high:.4f}", f"{b}", f"{a}"] for low, high, b, a in bins),
+            )
+        )
+        for what, profile in (("height", plane.by_height), ("range", plane.by_range)):
+            if profile is not None:
+                made.append(_profile_table(f"{plane.name} against {what}", profile))
+    return made
+
+
+def _profile_table(title: str, profile: Against) -> Table:
+    heads = (
+        "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
+        "95 % before (mm)", "95 % after (mm)",
+    )  # fmt: skip
+    figures = (
+        profile.median_before_m, profile.median_after_m, profile.p95_before_m,
+        profile.p95_after_m,
+    )  # fmt: skip
+    return Table(
+        title,
+        tuple(map(Column, heads)),
+        rows(
+            [
+                f"{low:.3f}", f"{high:.3f}", str(n),
+                *("" if v is None else f"{1000 * v:.3f}" for v in values),
+            ]
+            for low, high, n, *values in zip(
+                profile.edges_m[:-1], profile.edges_m[1:], profile.n, *figures, strict=True
+            )
+        ),
+    )  # fmt: skip
 
 
 def map_tables(content: ReportContent) -> list[Table]:

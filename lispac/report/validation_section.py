@@ -136,8 +136,9 @@ def _signed(planes: Sequence[ValidationPlane]) -> list[Block]:
             ),
             Paragraph(
                 "The plane through the first line's points against that through the second's, with "
-                "95 % intervals by the scatter of the points. A turn about the level axis makes "
-                "one line look down on the other."
+                "95 % intervals by the scatter of the points. Offsets are positive where the first "
+                "line is nearer to the vessel; turns where its upper edge (level axis), or its "
+                "right edge as seen from the vessel (upright axis), comes nearer."
             ),
         ]  # fmt: skip
     return blocks

@@ -16,6 +16,7 @@ from lispac.validation.control_chart import Charted, control_chart
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
 from lispac.workflow.repeating import names_of, remarks_on
+from lispac.workflow.same_lines import shared_lines
 from lispac.workflow.survey_dates import survey_dates
 
 _DAY = re.compile(r"(\d{4})-(\d{2})-(\d{2})")
@@ -139,15 +140,24 @@ def histories(
         if project.result is None:
             remarks.append(f"Left out: {project.name} has no answer yet.")
         elif day is None:
+            stated = project.identity.dates
+            why = (
+                f"its dates ({stated}) hold no day like 2026-03-04" if stated else "it has no date"
+            )
             remarks.append(
-                f"Left out: {project.name} has no date; lispac identity {project.name} --dates, or "
-                "Details for the report, gives it one (2026-03-04)."
+                f"Left out: {project.name}: {why}; lispac identity {project.name} --dates, or "
+                "Details for the report, gives it one."
             )
         else:
             known.append((day, project))
     if not known:
         raise ProjectError(" ".join([_nothing(vessel), *remarks]))
-    known.sort(key=lambda each: (each[0], str(each[1].folder)))
+    # Of two on the same lines the one that is open counts.
+    known.sort(
+        key=lambda each: (
+            each[0], each[1].folder.resolve() not in open_ones, str(each[1].folder)
+        )
+    )  # fmt: skip
     groups: list[list[tuple[date, Project]]] = []
     for each in known:
         system = System.of(each[1])
@@ -176,10 +186,11 @@ def verdict(entry: Entry) -> str:
             f"{name} differs from those before it ({told}): the mounting has moved, or one of the "
             "calibrations is wrong. A new series begins."
         )
-    return f"{name} agrees with those before it (most off: {told})."
+    return f"{name} lies within the limits that those before it set (most off: {told})."
 
 
 def _history(group: Sequence[tuple[date, Project]]) -> History:
+    group, remarks = _once(group)
     projects = [project for _, project in group]
     names = names_of(projects)
     chart = control_chart([
@@ -187,7 +198,6 @@ def _history(group: Sequence[tuple[date, Project]]) -> History:
         for name, project in zip(names, projects, strict=True)
         if project.result is not None
     ])  # fmt: skip
-    remarks: list[str] = []
     for k in range(1, len(projects)):
         remarks += remarks_on(names[k - 1 : k + 1], projects[k - 1 : k + 1])
     system = System.of(projects[0])
@@ -202,17 +212,38 @@ def _history(group: Sequence[tuple[date, Project]]) -> History:
     return History(system, tuple(entries), tuple(remarks))
 
 
+def _once(
+    group: Sequence[tuple[date, Project]],
+) -> tuple[list[tuple[date, Project]], list[str]]:
+    """Each survey once: a second project on the same lines tells nothing new of the mounting."""
+    kept: list[tuple[date, Project]] = []
+    remarks = []
+    for day, project in group:
+        same = [
+            known for _, known in kept if len(shared_lines(known, project)) == len(project.lines)
+        ]
+        if same:
+            remarks.append(
+                f"Left out: {project.folder} rests on the same lines as {same[0].folder}."
+            )
+        else:
+            kept.append((day, project))
+    return kept, remarks
+
+
+def day_in(text: str) -> date | None:
+    """The first day in a text, like 2026-03-04."""
+    for found in _DAY.finditer(text):
+        try:
+            return date(*map(int, found.groups()))
+        except ValueError:
+            continue
+    return None
+
+
 def _day_of(project: Project) -> date | None:
     """First day of the survey: as it is stated, or else by the times of the lines."""
-    for text in (project.identity.dates, survey_dates(project)):
-        for found in _DAY.finditer(text):
-            try:
-                return date(*map(int, found.groups()))
-            except ValueError:
-                continue
-        if text:
-            return None  # stated, in words that are no date
-    return None
+    return day_in(project.identity.dates or survey_dates(project))
 
 
 def _nothing(vessel: str | None) -> str:

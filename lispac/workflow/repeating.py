@@ -7,6 +7,7 @@ from lispac.errors import ProjectError
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
+from lispac.workflow.same_lines import shared_lines
 
 
 def calibrations_of(folders: Sequence[Path]) -> tuple[list[Calibration], list[str]]:
@@ -61,11 +62,11 @@ def remarks_on(names: Sequence[str], projects: Sequence[Project]) -> list[str]:
     said = []
     first = projects[0]
     for name, project in zip(names[1:], projects[1:], strict=True):
-        files = {line.path.resolve() for line in project.lines}
-        if files & {line.path.resolve() for line in first.lines}:
+        if shared := shared_lines(first, project):
             said.append(
-                f"{name} rests on lines of {names[0]}: the two are not independent, and their "
-                "difference is less certain than it is said to be."
+                f"{name} rests on {len(shared)} of the lines of {names[0]}: the two are not "
+                "independent. They agree better than two surveys would, and are less certain "
+                "together than it is said."
             )
         if project.settings.lever_arm != first.settings.lever_arm:
             said.append(
