@@ -6,6 +6,7 @@ installed; run with ``pytest tests/benchmarks``.
 
 import os
 import re
+import resource
 import shutil
 import subprocess
 import tempfile
@@ -115,6 +116,20 @@ def test_one_million_on_one_million(make: Callable[[int, int, float], Array]) ->
         print(f"    Open3D cannot be loaded: {error}")
     else:
         print(f"    Open3D, nearest point only, {nearest:.2f} s: ours takes {ours / nearest:.2f}")
+
+
+def test_cost_by_size() -> None:
+    """Ten times the points take about ten times as long; memory is the process's peak."""
+    cloud_to_cloud(tower(100, 1, 0.0), tower(100, 2, 0.0))  # compile
+    for n in (100_000, 1_000_000, 10_000_000):
+        compared, reference = tower(n, 1, 0.01), tower(n, 2, 0.0)
+        start = time.perf_counter()
+        cloud_to_cloud(compared, reference)
+        elapsed = time.perf_counter() - start
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
+        print(
+            f"\n{n:,} on {n:,}: {elapsed:.2f} s, {1e6 * elapsed / n:.2f} us a point, {peak:.1f} GB"
+        )
 
 
 def test_one_plane_on_six_lines() -> None:
