@@ -1,6 +1,7 @@
 """Lines against a static scan or surveyed points: known shifts and known POS errors come back."""
 
 import json
+import re
 from dataclasses import asdict, replace
 from pathlib import Path
 
@@ -9,24 +10,21 @@ import numpy as np
 import pytest
 from pyproj import CRS
 
-from lispac.adjustment.sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.frames import LocalFrame
-from lispac.geometry.rotations import rotation_matrix
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.project import Project
+from lispac.report.absolute_figure import absolute_figure
 from lispac.report.absolute_values import Absolute
 from lispac.report.blocks import Table
 from lispac.report.document import document_of
+from lispac.report.figures import svg_of
 from lispac.report.json_report import json_text
-from lispac.report.pdf import write_pdf
 from lispac.simulation.port import ORIGIN
 from lispac.simulation.survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
-from lispac.survey.trajectory import Poses
-from lispac.validation.absolute import AbsoluteCheck
-from lispac.validation.reference_places import at_points
+from lispac.validation.absolute import AbsoluteCheck, LineCheck
 from lispac.workflow.absolute import check_absolute
 from lispac.workflow.survey import Survey, load_survey
 from tests.report_sample import sample_content, sample_project
@@ -43,11 +41,14 @@ def truth() -> SimulatedSurvey:
 
 
 @pytest.fixture(scope="module")
-def known(
-    demo_project: Project, tmp_path_factory: pytest.TempPathFactory
-) -> tuple[Project, Survey]:
+def sample(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("sample"))
+
+
+@pytest.fixture(scope="module")
+def known(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
     """The built-in survey, its true boresight as the estimated one, known to a hundredth degree."""
-    result = sample_project(tmp_path_factory.mktemp("sample")).result
+    result = sample.result
     assert result is not None
     truth_deg = demo_project.truth_deg
     assert truth_deg is not None
@@ -84,6 +85,17 @@ def checked(
     project, _ = check_absolute(*known, path, **how)  # type: ignore[arg-type]
     assert project.absolute is not None
     return project.absolute
+
+
+@pytest.fixture(scope="module")
+def both(known: tuple[Project, Survey], tmp_path_factory: pytest.TempPathFactory) -> AbsoluteCheck:
+    """Against a near plane, dense with points, and a far one in one scan."""
+    path = tmp_path_factory.mktemp("both") / "both.xyz"
+    return checked(known, path, near_and_far())
+
+
+def near_and_far() -> np.ndarray:
+    return np.concatenate([tripod_scan((name,)) for name in ("V1", "V5")])
 
 
 @pytest.mark.parametrize("shift", SHIFTS)
@@ -151,9 +163,7 @@ def test_lines_far_apart_in_time_average_out_and_near_ones_do_not(
         settings = replace(project.settings, position_time=seconds, attitude_time=seconds)
         one = (replace(project, settings=settings), survey)
         check = checked(one, tmp_path / "s.xyz", tripod_scan(("V5",)))
-        share = (
-            np.array([line.after.signed.n for line in check.lines]) / check.together.after.signed.n
-        )
+        share = 1.0 / len(check.lines)
         own = np.array([line.after.mean_sigma.position for line in check.lines])
         sigmas.append((check.together.after.mean_sigma.position, share, own))
     apart, share, own = sigmas[0]
@@ -162,8 +172,81 @@ def test_lines_far_apart_in_time_average_out_and_near_ones_do_not(
     assert near == pytest.approx(np.sum(share * own), rel=0.01)
 
 
+def test_far_lines_have_as_many_places_beside_near_ones_as_alone(
+    known: tuple[Project, Survey], both: AbsoluteCheck, tmp_path: Path
+) -> None:
+    """Every line on either plane, whatever else is in the scan, and each counts alike."""
+    alone: dict[str, list[LineCheck]] = {}
+    for name in ("V1", "V5"):
+        for line in checked(known, tmp_path / f"{name}.xyz", tripod_scan((name,))).lines:
+            alone.setdefault(line.line, []).append(line)
+    found = {line.line: line for line in both.lines}
+    assert set(found) == set(alone)
+    for name, apart in alone.items():
+        counts = [line.after.signed.n for line in apart]
+        assert found[name].after.signed.n == sum(counts)
+        mean = np.average([line.after.signed.mean for line in apart], weights=counts)
+        assert found[name].after.signed.mean == pytest.approx(mean, abs=1e-4)
+    together = both.together.after
+    assert together.signed.n == sum(line.after.signed.n for line in both.lines)
+    means = [line.after.signed.mean for line in both.lines]
+    assert together.signed.mean == pytest.approx(np.mean(means))
+    squares = [line.after.distances.rms**2 for line in both.lines]
+    assert together.distances.rms == pytest.approx(np.sqrt(np.mean(squares)))
+    scatters = [line.after.mean_sigma.scatter for line in both.lines]
+    assert together.mean_sigma.scatter == pytest.approx(np.linalg.norm(scatters) / len(scatters))
+    assert "count each line alike" in Absolute.of(both).in_words[-1]
+
+
+def test_a_line_that_is_not_compared_says_what_would_help(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    scan = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",)))
+    assert scan.unseen
+    (tmp_path / "p.csv").write_text("A,{},{},{}\n".format(*on_plane("V5", *np.zeros((2, 1)))[0]))
+    project, _ = check_absolute(*known, tmp_path / "p.csv")
+    assert project.absolute is not None
+    assert project.absolute.unseen
+    for said, check in (
+        ("the reference has no flat place within 1 m of this line; scan what", scan),
+        ("no surveyed point has a flat place of this line within 1 m before", project.absolute),
+    ):
+        compared = {line.line for line in check.lines}
+        left_out = dict(reason.split(": ", 1) for reason in check.unseen)
+        assert set(left_out) == set(known[1].clouds) - compared
+        assert all(reason.startswith(said) for reason in left_out.values())
+        assert all(reason.endswith("or widen the reach") for reason in left_out.values())
+    # A patch with enough places of near lines and too few of far ones.
+    patch = tripod_scan(("V5",), density=2000.0)
+    patch = patch[np.linalg.norm(patch - on_plane("V5", *np.zeros((2, 1))), axis=1) < 1.6]
+    small = checked(known, tmp_path / "few.xyz", patch)
+    assert {line.line for line in small.lines} == {"L1_000", "L2_180"}
+    (reason,) = (reason for reason in small.unseen if reason.startswith("L3_045"))
+    count, tried = map(int, re.findall(r"L3_045: (\d+) of (\d+) flat places", reason)[0])
+    assert count <= tried < 30
+    assert "and 30 must; scan more of what it has seen and where it is denser" in reason
+
+
+def test_a_sigma_in_millimetres_is_doubted_once(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    path = tmp_path / "p.csv"
+    where = on_plane("V5", np.array([0.0, 0.1, 0.2]), np.zeros(3))
+
+    def noted(*sigmas: str) -> list[str]:
+        rows = [f"A{k},{x[0]},{x[1]},{x[2]},{sigmas[k]}" for k, x in enumerate(where)]
+        path.write_text("name,north,west,up,sigma\n" + "\n".join(rows))
+        _, notes = check_absolute(*known, path)
+        return [note for note in notes if "rarely" in note]
+
+    assert noted("0.003", "0.2", "") == []
+    (note,) = noted("0.003", "3", "4")
+    for said in ("sigma of A1 is 3 m", "1 more is above it", "read in metres, 3 mm is 0.003"):
+        assert said in note
+
+
 def test_surveyed_points_and_planes(
-    known: tuple[Project, Survey], truth: SimulatedSurvey, tmp_path: Path
+    known: tuple[Project, Survey], sample: Project, truth: SimulatedSurvey, tmp_path: Path
 ) -> None:
     expected = true_offsets(truth, known[1], "V1")
     corner = np.array([-0.4, 0.4, 0.4, -0.4])
@@ -194,7 +277,7 @@ def test_surveyed_points_and_planes(
         assert min(seen) - 0.012 <= found[name].after <= max(seen) - 0.008
     assert check.together.before.distances.rms > 2 * check.together.after.distances.rms
 
-    content = sample_content(sample_project(tmp_path / "p").with_absolute(check))
+    content = sample_content(sample.with_absolute(check))
     (section,) = (s for s in document_of(content, {}).sections if s.title == "Absolute check")
     (listed,) = (b for b in section.blocks if isinstance(b, Table) and "Surveyed" in b.title)
     assert [row[0] for row in listed.rows] == ["A0", "A1", "BOARD"]
@@ -202,28 +285,10 @@ def test_surveyed_points_and_planes(
     assert listed.rows[2][4].replace("\N{MINUS SIGN}", "-") == f"{1000 * found['BOARD'].after:+.1f}"
 
 
-def test_the_interval_at_a_surveyed_point_holds_what_it_says() -> None:
-    """93 to 97 % of 1,000 points a millimetre to two centimetres before a noisy wall."""
-    rng, held = np.random.default_rng(5), []
-    place, facing = np.array([[0.02, 15.0, 4.0]]), np.array([[0.0, -15.0, -3.0]])
-    for k in range(1000):
-        offset = (0.001, 0.005, 0.02)[k % 3]
-        wall = np.column_stack(
-            [
-                rng.uniform(-0.5, 0.5, 400),
-                15.0 - rng.normal(offset, 0.003, 400),
-                rng.uniform(3.5, 4.5, 400),
-            ]
-        )
-        how = {"diameter": 0.3, "reach": 1.0, "roughest": 0.015}
-        found = at_points(wall, wall, place, facing=facing, **how).after
-        held.append(abs(found.distance[0] - offset) <= found.half_width[0])
-    assert abs(np.mean(held) - 0.95) <= 0.02
-
-
-def test_a_scan_on_the_map_without_time(known: tuple[Project, Survey], tmp_path: Path) -> None:
-    scan = tripod_scan(("V1", "V5"))
-    local = checked(known, tmp_path / "s.xyz", scan)
+def test_a_scan_on_the_map_without_time(
+    known: tuple[Project, Survey], both: AbsoluteCheck, tmp_path: Path
+) -> None:
+    scan, local = near_and_far(), both
     crs = CRS.from_epsg(32618)
     header = laspy.LasHeader(version="1.2", point_format=0)
     header.scales, header.offsets = np.full(3, 1e-5), np.array([600_000.0, 5_041_000.0, 0.0])
@@ -268,48 +333,20 @@ def test_references_that_cannot_be_used(
 
 def test_what_no_line_sees(known: tuple[Project, Survey], tmp_path: Path) -> None:
     (tmp_path / "p.csv").write_text("a,0,30,3\n")
-    with pytest.raises(NotComparable, match="no line has a flat place within 1 m"):
+    with pytest.raises(
+        NotComparable, match="no line has a flat place within 1 m of this reference"
+    ):
         check_absolute(*known, tmp_path / "p.csv")
     project, survey = known
     with pytest.raises(ProjectError, match="estimate first"):
         check_absolute(replace(project, result=None), survey, tmp_path / "p.csv")
 
 
-def test_derivatives_are_those_of_the_thesis_equation() -> None:
-    """X = P + R(attitude) (R(boresight) x + lever arm), by central differences."""
-    rng = np.random.default_rng(1)
-    points = rng.uniform(-20, 20, (5, 3))
-    position, attitude = rng.uniform(-50, 50, (5, 3)), rng.uniform(-0.3, 0.3, (5, 3))
-    values = np.array([0.02, -0.03, 0.05, 0.3, -0.1, 2.0, 0, 0, 0])
-    normals = rng.normal(size=(5, 3))
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-
-    def placed(k: int, x: np.ndarray) -> float:
-        pose, turn, seen, mounting = x[:3], x[3:6], x[6:9], x[9:15]
-        body = rotation_matrix(*mounting[:3]) @ seen + mounting[3:]
-        return float(normals[k] @ (pose + rotation_matrix(*turn) @ body))
-
-    found = sensitivity(points, Poses(position, attitude), Mounting.of_values(values), normals)
-    for k in range(5):
-        x = np.concatenate([position[k], attitude[k], points[k], values[:6]])
-        steps = 1e-6 * np.eye(15)
-        numeric = [(placed(k, x + s) - placed(k, x - s)) / 2e-6 for s in steps]
-        analytic = np.concatenate(
-            [
-                found.by_position[k],
-                found.by_attitude[k],
-                found.by_lidar[k],
-                found.by_mounting[k, :6],
-            ]
-        )
-        np.testing.assert_allclose(analytic, numeric, atol=1e-6)
-
-
 def test_the_project_keeps_it_and_the_report_tells_it(
-    known: tuple[Project, Survey], tmp_path: Path
+    sample: Project, both: AbsoluteCheck, tmp_path: Path
 ) -> None:
-    check = checked(known, tmp_path / "s.xyz", tripod_scan(("V1", "V5")))
-    project = sample_project(tmp_path / "p").with_absolute(check)
+    check = both
+    project = replace(sample, folder=tmp_path / "p").with_absolute(check)
     write_project(project)
     again = read_project(project.folder)
     assert again.absolute == check
@@ -325,7 +362,8 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     assert shown[:3] == ("all lines", "after", f"{together.signed.n:,}")
     assert shown[3].replace("\N{MINUS SIGN}", "-") == f"{1000 * together.signed.mean:+.1f}"
     assert shown[6] == f"{1000 * together.distances.rms:.1f}"
-    write_pdf(content, tmp_path / "r.pdf", {})
+    assert content.absolute is not None
+    assert len(svg_of(absolute_figure(content.absolute))) > 1000
     # A file of before has no such entry, and nothing is told of it.
     path = project.folder / FILE_NAME
     stored = json.loads(path.read_text())
@@ -343,8 +381,10 @@ def test_the_command(
     project = replace(known[0], folder=tmp_path / "p")
     write_project(project)
     path = tmp_path / "s.xyz"
-    check = checked(known, path, tripod_scan(("V5",)))
+    np.savetxt(path, tripod_scan(("V5",)), fmt="%.5f")
     found = answer(capsys, "check", project.folder, "--reference", path)
+    check = read_project(project.folder).absolute
+    assert check is not None
     assert found == json.loads(json.dumps(asdict(Absolute.of(check))))
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0

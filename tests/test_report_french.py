@@ -140,8 +140,14 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
         system="the local frame" if kind == "scan" else "WGS 84 / UTM zone 19N", sigma=0.002,
         reach=0.5, lines=lines, together=LineCheck(ALL_LINES, state(-0.08), state(mean)),
         unseen=(
-            "L3: No place of the reference is seen before and after the calibration.",
-            "No line has a flat place in front of P7, P9.",
+            "L3: the reference has no flat place within 0.5 m of this line; scan what it has seen, "
+            "or widen the reach",
+            "L4: 1,004 of 1,200 flat places of the reference within 0.5 m of this line have enough "
+            "of its points before and after the calibration, and 30 must; scan more of what it has "
+            "seen and where it is denser, or widen the reach",
+            "L5: no surveyed point has a flat place of this line within 0.5 m before and after the "
+            "calibration; survey points where it is denser, or widen the reach",
+            "No line has a flat place within 0.5 m of P7, P9.",
         ),
         bin_edges=(-0.1, 0.0, 0.1), counts_before=(40, 10), counts_after=(20, 30),
         points=() if kind == "scan" else (PointCheck("yes", 2, 0.002, -0.08, 0.001),),

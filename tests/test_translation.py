@@ -168,6 +168,7 @@ MODULES: dict[str, set[str] | None] = {
     "validation/reference_places.py": {"at_points"},
     "validation/comparison.py": None,
     "validation/local_models.py": None,
+    "workflow/absolute.py": {"_too_few"},
     "workflow/survey.py": {"_with_shifts", "_accuracy", "_opened", "_inside"},
     "workflow/reading.py": {"format_of_line"},
     "workflow/importing.py": {"assumptions"},

@@ -5,6 +5,10 @@ have in common shows too, and with it the errors of the reference itself. So eve
 what it may be off by: the reference's own uncertainty, the POS errors of its line (which hardly
 change while it passes, so that no number of points averages them away), and the boresight's
 covariance.
+
+All lines together are the mean of their means: the POS error that the places of a line share is
+larger than what they scatter by, so that lines and not places are what is independent, and a dense
+line tells no more than a sparse one.
 """
 
 from collections.abc import Sequence
@@ -14,6 +18,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.validation.normal_distance import NormalDistances
 from lispac.validation.reference_places import Measured
 from lispac.validation.results import DistanceStatistics, SignedStatistics
 
@@ -60,6 +65,8 @@ class Explained:
 @dataclass(frozen=True)
 class AbsoluteState:
     """Lines against the reference with one boresight.
+
+    Means and RMS count each line alike; medians and percentiles are of all places.
 
     Attributes
     ----------
@@ -262,39 +269,59 @@ def _check(
     group_sigma: Array,
     correlation_times: tuple[float, float],
 ) -> LineCheck:
-    groups = np.concatenate([line.group for line in lines])
-    share = np.bincount(groups, minlength=len(group_sigma)) / len(groups)
+    # Of each place in the mean of the lines' means.
+    weights = np.concatenate([_alike(line) / len(lines) for line in lines])
+    parts = [np.bincount(line.group, minlength=len(group_sigma)) for line in lines]
+    share = np.mean([part / part.sum() for part in parts], axis=0)
     moves = [np.concatenate(values) for values in _moves(lines)]
     of_rms = Explained(
         float(np.sqrt(share @ group_sigma**2)),
-        *(float(np.sqrt((move**2).sum(axis=1).mean())) for move in moves),
+        *(float(np.sqrt(weights @ (move**2).sum(axis=1))) for move in moves),
     )
     of_mean = Explained(
         float(np.sqrt(share**2 @ group_sigma**2)),
         _of_pos([line.by_position for line in lines], lines, correlation_times[0]),
         _of_pos([line.by_attitude for line in lines], lines, correlation_times[1]),
-        float(np.linalg.norm(moves[2].mean(axis=0))),
+        float(np.linalg.norm(weights @ moves[2])),
     )
     states = []
     for which, distances in zip(("before", "after"), _distances(lines), strict=True):
-        # About each line's own mean: what the lines differ by is no scatter of places.
-        within = sum(float(np.sum((d - d.mean()) ** 2)) for d in distances)
         found = [getattr(line.measured, which) for line in lines]
-        # A single place does not scatter; its own interval says how sure it is.
-        own = sum(float(np.sum((each.half_width / NORMAL_95) ** 2)) for each in found)
-        scatter = float(np.sqrt(max(within, own))) / len(groups)
+        scatter = float(np.linalg.norm([_scatter(each) for each in found])) / len(lines)
+        rms = float(np.sqrt(weights @ np.concatenate(distances) ** 2))
         boresight = of_mean.boresight, of_rms.boresight
         if which == "before":
             boresight = None, None
         states.append(
             AbsoluteState(
-                DistanceStatistics.of(np.concatenate(distances)),
-                SignedStatistics.of(found),
+                replace(
+                    DistanceStatistics.of(np.concatenate(distances)),
+                    mean=float(weights @ np.abs(np.concatenate(distances))),
+                    rms=rms,
+                ),
+                replace(
+                    SignedStatistics.of(found),
+                    mean=float(weights @ np.concatenate(distances)),
+                    rms=rms,
+                ),
                 replace(of_mean, scatter=scatter, boresight=boresight[0]),
                 replace(of_rms, boresight=boresight[1]),
             )
         )
     return LineCheck(name, *states)
+
+
+def _alike(line: LinePlaces) -> Array:
+    """The weight of each of its places in a line's mean."""
+    return np.full(len(line.group), 1.0 / len(line.group))
+
+
+def _scatter(found: NormalDistances) -> float:
+    """Sigma of a line's mean by the scatter of its places, metres."""
+    within = float(np.sum((found.distance - found.distance.mean()) ** 2))
+    # A single place does not scatter; its own interval says how sure it is.
+    own = float(np.sum((found.half_width / NORMAL_95) ** 2))
+    return float(np.sqrt(max(within, own))) / len(found.distance)
 
 
 def _moves(lines: Sequence[LinePlaces]) -> tuple[list[Array], ...]:
@@ -307,8 +334,7 @@ def _moves(lines: Sequence[LinePlaces]) -> tuple[list[Array], ...]:
 
 def _of_pos(moves: list[Array], lines: Sequence[LinePlaces], correlation_time: float) -> float:
     """Sigma of the mean by POS errors that are constant on a line and drift from line to line."""
-    total = sum(map(len, moves))
-    means = np.array([move.sum(axis=0) / total for move in moves])
+    means = np.array([move.mean(axis=0) for move in moves]) / len(moves)
     time = np.array([line.time for line in lines])
     alike = np.exp(-np.abs(time[:, None] - time) / correlation_time)
     return float(np.sqrt(max(0.0, float(np.einsum("ik,ij,jk->", means, alike, means)))))

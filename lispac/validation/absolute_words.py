@@ -3,6 +3,11 @@
 from lispac.adjustment.shown import signed
 from lispac.validation.absolute import AbsoluteCheck, AbsoluteState
 
+ALIKE = (
+    "Of all lines together, means and RMS count each line alike, however many places it has: its "
+    "places share its POS error. Medians and percentiles are of all places."
+)
+
 
 def absolute_words(check: AbsoluteCheck) -> tuple[str, ...]:
     """Sentences: the mean and what it may be off by, the lines that stand out, and the RMS."""
@@ -18,6 +23,7 @@ def absolute_words(check: AbsoluteCheck) -> tuple[str, ...]:
         f"{100 * after.reference_share:.0f} %; reference, POS and boresight together let one "
         f"expect {_mm(after.rms_expected.total)}.",
         _shared(check),
+        *((ALIKE,) if len(check.lines) > 1 else ()),
     )
 
 

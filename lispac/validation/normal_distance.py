@@ -77,9 +77,9 @@ def distances_along_normal(
     cores: Array,
     *,
     facing: Array,
-    normal_scale: float,
-    diameter: float,
-    depth: float,
+    normal_scale: float | Array,
+    diameter: float | Array,
+    depth: float | Array,
 ) -> NormalDistances:
     """Distance from the reference to the compared cloud at each core point.
 
@@ -90,12 +90,12 @@ def distances_along_normal(
         Where distances are wanted: some of the reference points.
     facing : ndarray of shape (3,) or (k, 3)
         Direction on whose side all normals are taken, or that of each core.
-    normal_scale : float, metres
-        Diameter of the sphere whose reference points make the normal.
-    diameter : float, metres
-        Of the cylinder.
-    depth : float, metres
-        How far the cylinder reaches on either side of the core point.
+    normal_scale : float or ndarray of shape (k,), metres
+        Diameter of the sphere whose reference points make the normal, or that of each core.
+    diameter : float or ndarray of shape (k,), metres
+        Of the cylinder, or of that of each core.
+    depth : float or ndarray of shape (k,), metres
+        How far the cylinder reaches on either side of the core point, or of each.
 
     Raises
     ------
@@ -108,19 +108,29 @@ def distances_along_normal(
         ("scale of the normals", normal_scale), ("diameter of the cylinder", diameter),
         ("depth of the cylinder", depth),
     ):  # fmt: skip
-        if not 0.0 < value < np.inf:
+        if not (np.greater(value, 0.0) & np.less(value, np.inf)).all():
             raise InputError(f"The {name} must be positive, and it is {value} m.")
+    scales, diameters, depths = (
+        np.ascontiguousarray(np.broadcast_to(np.asarray(each, dtype=np.float64), len(cores)))
+        for each in (normal_scale, diameter, depth)
+    )
+    if not len(cores):
+        raise NotComparable("There is no place to measure a distance at.")
     # A cell as wide as a query is read whole with few others.
-    clouds = [PointGrid(points, max(diameter, depth) / 2).cells for points in (compared, reference)]
+    clouds = [
+        PointGrid(points, max(float(diameters.max()), float(depths.max())) / 2).cells
+        for points in (compared, reference)
+    ]
     sides = np.broadcast_to(np.asarray(facing, dtype=np.float64), (len(cores), 3))
     samples, normals = _samples(
         np.ascontiguousarray(cores, dtype=np.float64), clouds[0], clouds[1],
-        np.ascontiguousarray(sides), normal_scale / 2, diameter / 2, depth,
+        np.ascontiguousarray(sides), scales / 2, diameters / 2, depths,
     )  # fmt: skip
     measured = (samples[:, :, 2] >= FEWEST).all(axis=1)
     if not measured.any():
         raise NotComparable(
-            f"No place has {FEWEST} points of both clouds within a cylinder of {diameter:.2f} m; "
+            f"No place has {FEWEST} points of both clouds within a cylinder of "
+            f"{diameters.max():.2f} m; "
             "choose a wider one."
         )
     distance, half_width = _differences(samples[measured])
@@ -132,15 +142,15 @@ def distances_along_normal(
 
 @njit(nogil=True, cache=True)
 def _samples(
-    cores: Array, compared: Cells, reference: Cells, facing: Array, scale: float, radius: float,
-    depth: float,
+    cores: Array, compared: Cells, reference: Cells, facing: Array, scales: Array, radii: Array,
+    depths: Array,
 ) -> tuple[Array, Array]:  # pragma: no cover - compiled  # fmt: skip
     """Mean, variance and number (n, 2, 3) of either cloud's points in each core's cylinder, and the
     normals (n, 3) along which they were taken."""
     samples, normals_taken = np.zeros((len(cores), 2, 3)), np.zeros((len(cores), 3))
     for k in range(len(cores)):
-        core = cores[k]
-        near = gather(reference, core, scale)
+        core, radius, depth = cores[k], radii[k], depths[k]
+        near = gather(reference, core, scales[k])
         _, normals = planes_of(reference[0], near.reshape((1, -1)), np.array([near.size]))
         normal = normals[0]
         if near.size < FEWEST or np.isnan(normal[0]):

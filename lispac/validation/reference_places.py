@@ -13,18 +13,16 @@ from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from lispac.errors import NotComparable
-from lispac.geometry.knn import build_tree
 from lispac.geometry.neighbours import Cells, PointGrid, gather
 from lispac.geometry.planes import in_plane_axes
 from lispac.validation.normal_distance import NMAD, NormalDistances, distances_along_normal
+from lispac.validation.place_widths import WIDEST, by_region
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-WIDE, NARROWEST, WIDEST = 2.0, 0.10, 0.60
-"""Diameter of a cylinder in distances to the twelfth neighbour, and its limits in metres."""
 WIDER = 1.3
-NEIGHBOURS, SAMPLE = 12, 5_000
+"""Ratio of the diameters that a surveyed point is looked at with, one after the other."""
 SMOOTH = 2.0
 """Diameter of the sphere that a normal comes from, in diameters of the cylinder."""
 FLAT = 0.05
@@ -36,8 +34,9 @@ INSIDE = 0.15
 whose cylinder, of half that radius, just reaches a straight edge."""
 FEWEST_ON_PLANE = 6
 """Points of a line about a surveyed point that make a plane with a confidence."""
-CLOSER = 5.0
-"""Robust sigmas about the median that are looked through the second time."""
+CLOSER, ALIKE = 5.0, 4.0
+"""Robust sigmas about the median that are looked through the second time, and the side in metres of
+the cubes that have a median each."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,25 +50,8 @@ class Measured:
     after: NormalDistances
 
 
-def diameter_for(lines: list[Array]) -> float:
-    """Width of a cylinder that holds a dozen points of the sparsest of some lines, metres.
-
-    Parameters
-    ----------
-    lines : list of ndarray of shape (n, 3), metres
-    """
-    widths = []
-    for points in lines:
-        if len(points) <= NEIGHBOURS:
-            continue
-        step = -(-len(points) // SAMPLE)
-        far, _ = build_tree(points).query(points[::step], k=[NEIGHBOURS + 1])
-        widths.append(float(np.median(far)))
-    return float(np.clip(WIDE * max(widths, default=0.0), NARROWEST, WIDEST))
-
-
-def flat_places(reference: Array, cores: Array, diameter: float, roughest: float) -> Bools:
-    """At which cores, shape (k, 3), the reference is a flat surface within a diameter, metres.
+def flat_places(reference: Array, cores: Array, diameters: Array, roughest: float) -> Bools:
+    """At which cores, shape (k, 3), the reference is flat within its diameter, shape (k,), metres.
 
     At its edge it is none: beams that meet an edge by half give points that lie on nothing.
 
@@ -79,28 +61,28 @@ def flat_places(reference: Array, cores: Array, diameter: float, roughest: float
         RMS about a plane that is noise, however small the place.
     """
     flat = np.zeros(len(cores), dtype=bool)
-    cells = PointGrid(reference, diameter / 2).cells
-    counts, sums, products = _moments(np.ascontiguousarray(cores), cells, diameter / 2)
+    cells = PointGrid(reference, float(np.median(diameters)) / 2).cells
+    counts, sums, products = _moments(np.ascontiguousarray(cores), cells, diameters / 2)
     some = np.flatnonzero(counts >= FEWEST_ON_PLANE)
     means = sums[some] / counts[some, None]
     scatter = products[some] / counts[some, None, None]
     spread = np.linalg.eigvalsh(scatter - means[:, :, None] * means[:, None, :])
     rms = np.sqrt(np.maximum(spread[:, 0], 0.0))
     is_surface = spread[:, 1] > ROUND * spread[:, 2]
-    is_inside = np.linalg.norm(means, axis=1) <= INSIDE * diameter / 2
-    flat[some] = is_surface & is_inside & (rms <= max(FLAT * diameter, roughest))
+    is_inside = np.linalg.norm(means, axis=1) <= INSIDE * diameters[some] / 2
+    flat[some] = is_surface & is_inside & (rms <= np.maximum(FLAT * diameters[some], roughest))
     return flat
 
 
 @njit(nogil=True, cache=True)
 def _moments(
-    cores: Array, reference: Cells, radius: float
+    cores: Array, reference: Cells, radii: Array
 ) -> tuple[NDArray[np.int64], Array, Array]:  # pragma: no cover - compiled
     """Number, sum (n, 3) and sum of products (n, 3, 3) of the points about each core, from it."""
     counts = np.zeros(len(cores), np.int64)
     sums, products = np.zeros((len(cores), 3)), np.zeros((len(cores), 3, 3))
     for k in range(len(cores)):
-        found = gather(reference, cores[k], radius)
+        found = gather(reference, cores[k], radii[k])
         counts[k] = found.size
         for i in found:
             for a in range(3):
@@ -118,7 +100,7 @@ def on_surface(
     cores: Array,
     *,
     facing: Array,
-    diameter: float,
+    diameters: Array,
     reach: float,
     roughest: float,
 ) -> Measured:
@@ -133,8 +115,10 @@ def on_surface(
         Flat places of the reference.
     facing : ndarray of shape (k, 3)
         Towards the vessel.
-    diameter, reach : float, metres
-        Of the cylinders, and how far the line may be from the reference.
+    diameters : ndarray of shape (k,), metres
+        Of the cylinders.
+    reach : float, metres
+        How far the line may be from the reference.
     roughest : float, metres
         RMS about a plane that is noise.
 
@@ -144,19 +128,22 @@ def on_surface(
         No place has points of both.
     """
 
-    def measured(points: Array, depth: float) -> NormalDistances:
+    def measured(points: Array, depth: float | Array) -> NormalDistances:
         return distances_along_normal(
-            points, reference, cores, facing=facing, normal_scale=SMOOTH * diameter,
-            diameter=diameter, depth=depth,
+            points, reference, cores, facing=facing, normal_scale=SMOOTH * diameters,
+            diameter=diameters, depth=depth,
         )  # fmt: skip
 
     states = []
     for points in (before, after):
         rough = measured(points, reach)
-        # Once more, and no farther than the line is: what stands before a wall is not the wall.
-        middle = float(np.median(rough.distance))
+        # Once more, and no farther than the line is there: what stands before a wall is not the
+        # wall, and what a wrong boresight moves by millimetres near by it moves by decimetres afar.
+        middle = by_region(rough.cores, rough.distance, ALIKE)
         robust = NMAD * float(np.median(np.abs(rough.distance - middle)))
-        depth = min(reach, abs(middle) + CLOSER * robust + max(FLAT * diameter, roughest))
+        depth = np.full(len(cores), reach)
+        noise = np.maximum(FLAT * diameters[rough.at], roughest)
+        depth[rough.at] = np.minimum(reach, np.abs(middle) + CLOSER * robust + noise)
         states.append(measured(points, depth))
     return _common(*states)
 
@@ -167,7 +154,7 @@ def at_points(
     places: Array,
     *,
     facing: Array,
-    diameter: float,
+    diameters: Array,
     reach: float,
     roughest: float,
 ) -> Measured:
@@ -179,6 +166,8 @@ def at_points(
         The line's points with the prior and with the estimated boresight.
     places, facing : ndarrays of shape (k, 3), metres, local frame
         The surveyed points, and where the vessel is from each.
+    diameters : ndarray of shape (k,), metres
+        Of the place that is looked at first about each.
 
     Raises
     ------
@@ -189,7 +178,7 @@ def at_points(
     for points in (before, after):
         grid = PointGrid(points)
         found = []
-        for place, side in zip(places, facing, strict=True):
+        for place, side, diameter in zip(places, facing, diameters, strict=True):
             about = points[grid.within(place, reach + max(diameter, WIDEST))]
             found.append(
                 _plane_before(about, place, side, diameter=diameter, reach=reach, roughest=roughest)

@@ -1,11 +1,12 @@
 """How far the lines are from a static scan, or from surveyed points and planes."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from lispac.adjustment.sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
@@ -22,15 +23,16 @@ from lispac.validation.absolute import (
     shared_bins,
 )
 from lispac.validation.normal_distance import NormalDistances
-from lispac.validation.reference_places import (
-    SMOOTH,
+from lispac.validation.place_widths import (
+    NARROWEST,
+    WIDE,
     WIDEST,
-    Measured,
-    at_points,
-    diameter_for,
-    flat_places,
-    on_surface,
+    candidates,
+    diameters_at,
+    spacing,
+    spread_out,
 )
+from lispac.validation.reference_places import SMOOTH, Measured, at_points, flat_places, on_surface
 from lispac.workflow.references import Reference, read_reference
 from lispac.workflow.survey import Survey
 
@@ -40,7 +42,6 @@ SIGMA = 0.005
 """Metres, of a reference of which nothing else is stated."""
 REACH = 1.0
 """Metres from the reference within which lines are looked for; at 50 m, 1.1 deg of boresight."""
-MOST_PLACES, CANDIDATES = 3_000, 400_000
 PER_DIAMETER, PER_WIDTH = 4, 5
 """Points that stand for a surveyed plane along the diameter of a cylinder, and cylinders along the
 plane's shorter side."""
@@ -104,7 +105,7 @@ def check_absolute(
         trajectory_datum=trajectory_datum, epoch=epoch, progress=part(progress, 0.0, 0.3),
     )  # fmt: skip
     clouds = _gathered(project, survey, reference, reach)
-    where = _Where.of(reference, survey, clouds, project.settings.lidar_sigma, reach)
+    where = _Where.of(reference, survey, project.settings.lidar_sigma, reach)
     lines, unseen = [], []
     for k, cloud in enumerate(clouds):
         progress(0.3 + 0.7 * k / len(clouds), f"Comparing {cloud.line} with {path.name}")
@@ -113,9 +114,10 @@ def check_absolute(
         except NotComparable as error:
             unseen.append(f"{cloud.line}: {error}")
     if not lines:
+        fewest = FEWEST_PLACES[reference.kind]
         raise NotComparable(
-            f"{path}: no line has a flat place within {reach:g} m of this reference; check its "
-            "coordinates, or widen the reach."
+            f"{path}: no line has {'a flat place' if fewest == 1 else f'{fewest} flat places'} "
+            f"within {reach:g} m of this reference; check its coordinates, or widen the reach."
         )
     settings = project.settings
     each, together = line_checks(
@@ -161,63 +163,55 @@ def _gathered(
 
 @dataclass(frozen=True, eq=False)
 class _Where:
-    """Places that lines are measured at.
+    """What lines are measured to.
 
-    Surfaces are point clouds with their cores, the diameter of the cylinders there, and their
-    number among ``sigmas``.
+    Of a scan: ``candidates`` for places, shape (k, 3), and the diameter that the scan's own density
+    asks for at each. ``sigmas`` are those of the scan, or of surveyed points and then planes.
     """
 
-    surfaces: tuple[tuple[Array, Array, float, int], ...]
-    places: Array
+    reference: Reference
+    candidates: Array
+    diameters: Array
     names: tuple[str, ...]
     sigmas: Array
     vessel: Array
-    diameter: float
     reach: float
     roughest: float
-    fewest: int
 
     @classmethod
-    def of(
-        cls, reference: Reference, survey: Survey, clouds: Sequence[_Gathered], lidar_sigma: float,
-        reach: float,
-    ) -> "_Where":  # fmt: skip
-        diameter = diameter_for([cloud.after for cloud in clouds])
-        roughest = 3 * max(reference.sigma, lidar_sigma)
-        surfaces: list[tuple[Array, Array, float, int]] = []
-        if reference.kind == "scan":
-            cores = _cores(reference.surface, diameter)
-            flat = flat_places(reference.surface, cores, SMOOTH * diameter, roughest)
-            if not flat.any():
-                raise NotComparable(
-                    f"{reference.path}: this scan has no flat place of {SMOOTH * diameter:.2f} m "
-                    "where the lines have been, so that no distance along a normal means anything."
-                )
-            surfaces.append((reference.surface, cores[flat], diameter, 0))
-        for k, plane in enumerate(reference.planes):
-            # It is flat however wide one looks, and a line may be sparse there.
-            wide = float(np.clip(plane.width / PER_WIDTH, min(diameter, WIDEST), WIDEST))
-            grid = plane.grid(wide / PER_DIAMETER)
-            surfaces.append((grid, grid[thin(grid, wide)], wide, len(reference.names) + k))
-        planes = reference.planes
-        scan = reference.kind == "scan"
+    def of(cls, reference: Reference, survey: Survey, lidar_sigma: float, reach: float) -> "_Where":
+        planes, surface = reference.planes, reference.surface
+        places = candidates(surface) if len(surface) else surface
+        own = spacing(build_tree(surface), places) if len(surface) else np.zeros(0)
         return cls(
-            tuple(surfaces), reference.places,
+            reference, places, np.minimum(WIDE * own, WIDEST),
             (*reference.names, *(plane.name for plane in planes)),
-            np.array([reference.sigma]) if scan
+            np.array([reference.sigma]) if reference.kind == "scan"
             else np.array([*reference.sigmas, *(plane.sigma for plane in planes)]),
-            survey.trajectory.position.mean(axis=0), diameter, reach, roughest,
-            FEWEST_PLACES[reference.kind],
+            survey.trajectory.position.mean(axis=0), reach,
+            3 * max(reference.sigma, lidar_sigma),
         )  # fmt: skip
 
-
-def _cores(surface: Array, diameter: float) -> Array:
-    """Places spread evenly over a scan."""
-    some = surface[:: -(-len(surface) // CANDIDATES)]
-    side = diameter
-    while len(kept := thin(some, side)) > MOST_PLACES:
-        side *= 1.2
-    return some[kept]
+    def surfaces(self, tree: cKDTree) -> Iterator[tuple[Array, Array, Array, int]]:
+        """Surfaces that a line came near: their points, places and the diameters there by how
+        dense both are, and their number among ``sigmas``."""
+        wanted = diameters_at(tree, self.candidates, self.reach)
+        near = np.flatnonzero(np.isfinite(wanted))
+        if len(near):
+            both = np.maximum(wanted, self.diameters)[near]
+            chosen, wide = spread_out(self.candidates[near], both)
+            surface, cores = self.reference.surface, self.candidates[near][chosen]
+            flat = flat_places(surface, cores, SMOOTH * wide, self.roughest)
+            yield surface, cores[flat], wide[flat], 0
+        for k, plane in enumerate(self.reference.planes):
+            # It is flat however wide one looks, and a line may be sparse there.
+            side = float(np.clip(plane.width / PER_WIDTH, NARROWEST, WIDEST))
+            wanted = diameters_at(tree, plane.grid(side), self.reach)
+            if np.isfinite(wanted).any():
+                side = max(side, float(np.nanmedian(wanted)))
+                grid = plane.grid(side / PER_DIAMETER)
+                cores = grid[thin(grid, side)]
+                yield grid, cores, np.full(len(cores), side), len(self.reference.names) + k
 
 
 def _compared(project: Project, survey: Survey, cloud: _Gathered, where: _Where) -> LinePlaces:
@@ -226,36 +220,59 @@ def _compared(project: Project, survey: Survey, cloud: _Gathered, where: _Where)
     Raises
     ------
     NotComparable
+        With what would help.
     """
     found: list[tuple[Measured, NDArray[np.intp]]] = []
-    for surface, cores, diameter, group in where.surfaces:
+    tree, tried = build_tree(cloud.after), 0
+    for surface, cores, diameters, group in where.surfaces(tree):
+        tried += len(cores)
         try:
             measured = on_surface(
                 cloud.before, cloud.after, surface, cores, facing=where.vessel - cores,
-                diameter=diameter, reach=where.reach, roughest=where.roughest,
+                diameters=diameters, reach=where.reach, roughest=where.roughest,
             )  # fmt: skip
         except NotComparable:
             continue
         found.append((measured, np.full(len(measured.after.distance), group)))
-    if len(where.places) and len(cloud.before):
+    places = where.reference.places
+    wide = diameters_at(tree, places, where.reach)
+    if (near := np.flatnonzero(np.isfinite(wide))).size:
+        tried += len(near)
         try:
             alone = at_points(
-                cloud.before, cloud.after, where.places, facing=where.vessel - where.places,
-                diameter=where.diameter, reach=where.reach, roughest=where.roughest,
+                cloud.before, cloud.after, places[near], facing=where.vessel - places[near],
+                diameters=wide[near], reach=where.reach, roughest=where.roughest,
             )  # fmt: skip
-            found.append((alone, alone.after.at))
+            found.append((alone, near[alone.after.at]))
         except NotComparable:
             pass
     count = sum(len(group) for _, group in found)
-    if count < where.fewest:
-        raise NotComparable(
-            f"{count} places on the reference have a distance before and after, and "
-            f"{where.fewest} are needed"
-        )
+    if count < FEWEST_PLACES[where.reference.kind]:
+        raise NotComparable(_too_few(where, count, tried))
     measured = Measured(
         _joined([each.before for each, _ in found]), _joined([each.after for each, _ in found])
     )
     return _placed_by(project, survey, cloud, measured, np.concatenate([g for _, g in found]))
+
+
+def _too_few(where: _Where, count: int, tried: int) -> str:
+    """Why a line is not compared, and what would help."""
+    reach = f"{where.reach:g} m"
+    if where.reference.kind == "points":
+        return (
+            f"no surveyed point has a flat place of this line within {reach} before and after the "
+            "calibration; survey points where it is denser, or widen the reach"
+        )
+    if not tried:
+        return (
+            f"the reference has no flat place within {reach} of this line; scan what it has seen, "
+            "or widen the reach"
+        )
+    return (
+        f"{count:,} of {tried:,} flat places of the reference within {reach} of this line have "
+        f"enough of its points before and after the calibration, and {FEWEST_PLACES['scan']} must; "
+        "scan more of what it has seen and where it is denser, or widen the reach"
+    )
 
 
 def _joined(several: Sequence[NormalDistances]) -> NormalDistances:

@@ -28,6 +28,8 @@ Array = NDArray[np.float64]
 
 MOST_POINTS = 2_000_000
 """Of a static scan; of more a fair sample is kept."""
+LARGEST_SIGMA = 0.2
+"""Metres; of a surveyed point, a larger one is rather one in millimetres."""
 LEAST_CELL = 1.0
 """Metres: side of the cells that tell what part of a scan the lines have seen."""
 
@@ -151,6 +153,7 @@ def read_reference(
     if listed:
         points, columns = _read_points(path, system, survey.trajectory)
         names, places, sigmas, planes, said = _sorted_out(points, sigma, path)
+        said += _doubtful_sigmas([point for point, _ in points])
         usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
         return Reference(
             *file_facts, "points", words, usual, (*notes, columns, *said), np.zeros((0, 3)), names,
@@ -207,6 +210,20 @@ def _sorted_out(
         tuple(planes),
         said,
     )
+
+
+def _doubtful_sigmas(points: Sequence[ListedPoint]) -> list[str]:
+    """One remark on sigmas that look as if they were not in metres; or none."""
+    large = [p for p in points if p.sigma is not None and p.sigma > LARGEST_SIGMA]
+    if not large:
+        return []
+    first, more = large[0], len(large) - 1
+    others = f", and {more} more {'is' if more == 1 else 'are'} above it" if more else ""
+    return [
+        f"the sigma of {first.name or f'row {first.row}'} is {first.sigma:g} m, and a surveyed "
+        f"point rarely has more than {LARGEST_SIGMA:g} m{others}; the file's sigmas are read in "
+        "metres, 3 mm is 0.003: correct the list if they are in millimetres"
+    ]
 
 
 def _plane(

@@ -1,0 +1,112 @@
+"""How wide to look at each place of a reference, by how dense it and a line are there.
+
+A beam that meets a wall at 60 m leaves points farther apart than one at 15 m, and one width for all
+of a site is that of where most points are: sparse places then hold too few points for a distance.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from lispac.targets.thinning import thin
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+WIDE, NARROWEST, WIDEST = 2.0, 0.10, 0.60
+"""Diameter of a cylinder in distances to the twelfth neighbour, and its limits in metres."""
+NEIGHBOURS = 12
+STEP = 1.15
+"""Ratio of a diameter to the next smaller one."""
+REGION = 2 * WIDEST
+"""Metres: side of the cubes within which all diameters are one, the median there."""
+MOST_PLACES, MOST_CANDIDATES, MOST_READ = 3_000, 60_000, 400_000
+SPARSER = 1.2
+
+
+def candidates(surface: Array) -> Array:
+    """Places spread evenly over a scan, shape (k, 3), as near together as cylinders may be."""
+    some, side = surface[:: -(-len(surface) // MOST_READ)], NARROWEST
+    while len(kept := thin(some, side)) > MOST_CANDIDATES:
+        side *= SPARSER
+    return some[kept]
+
+
+def spacing(tree: cKDTree, places: Array) -> Array:
+    """Distance from each place to its twelfth neighbour, metres; infinite where there are fewer."""
+    far, _ = tree.query(places, k=[NEIGHBOURS + 1])
+    return np.asarray(far[:, 0], dtype=np.float64)
+
+
+def diameters_at(line: cKDTree, places: Array, reach: float) -> Array:
+    """Width of a cylinder that holds a dozen points of a line at each place, metres.
+
+    Parameters
+    ----------
+    line : cKDTree
+        Of the line's points.
+    places : ndarray of shape (k, 3), metres
+    reach : float, metres
+
+    Returns
+    -------
+    ndarray of shape (k,)
+        Not a number where the line has no point within reach.
+    """
+    found = np.full(len(places), np.nan)
+    if not line.n or not len(places):
+        return found
+    apart, nearest = line.query(places, distance_upper_bound=reach)
+    seen = np.isfinite(apart)
+    at, back = np.unique(nearest[seen], return_inverse=True)
+    found[seen] = np.clip(WIDE * spacing(line, line.data[at]), NARROWEST, WIDEST)[back]
+    return found
+
+
+def spread_out(places: Array, diameters: Array) -> tuple[Indices, Array]:
+    """Places that are a diameter apart, and the diameter at each.
+
+    Parameters
+    ----------
+    places : ndarray of shape (k, 3), metres
+    diameters : ndarray of shape (k,), metres
+        Those wanted at each; those of a region become one, for the distance to a neighbour
+        scatters by a seventh though the density is even.
+
+    Returns
+    -------
+    chosen : ndarray of shape (m,), int
+        At most `MOST_PLACES`, ascending; of more, places farther apart.
+    diameters : ndarray of shape (m,), metres
+    """
+    steps = np.round(np.log(by_region(places, diameters, REGION) / NARROWEST) / np.log(STEP))
+    usual = np.minimum(NARROWEST * STEP**steps, WIDEST)
+    apart = 1.0
+    while True:
+        parts: list[Indices] = [np.zeros(0, dtype=np.intp)]
+        for diameter in np.unique(usual):
+            own = np.flatnonzero(usual == diameter)
+            parts.append(own[thin(places[own], apart * float(diameter))])
+        chosen = np.sort(np.concatenate(parts))
+        if len(chosen) <= MOST_PLACES:
+            return chosen, usual[chosen]
+        apart *= SPARSER
+
+
+def by_region(places: Array, values: Array, side: float) -> Array:
+    """The median of the values in the cube that each place lies in, shape (k,).
+
+    Parameters
+    ----------
+    places : ndarray of shape (k, 3), metres
+    values : ndarray of shape (k,)
+    side : float, metres
+        Of the cubes.
+    """
+    cubes = np.floor(places / side).astype(np.int64)
+    _, region, count = np.unique(cubes, axis=0, return_inverse=True, return_counts=True)
+    region = region.reshape(-1)
+    order = np.lexsort((values, region))
+    first = np.cumsum(count) - count
+    median: Array = values[order[first + count // 2]][region]
+    return median
