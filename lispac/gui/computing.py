@@ -1,6 +1,6 @@
 """What is computed from a project: counts, the comparison, placed lines, and what is exported."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from lispac.gui.controller import Controller
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
-from lispac.gui.tasks import TaskRunner
+from lispac.gui.tasks import Task, TaskRunner
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -141,17 +141,32 @@ class Computing(QObject):
         if project is None or survey is None or project.result is None:
             self._scene.show("prior")
             return
+        self._place(project, survey, lambda: self._scene.show("estimated"), "placed")
 
+    def with_placed(self, project: Project, survey: Survey, then: Callable[[], None]) -> None:
+        """Do what needs the lines as they lie before and after; they are placed where need be.
+
+        An edit meanwhile ends it.
+        """
+        if project.result is None or self._scene.has_estimated:
+            then()
+            return
+        task = self._place(project, survey, then)
+        self._controller.based_on_project(task)
+
+    def _place(
+        self, project: Project, survey: Survey, then: Callable[[], None], key: str = ""
+    ) -> Task:
         def done(clouds: Mapping[str, Cloud]) -> None:
             if self._document.project is not None and self._document.survey is survey:
                 self._scene.keep_estimated(project.result, clouds)
-                self._scene.show("estimated")
+                then()
 
-        self._runner.run(
+        return self._runner.run(
             "Placing the lines with the estimated boresight",
             lambda progress: survey.shown(project, "estimated", progress=progress),
             done,
-            key="placed",
+            key=key,
         )
 
     def export(self, request: ExportRequest) -> None:

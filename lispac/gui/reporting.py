@@ -30,6 +30,7 @@ class Reporting(QObject):
         self._document, self._dialogs = window.document, window.dialogs
         self._runner, self._controller = window.runner, window.controller
         self._scene, self._viewport = window.scene, window.viewport
+        self._computing = window.computing
         self._panel, self._settings = window.report, window.settings
         self._panel.show_choice(self._settings.report_choice())
         self._panel.report_asked.connect(self.export)
@@ -67,7 +68,9 @@ class Reporting(QObject):
             return
         path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
         if path is not None:
-            self._write(project, survey, options, path)
+            self._computing.with_placed(
+                project, survey, lambda: self._write(project, survey, options, path)
+            )
 
     def _write(self, project: Project, survey: Survey, options: ReportOptions, path: Path) -> None:
         folder = tempfile.TemporaryDirectory(prefix="lispac-")
@@ -91,6 +94,9 @@ class Reporting(QObject):
         project, survey, options = self._document.project, self._survey, self._options()
         if project is None or project.result is None or survey is None or options is None:
             return
+        self._computing.with_placed(project, survey, lambda: self._set(project, survey, options))
+
+    def _set(self, project: Project, survey: Survey, options: ReportOptions) -> None:
         folder = tempfile.TemporaryDirectory(prefix="lispac-")
         pictures = self._pictures(Path(folder.name))
         ppi = PPI * self._panel.devicePixelRatioF()
@@ -144,7 +150,7 @@ class Reporting(QObject):
         return self._document.survey if self._document.survey_is_current else None
 
     def _pictures(self, folder: Path) -> dict[str, Path]:
-        """The view as it is, before and after."""
+        """The view as it is, before and after, from one camera; both are at hand."""
         shown = self._scene.which
         captions: dict[Which, str] = {
             "prior": "The lines placed with the prior boresight",
@@ -152,8 +158,6 @@ class Reporting(QObject):
         }
         pictures = {}
         for which, caption in captions.items():
-            if which == "estimated" and not self._scene.has_estimated:
-                continue
             self._scene.show(which)
             pictures[caption] = folder / f"{which}.png"
             self._viewport.screenshot(pictures[caption])

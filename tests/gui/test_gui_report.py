@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import (
     QLabel,
@@ -17,7 +18,7 @@ from lispac.gui.panels.report import ReportPanel
 from lispac.gui.panels.widgets import Choice
 from lispac.identity import NAMES
 from lispac.report.options import ReportOptions
-from tests.gui.support import Driver, Key, Left, click, open_step, type_into
+from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_at import hand
 
 REPORT = 4
@@ -187,6 +188,71 @@ def test_a_preview_that_cannot_be_saved_says_so(adjusted: Driver, tmp_path: Path
     adjusted.rest()
     (error,) = adjusted.dialogs.errors
     assert "cannot be written" in str(error)
+
+
+CAPTIONS = (
+    "The lines placed with the prior boresight",
+    "The lines placed with the estimated boresight",
+)
+
+
+def test_both_pictures_are_there_as_soon_as_there_is_a_result(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    open_step(adjusted, REPORT)
+    scene = adjusted.window.scene
+    assert scene.which == "prior"
+    assert not scene.has_estimated
+    prior = adjusted.viewport.clouds
+    adjusted.dialogs.path = tmp_path / "r.html"
+    click(adjusted, adjusted.window.report.report)
+    adjusted.rest()
+    assert adjusted.dialogs.errors == []
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert [text.count(f"<figcaption>{caption}<") for caption in CAPTIONS] == [1, 1]
+    # What lay in the view at each picture, and no camera moved between them
+    shown, calls = {}, adjusted.viewport.calls
+    for name, arguments in calls:
+        if name == "show_clouds":
+            clouds = arguments[0]
+        elif name == "screenshot":
+            shown[arguments[0].name] = clouds
+    assert list(shown) == ["prior.png", "estimated.png"]
+    first = next(iter(prior))
+    np.testing.assert_array_equal(shown["prior.png"][first], prior[first])
+    moved = np.linalg.norm(shown["estimated.png"][first] - prior[first], axis=1)
+    # The demo's boresight is wrong by some tenths of a degree, some tens of metres away
+    assert 0.01 < np.median(moved) < 2.0
+    names = [name for name, _ in calls]
+    between = names[names.index("screenshot") : len(names) - names[::-1].index("screenshot")]
+    assert not {"fit", "view", "look_along", "set_parallel"} & set(between)
+    assert scene.which == "prior"
+
+
+def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(real: Driver, demo: Demo) -> None:
+    real.window.document.open(demo.project, demo.survey)
+    real.rest()
+    overlay = real.viewport.widget.overlay
+
+    def seen() -> bytes:
+        image = real.viewport.picture()
+        return bytes(image.constBits())
+
+    def on_screen() -> bytes:
+        image = overlay.grab().toImage()
+        return bytes(image.constBits())
+
+    plain, screen = seen(), on_screen()
+    overlay.hint = "Click the first point"
+    assert seen() == plain
+    assert on_screen() != screen
+    overlay.hint = ""
+    assert on_screen() == screen
+    shape = np.frombuffer(screen, np.uint8).reshape(overlay.height(), -1, 4)
+    with_help = shape[-30:-20, 200:-300].astype(int)
+    overlay.camera = None
+    without = np.frombuffer(on_screen(), np.uint8).reshape(shape.shape)[-30:-20, 200:-300]
+    assert (with_help != without).any()
 
 
 def test_there_is_no_preview_without_an_answer(opened: Driver) -> None:

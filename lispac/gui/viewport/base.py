@@ -232,7 +232,7 @@ class Viewport(Protocol):
         """Size of the drawn points."""
 
     def picture(self) -> QImage:
-        """What is shown, with all its detail and what is written over it."""
+        """What is shown, with all its detail and what is written over it but the mouse's help."""
 
     def screenshot(self, path: Path) -> None:
         """Write what is shown as PNG."""

@@ -71,10 +71,15 @@ class Overlay(QWidget):
         """Paint on the screen."""
         painter = QPainter(self)
         self.paint(painter)
+        if self.camera is not None:
+            self._paint_help(painter)
         painter.end()
 
     def paint(self, painter: QPainter) -> None:
-        """Paint on anything of the size of this widget, the screen or a picture to be saved."""
+        """Paint on anything of the size of this widget, the screen or a picture to be saved.
+
+        What the mouse does is of use on the screen alone.
+        """
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.font())
         if self.camera is None:
@@ -87,7 +92,6 @@ class Overlay(QWidget):
             paint(painter, self.camera, size)
         self._paint_axes(painter, self.camera)
         self._paint_scale(painter, self.camera.metres_per_pixel(size))
-        self._paint_help(painter)
         if self.shading is not None:
             self._paint_legend(painter, self.shading)
 

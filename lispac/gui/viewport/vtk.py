@@ -235,7 +235,7 @@ class VtkViewport:
         self._style_points()
 
     def picture(self) -> QImage:
-        """What is shown, with all its detail and what is written over it."""
+        """What is shown, with all its detail and what is written over it but the mouse's help."""
         self._show_detail()
         image: QImage = self.canvas.grabFramebuffer()
         painter = QPainter(image)
