@@ -21,12 +21,14 @@ from lispac.report.html import html_text
 from lispac.report.options import USUAL, Page, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
+from lispac.report.values import Caution
 from lispac.survey.conventions.conversion import Setup, mounting_of, mounting_of_angles
 from lispac.survey.conventions.systems import SYSTEMS, system
 from lispac.survey.conventions.words import CHECK_FIRST
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.report_options import KEYS, report_options
 from tests.report_sample import sample_content, sample_project
+from tests.test_identity import FULL
 from tests.test_report import _page, _pdf_text
 
 LOGO = (
@@ -140,6 +142,37 @@ def test_letterhead_and_texts_stand_in_pdf_and_html(
     words = "".join(page.words)
     assert all(text in words for text in ("12, rue du Quai", "Order 4711", "Valid until"))
     assert page.sources[0].startswith("data:image/svg+xml;base64,")
+
+
+@pytest.mark.parametrize("page", ["a4", "letter"])
+@pytest.mark.parametrize("language", ["en", "fr"])
+@pytest.mark.parametrize("blank", [True, False])
+def test_page_one_ends_with_the_signature(
+    project: Project, template: Path, tmp_path: Path, page: Page, language: str, blank: bool
+) -> None:
+    options = report_options(template, page, language=language)
+    content = sample_content(project.with_identity(BLANK if blank else FULL))
+    remark = (
+        "The angles were estimated once more with other targets, and the answer stayed as it was."
+    )
+    said = tuple(
+        Caution("odd", "caution", f"{k}: {remark} Nothing else is known.") for k in range(4)
+    )
+    content = replace(content, cautions=said)
+    plane = content.validation[0]
+    content = replace(content, validation=tuple(replace(plane, name=f"V{k}") for k in range(1, 6)))
+    path = tmp_path / "r.pdf"
+    write_pdf(content, path, {}, options)
+    first = _pdf_text(path, "-f", "1", "-l", "1")
+    assert all(f"{k}: {remark}" in re.sub(r"\s+", " ", first) for k in range(4))
+    assert re.search("Place and date|Lieu et date", first)
+    # Too much for one page: the signature moves on, and what stands above it goes along.
+    many = replace(content, cautions=said * 10)
+    write_pdf(many, path, {}, options)
+    pages = _pdf_text(path).split("\f")
+    (at,) = (k for k, text in enumerate(pages) if re.search("Place and date|Lieu et date", text))
+    assert at > 0
+    assert "Valid until an instrument is moved." in pages[at]
 
 
 def test_pages_have_the_size_that_is_chosen(project: Project, tmp_path: Path) -> None:
