@@ -353,7 +353,7 @@ def test_what_the_figures_are_drawn_from_is_among_the_tables(
 def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_path: Path) -> None:
     broken = tmp_path / "broken.png"
     broken.write_bytes(b"no picture")
-    with pytest.raises(LispacError, match="could not be set"):
+    with pytest.raises(LispacError, match=r"broken\.png: this picture cannot be drawn \("):
         write_pdf(content, tmp_path / "r.pdf", {"View": broken})
     with pytest.raises(InputError, match="cannot be read"):
         write_html(content, tmp_path / "r.html", {"View": tmp_path / "gone.png"})

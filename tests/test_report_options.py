@@ -126,6 +126,21 @@ def test_a_template_that_is_not_there_or_not_text_is_refused(tmp_path: Path) -> 
         report_options(tmp_path / "odd.toml")
 
 
+def test_a_logo_that_cannot_be_drawn_is_named(
+    demo_project: Project, template: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    logo = template.parent / "art" / "logo.svg"
+    logo.write_bytes(b"<svg><rect")
+    output = tmp_path / "r.pdf"
+    words = ["report", demo_project.folder, "--output", output, "--template", template]
+    assert main([str(word) for word in words]) == 1
+    said = capsys.readouterr().err
+    assert f"{logo}: this picture cannot be drawn (" in said
+    assert "save it anew as PNG or SVG" in said
+    assert ".pdf" not in said
+    assert not output.exists()
+
+
 def test_letterhead_and_texts_stand_in_pdf_and_html(
     project: Project, template: Path, tmp_path: Path
 ) -> None:

@@ -6,7 +6,7 @@ on every machine.
 
 import json
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from datetime import datetime
@@ -41,7 +41,7 @@ def write_pdf(
     LispacError
         Where a picture cannot be read or drawn.
     """
-    with _typesetting(content, pictures, options, path.name) as set_as:
+    with _typesetting(content, pictures, options) as set_as:
         path.write_bytes(set_as("pdf"))
 
 
@@ -72,14 +72,14 @@ def preview_of(
     LispacError
         Where a picture cannot be read or drawn.
     """
-    with _typesetting(content, pictures, options, content.project) as set_as:
+    with _typesetting(content, pictures, options) as set_as:
         pages = set_as("png", ppi)
         return Preview((pages,) if isinstance(pages, bytes) else tuple(pages), set_as("pdf"))
 
 
 @contextmanager
 def _typesetting(
-    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions, name: str
+    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions
 ) -> Iterator[Callable[..., Any]]:
     """What sets the report: given ``pdf`` or ``png`` and pixels per inch, its bytes."""
     import typst
@@ -103,9 +103,26 @@ def _typesetting(
         try:
             yield lambda kind, ppi=None: compiler.compile(format=kind, ppi=ppi, timestamp=made)
         except typst.TypstError as error:
+            given = [options.logo, *pictures.values()]
+            _refuse_unreadable([path for path in given if path is not None], folder)
+            raise LispacError(f"The report could not be set ({error.message}).") from error
+
+
+def _refuse_unreadable(pictures: Iterable[Path], folder: Path) -> None:
+    """Name the first picture that typst cannot draw."""
+    import typst
+
+    for path in pictures:
+        name = f"alone{path.suffix.lower()}"
+        (folder / name).write_bytes(path.read_bytes())
+        main = folder / "alone.typ"
+        main.write_text(f'#image("{name}")', encoding="utf-8")
+        try:
+            typst.compile(main, root=folder, format="pdf")
+        except typst.TypstError as error:
             raise LispacError(
-                f"{name}: the report could not be set ({error.message}); check the pictures "
-                "given to it."
+                f"{path}: this picture cannot be drawn ({error.message}); save it anew as PNG or "
+                "SVG."
             ) from error
 
 
