@@ -273,3 +273,11 @@ def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None
     assert rows[0] == ["Ligne", "Fichier", "Cap (°)", "Points"]
     assert rows[1] == ["L1", "L1.laz", "0.4", "1234567"]
     assert "-carte-de-v1-" in " ".join(archive.namelist())
+
+
+def test_names_of_makers_are_elided() -> None:
+    say = Translator(catalogue_of("fr"))
+    heads = [say(f"Convention of {each.name}") for each in SYSTEMS]
+    assert not say.unknown
+    assert not [head for head in heads if re.search(r"(?i)\bde [aeiouyéè]", head)]
+    assert sum("Convention d\u2019" in head for head in heads) == 2  # Applanix and OPALS
