@@ -7,9 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.dates import date2num
 
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
+from lispac.report.control_charts import control_figure
 from lispac.validation.control_chart import CHANCE, control_chart, limits
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.history import System, histories
@@ -149,3 +151,20 @@ def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
     (history,), _ = histories([tmp_path], also=[opened])
     assert [each.day for each in history.entries] == [date(2023, 1, 1), date(2024, 5, 2)]
     assert history.system.same(System("NORDLYS", "vz-400i", "s1"))
+
+
+@pytest.mark.parametrize("days", [(20, 22), (20, 20), (20,), (1, 2, 28)])
+def test_the_axis_of_days_ends_a_little_beyond_the_calibrations(days: tuple[int, ...]) -> None:
+    chart = control_chart(calibrations(np.random.default_rng(5), np.zeros((len(days), 3))))
+    at = [date(2025, 11, day) for day in days]
+    axes = control_figure(at, chart).axes[-1]
+    first, last = axes.get_xlim()
+    dots = [x for line in axes.lines for x in line.get_xdata()]
+    bands = [path.vertices[:, 0] for each in axes.collections for path in each.get_paths()]
+    assert first < date2num(at[0])
+    assert max(dots) < last
+    assert all(first <= x.min() and x.max() <= last for x in bands)
+    # No more empty days on either side than lie between two calibrations, or two
+    beyond = max((days[-1] - days[0]) / max(len(days) - 1, 1), 2.0)
+    assert date2num(at[0]) - first < beyond
+    assert last - date2num(at[-1]) < beyond

@@ -32,7 +32,9 @@ def control_figure(
     at = np.array(date2num(list(days)), dtype=np.float64)  # type: ignore[no-untyped-call]
     for k in range(1, len(at)):
         at[k] = max(at[k], at[k - 1] + 0.03 * max(at[-1] - at[0], 1.0))
-    room = np.diff(at, prepend=at[0] - 30.0, append=at[-1] + 30.0)
+    # At the ends there is as much room as between two on the mean, and some days at least.
+    between = max(3.0, (at[-1] - at[0]) / max(len(at) - 1, 1))
+    room = np.diff(at, prepend=at[0] - between, append=at[-1] + between)
     moved = np.array([each.moved for each in charted])
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         for j, each in enumerate(charted):
@@ -56,7 +58,8 @@ def control_figure(
             xytext=(0, 3), textcoords="offset points", fontsize=SMALL, color=INK, rotation=25,
             ha="left", va="bottom",
         )  # fmt: skip
-    locator = AutoDateLocator()  # type: ignore[no-untyped-call]
+    panels[-1].set_xlim(at[0] - HALF * between, at[-1] + HALF * between)
+    locator = AutoDateLocator(minticks=2)  # type: ignore[no-untyped-call]
     panels[-1].xaxis.set_major_locator(locator)
     formatter = ConciseDateFormatter(locator)  # type: ignore[no-untyped-call]
     panels[-1].xaxis.set_major_formatter(formatter)
