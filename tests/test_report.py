@@ -14,6 +14,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
 
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.errors import InputError, LispacError
@@ -379,3 +381,15 @@ def test_figures_draw_into_the_figure_given(project: Project) -> None:
     site = figures.site_figure({"L1": [(0, 0), (10, 0)]}, {"T1": (5.0, 2.0, 1.0)}, {}, figure)
     left, right = site.axes[0].get_xlim()
     assert left > right  # west is positive and lies on the left
+
+
+def test_names_of_near_planes_do_not_meet_on_the_plan() -> None:
+    near = {f"V{k}": (20.0 + 0.6 * k, 30.0 - 0.4 * k, 2.0) for k in range(4)}
+    targets = {"T1": (20.5, 30.1, 1.0), "T2": (80.0, -10.0, 1.0)}
+    figure = figures.site_figure({"L1": [(0, 0), (100, 0)]}, targets, near)
+    figure.set_layout_engine("constrained")
+    FigureCanvasAgg(figure).draw()
+    labels = [text for text in figure.axes[0].texts if text.get_text() in {*near, *targets}]
+    boxes = [Text.get_window_extent(text) for text in labels]
+    assert len(boxes) == 6
+    assert not [(a, b) for k, a in enumerate(boxes) for b in boxes[k + 1 :] if a.overlaps(b)]

@@ -5,7 +5,7 @@ never in matplotlib's global settings, so that drawing in a worker disturbs nobo
 """
 
 import pickle
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, lru_cache
 from io import BytesIO
 from pathlib import Path
@@ -16,6 +16,7 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
+from matplotlib.transforms import offset_copy
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
@@ -44,6 +45,9 @@ PER_RESIDUAL_FIGURE = 28
 """Sightings that fit on a page of bars."""
 
 LONGEST_LABEL = 24
+
+NEAR = 0.05, 0.09
+"""Marks on the site plan whose names would meet, north and west; shares of what is drawn."""
 
 POS_COMPONENTS = ("North", "West", "Up", "Roll", "Pitch", "Heading")
 """In the order of `SightingReliability.pos_error`."""
@@ -105,6 +109,12 @@ def site_figure(
         )
     _draw_seeds(axes, targets, "s", "#bb2222", say("target"))
     _draw_seeds(axes, validation, "^", "#111111", say("validation plane"))
+    marks = [
+        (name, seed, colour)
+        for seeds, colour in ((targets, "#bb2222"), (validation, "#111111"))
+        for name, seed in seeds.items()
+    ]
+    _label_seeds(axes, marks, tracks.values())
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
     axes.invert_xaxis()  # west is positive in the local frame, and lies on the left
@@ -317,10 +327,37 @@ def _draw_seeds(
         return
     places = np.array([seed[:2] for seed in seeds.values()])
     axes.plot(places[:, 1], places[:, 0], marker, color=colour, markersize=5, label=label, zorder=3)
-    # Two targets often hang side by side: every second name goes below its mark.
-    ordered = sorted(seeds.items(), key=lambda item: item[1][0])
-    for k, (name, seed) in enumerate(ordered):
-        axes.annotate(
-            short_name(name), (seed[1], seed[0]), textcoords="offset points",
-            xytext=(5, -9 if k % 2 == 0 else 4), fontsize=SMALL, color=colour, zorder=3,
-        )  # fmt: skip
+
+
+def _label_seeds(
+    axes: Axes, marks: Sequence[tuple[str, Sequence[float], str]], tracks: Iterable[ArrayLike]
+) -> None:
+    """Names beside their marks; those of near marks are stacked, with a line to each.
+
+    Parameters
+    ----------
+    marks : name, seed in metres (north, west), colour
+    """
+    if not marks:
+        return
+    seeds = np.array([seed[:2] for _, seed, _ in marks], dtype=float)
+    drawn = np.vstack([seeds, *(np.reshape(track, (-1, 2)) for track in tracks)])
+    near = np.array(NEAR) * max(float(np.ptp(drawn, axis=0).max()), 1e-9)
+    groups: list[list[int]] = []
+    for k in np.argsort(-seeds[:, 0], kind="stable"):  # from north to south
+        touched = [g for g in groups if (np.abs(seeds[g] - seeds[k]) < near).all(axis=1).any()]
+        groups = [g for g in groups if g not in touched]
+        groups.append(sorted({int(k)}.union(*touched), key=lambda j: (-seeds[j, 0], j)))
+    figure = axes.get_figure(root=True)
+    for group in groups:
+        alone = len(group) == 1
+        north, west = seeds[group, 0].mean(), seeds[group, 1].min()
+        for row, k in enumerate(group):
+            name, _, colour = marks[k]
+            right, up = (5, 7) if alone else (16, 9.5 * (0.5 * (len(group) - 1) - row))
+            beside = offset_copy(axes.transData, figure, right, up, units="points")
+            axes.annotate(
+                short_name(name), (seeds[k, 1], seeds[k, 0]), xytext=(west, north),
+                textcoords=beside, fontsize=SMALL, color=colour, zorder=3, va="center",
+                arrowprops=None if alone else {"arrowstyle": "-", "color": colour, "lw": 0.5},
+            )  # fmt: skip
