@@ -6,7 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy import stats
 
+from lispac.adjustment.critical import rarely_more
 from lispac.adjustment.doubts import RULES, doubts
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import Contradiction
@@ -225,3 +227,8 @@ def test_a_doubt_outlives_saving(project: Project, tmp_path: Path) -> None:
     assert doubts(opened.result, opened.cross_checks) == doubts(saved.result, saved.cross_checks)
     (found,) = opened.result.contradictions
     np.testing.assert_array_equal(found.moved, saved.result.contradictions[0].moved)
+
+
+@pytest.mark.parametrize("points", [1, 2, 50, 999, 2_215, 1_000_000])
+def test_strays_by_chance_are_those_of_the_binomial_distribution(points: int) -> None:
+    assert rarely_more(points, 0.001) == stats.binom.isf(0.001, points, 0.001)

@@ -12,8 +12,8 @@ from typing import Literal
 
 import numpy as np
 import scipy.linalg
-import scipy.stats
 from numpy.typing import NDArray
+from scipy.special import chdtrc
 
 from lispac.adjustment.adaptation import with_surface
 from lispac.adjustment.normal import columns_basis
@@ -166,7 +166,7 @@ def _chance(linearised: Linearised, found: Blunder) -> float:
     if not seen.any():
         return 1.0
     statistic = float((((directions.T @ pull) ** 2)[seen] / values[seen]).sum())
-    return float(scipy.stats.chi2.sf(statistic, int(seen.sum())))
+    return float(chdtrc(int(seen.sum()), statistic))
 
 
 SEEN = 1e-6

@@ -1,6 +1,10 @@
-"""The test value beyond which a sighting disagrees; window and report judge by the same one."""
+"""The test value beyond which a sighting disagrees; window and report judge by the same one.
 
-import scipy.stats
+Distributions come from scipy.special: scipy.stats takes a second to import, at every start.
+"""
+
+import numpy as np
+from scipy.special import bdtrc, ndtri
 
 from lispac.adjustment.blunders import FAMILY
 from lispac.adjustment.result import AdjustmentResult
@@ -14,4 +18,12 @@ def critical_w(result: AdjustmentResult) -> float | None:
     """
     if not result.reliability:
         return None
-    return float(scipy.stats.norm.isf(FAMILY / 2 / len(result.reliability)))
+    return float(-ndtri(FAMILY / 2 / len(result.reliability)))
+
+
+def rarely_more(points: int, chance: float) -> int:
+    """How many of so many points go beyond what each exceeds with ``chance``, and no more but with
+    that chance."""
+    mean = points * chance
+    counts = np.arange(int(mean + 10.0 * np.sqrt(mean)) + 20)
+    return int(np.argmax(bdtrc(np.minimum(counts, points), points, chance) <= chance))

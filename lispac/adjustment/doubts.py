@@ -8,9 +8,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.stats
 
-from lispac.adjustment.critical import critical_w
+from lispac.adjustment.critical import critical_w, rarely_more
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.observations import Sighting
 from lispac.adjustment.omitted import OF_CONSEQUENCE
@@ -288,7 +287,7 @@ def _strays(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
         for item in result.reliability
     ]
     strays, points = sum(each[1] for each in tested), sum(each[2] for each in tested)
-    most = scipy.stats.binom.isf(STRAY_CHANCE, points, STRAY_CHANCE) if points else 0.0
+    most = rarely_more(points, STRAY_CHANCE)
     if strays <= max(float(most), FEW_STRAYS * points):
         return
     worst, here, of = max(tested, key=lambda each: each[1] / each[2])

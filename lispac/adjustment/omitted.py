@@ -10,8 +10,8 @@ error.
 from dataclasses import replace
 
 import numpy as np
-import scipy.stats
 from numpy.typing import NDArray
+from scipy.special import ndtri
 
 from lispac.adjustment.adaptation import with_surface
 from lispac.adjustment.components import SMALLEST_SURFACE
@@ -54,7 +54,7 @@ def contradictions(
     every = problem.with_parameters((*problem.parameters, *omitted))
     all_let_go = every.linearised(linearised.state, linearised.loss)
     sigma_now = np.sqrt(np.diag(linearised.normal.covariance)[:3])
-    critical = scipy.stats.norm.isf(FAMILY / 2 / len(SWITCHED))
+    critical = -ndtri(FAMILY / 2 / len(SWITCHED))
     found: list[Contradiction] = []
     gone, moved = problem.parameters, np.zeros(3)
     while True:  # what is let go of first may explain what the others seem to want

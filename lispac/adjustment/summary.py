@@ -3,8 +3,8 @@
 import time
 
 import numpy as np
-import scipy.stats
 from numpy.typing import NDArray
+from scipy.special import chdtri
 
 from lispac.adjustment.conditions import misclosures
 from lispac.adjustment.observability import observability
@@ -57,7 +57,7 @@ def summary(
     unknowns = len(layout.active) + sum(s.stop - s.start for s in layout.shapes)
     known = sum(p.sigma is not None for p in problem.parameters)
     freedom = len(observations) + known - unknowns
-    lower, upper = scipy.stats.chi2.ppf([0.025, 0.975], freedom) if freedom > 0 else (0.0, 0.0)
+    lower, upper = chdtri(freedom, [0.975, 0.025]) if freedom > 0 else (0.0, 0.0)
     after, standardised = problem.residuals(state)
     statistic = _statistic(linearised, state, standardised)
     targets, sightings, rms = _residuals(

@@ -6,8 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
-from scipy.stats import f as f_distribution
-from scipy.stats import norm
+from scipy.special import fdtrc, ndtri
 
 from lispac.geometry.planes import Plane, extent_in_plane, in_plane_axes, rms_distance
 from lispac.geometry.spheres import Sphere, rms_from_sphere, share_seen
@@ -37,7 +36,7 @@ SPARSE = (0.7, 0.5)
 CURVED, UNEVEN = (1.0, 3.0), (1.0, 1.5)
 # Chance at which a departure counts as there, and as beyond a limit.
 CERTAIN = 1e-3
-SIGMAS = float(norm.isf(CERTAIN))
+SIGMAS = float(-ndtri(CERTAIN))
 # Share of a sphere's surface; a full view shows half of it.
 LITTLE_SEEN = (0.2, 0.12)
 
@@ -328,7 +327,7 @@ def _shape(placed: Array, off: Array, cell: float) -> tuple[float, float, bool, 
     across = np.array([2 * u * u, 2 * u * v, 2 * v * v])
     spread = float(across @ inverse[3:, 3:] @ across) * smooth / freedom
     doubt = np.sqrt(max(spread, 0.0)) * lengths[most] ** 2 / 8
-    curved = bool(f_distribution.sf(ratio, 3, freedom) < CERTAIN)
+    curved = bool(fdtrc(3, freedom, ratio) < CERTAIN)
     # Within a cell there is only noise; what the means have beyond it is the surface's own.
     within = float(np.sum((off - w[key]) ** 2)) / max(len(off) - len(count), 1)
     beyond = smooth / freedom - within

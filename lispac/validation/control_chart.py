@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import norm
+from scipy.special import ndtr
 
 from lispac.validation.repeatability import Calibration, Difference, difference, mean_of
 
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 LIMIT = 3.0
 """Sigmas of the difference from the mean, beyond which the mounting is said to have moved."""
-CHANCE = float(2.0 * norm.sf(LIMIT))
+CHANCE = float(2.0 * ndtr(-LIMIT))
 """Of that without a reason, for one angle; and for the three together, which are tested too. Either
 comes up without a reason for hardly one calibration in a hundred."""
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.knn import planes_of
@@ -198,4 +198,4 @@ def _differences(samples: Array) -> tuple[Array, Array]:
     freedom = np.ones(len(total))
     own = (of_mean[scattered] ** 2 / (count[scattered] - 1)).sum(axis=1)
     freedom[scattered] = total[scattered] ** 2 / own
-    return mean[:, 0] - mean[:, 1], student.ppf(0.975, freedom) * np.sqrt(total)
+    return mean[:, 0] - mean[:, 1], stdtrit(freedom, 0.975) * np.sqrt(total)

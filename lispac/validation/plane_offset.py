@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from lispac.errors import NotComparable
 from lispac.geometry.planes import fit_plane_resisting, in_plane_axes
@@ -100,7 +100,7 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
     freedom = np.array([[fit.freedom] for fit in fits])
     scattered = np.maximum((shares**2 / freedom).sum(axis=0), np.finfo(float).tiny)
     # Welch 1947, as in `normal_distance`.
-    half = student.ppf(0.975, np.maximum(total**2 / scattered, 1.0)) * np.sqrt(total)
+    half = stdtrit(np.maximum(total**2 / scattered, 1.0), 0.975) * np.sqrt(total)
     # z grows along the level axis u where the plane turns about the upright one, and the other way.
     return PlaneOffset(
         offset=float(difference[0]),

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from lispac.errors import NotComparable
 from lispac.geometry.neighbours import Cells, PointGrid, gather
@@ -229,7 +229,7 @@ def _plane_of(
     at = np.array([1.0, *foot])
     freedom = len(near) - 3
     variance = rms**2 * len(near) / freedom
-    half = student.ppf(0.975, freedom) * np.sqrt(
+    half = stdtrit(freedom, 0.975) * np.sqrt(
         variance * (at @ np.linalg.solve(design.T @ design, at))
     )
     return float(normal @ (middle - place)), float(half), normal

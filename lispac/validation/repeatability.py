@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import chi2
+from scipy.special import chdtrc
 
 from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
@@ -118,7 +118,7 @@ def difference(first: Calibration, second: Calibration) -> Difference:
         angles,
         np.sqrt(np.diag(covariance)),
         statistic,
-        float(chi2.sf(statistic, 3)),
+        float(chdtrc(3, statistic)),
         turn,
     )
 
@@ -168,7 +168,7 @@ def repeated(calibrations: Sequence[Calibration]) -> Repeated:
         together.sigma,
         angles.std(axis=0, ddof=1),
         statistic,
-        float(chi2.sf(statistic, 3 * (len(calibrations) - 1))),
+        float(chdtrc(3 * (len(calibrations) - 1), statistic)),
     )
 
 
