@@ -5,6 +5,7 @@ A list of seeds of which some led to no target ends with 1 too; the others are s
 
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 
 from lispac.cli.console import UsageError
 from lispac.cli.parser import build_parser
@@ -17,10 +18,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = build_parser()
     arguments = parser.parse_args(plain_numbers(sys.argv[1:] if argv is None else argv))
     try:
-        # Imported after parsing: --version and --help answer without NumPy and Numba.
-        from lispac.cli import commands
-
-        getattr(commands, arguments.command)(arguments)
+        # Its own module only, after parsing: --version and --help answer without NumPy and
+        # Numba, and no command waits for what another needs.
+        module = import_module(f"lispac.cli.{arguments.command}")
+        getattr(module, arguments.command)(arguments)
     except UsageError as error:
         print(f"lispac: {error}", file=sys.stderr)
         return 2

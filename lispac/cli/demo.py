@@ -1,0 +1,38 @@
+"""``lispac demo``: a simulated survey, from the lines to the report."""
+
+import subprocess
+import sys
+from argparse import Namespace
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import ConsoleProgress, has_display, print_json
+from lispac.cli.estimate import print_result, project_numbers
+from lispac.cli.validate import print_validation, rms_with_truth
+from lispac.doubles import doubles
+from lispac.workflow import demo as demo_survey
+from lispac.workflow.export import write_report
+
+
+def demo(arguments: Namespace) -> None:
+    """Simulate, calibrate, validate, report; then open the window where there is a screen."""
+    with ConsoleProgress() as progress:
+        project, survey = demo_survey.run_demo(arguments.output, progress=progress)
+        true = rms_with_truth(project, survey)
+        report = project.folder / "report.pdf"
+        write_report(project, survey, report)
+        write_report(project, survey, report.with_suffix(".html"))
+    if arguments.json:
+        truth = dict(zip(ANGLES, project.truth_deg or (), strict=True))
+        print_json(project_numbers(project) | {"truth_deg": truth, "rms_truth_m": true}
+                    | {"report": str(report), "project": str(project.folder)})  # fmt: skip
+    else:
+        assert project.result is not None
+        print_result(project.result, project.cross_checks, doubles(project))
+        if project.truth_deg is not None:
+            print("truth      " + "".join(f"{angle:+12.4f}" for angle in project.truth_deg))
+        print_validation(project, true)
+        print(f"project    {project.folder}")
+        print(f"report     {report}")
+    if not arguments.no_window and has_display():
+        sys.stdout.flush()
+        subprocess.run([sys.executable, "-m", "lispac.gui", str(project.folder)], check=False)

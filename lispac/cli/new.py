@@ -1,0 +1,69 @@
+"""``lispac new``: a project of a trajectory and lines."""
+
+import math
+import sys
+from argparse import Namespace
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.estimate_options import noise_and_offsets
+from lispac.project import LineSource, Reading, Settings
+from lispac.workflow import projects
+from lispac.workflow.survey import Survey
+
+
+def new(arguments: Namespace) -> None:
+    """Make a project; the lines are read once, so that what cannot be used is said now."""
+    columns = tuple(arguments.columns.split(",")) if arguments.columns else ()
+    given: dict[str, Any] = {
+        "boresight_deg": arguments.boresight,
+        "origin_deg_m": arguments.origin,
+        "position_sigma": arguments.position_sigma,
+        "attitude_sigma_deg": arguments.attitude_sigma,
+    }
+    triples: dict[str, Any] = {k: tuple(v) for k, v in given.items() if v is not None}
+    settings = Settings(
+        lever_arm=tuple(arguments.lever_arm), **triples, **noise_and_offsets(arguments)
+    )
+    if arguments.longest_gap is not None:
+        settings = replace(settings, longest_gap=arguments.longest_gap)
+    reading = Reading(
+        arguments.line_format or "", tuple(arguments.line_option), arguments.time_shift
+    )
+    lines = [LineSource(name, path, columns, reading) for name, path in _named(arguments.lines)]
+    with ConsoleProgress() as progress:
+        project, survey = projects.new_project(
+            arguments.project,
+            trajectory=arguments.trajectory,
+            lines=lines,
+            settings=settings,
+            accuracy=arguments.trajectory_accuracy,
+            trajectory_reading=Reading(
+                arguments.trajectory_format or "", tuple(arguments.trajectory_option)
+            ),
+            accuracy_reading=Reading(
+                arguments.accuracy_format or "", tuple(arguments.accuracy_option)
+            ),
+            progress=progress,
+        )
+    _notes(survey)
+    points = {name: len(scan) for name, scan in survey.scans.items()}
+    if arguments.json:
+        print_json({"project": str(project.folder), "points": points})
+        return
+    for name, count in points.items():
+        heading = math.degrees(survey.heading[name]) % 360
+        print(f"{name:20s} {count:12,} points, heading {heading:5.1f} deg")
+    print(f"project    {project.folder}")
+
+
+def _named(paths: Iterable[Path]) -> list[tuple[str, Path]]:
+    return [(path.stem, path) for path in paths]
+
+
+def _notes(survey: Survey) -> None:
+    for note in survey.notes:
+        print(f"note: {note}", file=sys.stderr)

@@ -1,0 +1,68 @@
+"""``lispac validate``: the lines against each other on planes that took no part."""
+
+from argparse import Namespace
+from collections.abc import Mapping
+
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.doubles import doubles
+from lispac.project import Project
+from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
+from lispac.workflow import projects
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.validation import validate as validated
+from lispac.workflow.validation import validate_with_truth
+
+
+def validate(arguments: Namespace) -> None:
+    """Compare the lines on the validation planes and save the figures."""
+    kind = arguments.distance_to
+    if kind == "point" and not (arguments.radius is None and arguments.neighbours is None):
+        raise UsageError(
+            "validate: the distance to the nearest point knows no --radius and no --neighbours; "
+            "leave them out, or take --distance-to plane."
+        )
+    usual = USUAL_NEIGHBOURS[kind]
+    model = LocalModel(
+        kind, usual if arguments.neighbours is None else arguments.neighbours, arguments.radius
+    )
+    project = projects.open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+        project = validated(project, survey, model=model, progress=progress)
+    projects.save_project(project)
+    true = rms_with_truth(project, survey)
+    if arguments.json:
+        print_json(
+            {
+                "planes": [comparison.to_dict() for comparison in project.validation],
+                "rms_truth_m": true,
+                "not_compared": dict(project.not_compared),
+                "doubts": [doubt.plain for doubt in doubles(project)],
+            }
+        )
+    else:
+        print_validation(project, true)
+
+
+def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
+    """RMS distance between the lines on each plane with the simulated boresight, metres."""
+    if project.truth_deg is None:
+        return {}
+    return {each.name: each.after.rms for each in validate_with_truth(project, survey)}
+
+
+def print_validation(project: Project, true: Mapping[str, float]) -> None:
+    """The distances between the lines on each plane, one row a plane."""
+    last = f"{'with truth':>14s}" if true else ""
+    heads = f"{'points':>10s}{'RMS before':>14s}{'RMS after':>14s}{last}"
+    print(f"{'validation':12s}{heads}  mm, line to line")
+    for each in project.validation:
+        values = [each.before.rms, each.after.rms]
+        if each.name in true:
+            values.append(true[each.name])
+        figures = "".join(f"{1000 * value:14.1f}" for value in values)
+        print(f"{each.name:12s}{each.after.n:10,}{figures}")
+    for reason in project.not_compared.values():
+        print(f"not compared: {reason}")
+    for doubt in doubles(project):
+        print(f"note: {doubt.plain}")
