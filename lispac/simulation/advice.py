@@ -13,6 +13,7 @@ from lispac.adjustment.problem import RELEASED, Problem
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.shapes import points_local
 from lispac.adjustment.shown import listed, parameter
+from lispac.simulation.closed_form import STEEPEST
 from lispac.survey.georeferencing import to_lidar
 from lispac.survey.trajectory import Poses
 
@@ -20,9 +21,6 @@ Array = NDArray[np.float64]
 
 HEADINGS = np.radians(np.arange(0, 360, 15))
 SPEED = 1.0  # metres per second
-STEEPEST = np.cos(np.radians(75.0))
-"""A board seen more obliquely than this gives few points and poor ones."""
-
 WORTH_IT = 0.85
 """A line that leaves more than this share of the sigma is not worth sailing for it."""
 

@@ -46,20 +46,45 @@ class Board:
         scanner : ndarray of shape (3,), optional
             Not needed: all of a board is seen from wherever it faces.
         """
-        normal = np.array(self.normal) / np.linalg.norm(self.normal)
-        # A level board has no horizontal edge of its own: north and west will do.
-        across = np.cross([1.0, 0.0, 0.0] if abs(normal[2]) > 0.999 else [0.0, 0.0, 1.0], normal)
-        across /= np.linalg.norm(across)
-        up = np.cross(normal, across)
         u, v = (
             np.arange(-side / 2 + start, side / 2, spacing)
             for side, start in zip(
                 (self.width, self.height), generator.uniform(0, spacing, 2), strict=True
             )
         )
-        u, v = (grid.ravel() for grid in np.meshgrid(u, v))
+        u, v = np.meshgrid(u, v)
+        return self._placed(u.ravel(), v.ravel())
+
+    def grid(self, k: int) -> Array:
+        """``k`` x ``k`` points, with the centre and the second moments of the whole board.
+
+        They say of the plane what all points of the board say.
+
+        Returns
+        -------
+        ndarray of shape (k * k, 3), metres, local
+        """
+        middles = (np.arange(k) + 0.5) / k - 0.5
+        middles /= np.sqrt(1 - 1 / k**2)  # middles of equal parts lie a little close together
+        u, v = np.meshgrid(self.width * middles, self.height * middles)
+        return self._placed(u.ravel(), v.ravel())
+
+    @property
+    def facing(self) -> Array:
+        """Unit normal, shape (3,), local."""
+        return np.asarray(np.array(self.normal) / np.linalg.norm(self.normal))
+
+    def _placed(self, u: Array, v: Array) -> Array:
+        # A level board has no horizontal edge of its own: north and west will do.
+        normal = self.facing
+        across = np.cross([1.0, 0.0, 0.0] if abs(normal[2]) > 0.999 else [0.0, 0.0, 1.0], normal)
+        across /= np.linalg.norm(across)
+        up = np.cross(normal, across)
         return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
 
+
+STEEPEST = np.cos(np.radians(75.0))
+"""A board seen more obliquely than this gives few points and poor ones."""
 
 VISIBLE = np.radians(80.0)
 """Beyond this angle of incidence the beam only grazes a ball."""
@@ -93,15 +118,29 @@ class Ball:
         scanner : ndarray of shape (3,), metres, local
             Where it is seen from.
         """
+        rim = self.rim
+        u, v = (np.arange(-rim + start, rim, spacing) for start in generator.uniform(0, spacing, 2))
+        u, v = np.meshgrid(u, v)
+        return self._cap(u.ravel(), v.ravel(), scanner)
+
+    def grid(self, k: int, scanner: Array) -> Array:
+        """Points of `points` on a grid of ``k`` x ``k`` over the view, those that meet the ball."""
+        middles = self.rim * (2 * (np.arange(k) + 0.5) / k - 1)
+        u, v = np.meshgrid(middles, middles)
+        return self._cap(u.ravel(), v.ravel(), scanner)
+
+    @property
+    def rim(self) -> float:
+        """Radius of what is seen of it, across the view, metres."""
+        return float(self.radius * np.sin(VISIBLE))
+
+    def _cap(self, u: Array, v: Array, scanner: Array) -> Array:
         towards = scanner - np.array(self.centre)
         towards /= np.linalg.norm(towards)
         across = np.cross([0.0, 0.0, 1.0], towards)
         across /= np.linalg.norm(across)
         up = np.cross(towards, across)
-        rim = self.radius * np.sin(VISIBLE)
-        u, v = (np.arange(-rim + start, rim, spacing) for start in generator.uniform(0, spacing, 2))
-        u, v = (grid.ravel() for grid in np.meshgrid(u, v))
-        seen = u**2 + v**2 <= rim**2
+        seen = u**2 + v**2 <= self.rim**2
         u, v = u[seen, None], v[seen, None]
         depth = np.sqrt(self.radius**2 - u**2 - v**2)
         return np.asarray(np.array(self.centre) + u * across + v * up + depth * towards)
@@ -198,7 +237,7 @@ def exact_survey(
     rows, sightings = [], []
     for target in targets:
         for course in courses:
-            points = target.points(spacing, generator, _abeam(mounting, target, course))
+            points = target.points(spacing, generator, abeam(mounting, target, course))
             # The profile stands across the course and meets a point when the scanner is abeam.
             along = (points - [*course.abeam, 0.0]) @ course.direction - mounting.lever_arm[0]
             time = course.time + along / course.speed
@@ -230,7 +269,7 @@ def exact_survey(
     )
 
 
-def _abeam(mounting: Mounting, target: Board | Ball, course: Course) -> Array:
+def abeam(mounting: Mounting, target: Board | Ball, course: Course) -> Array:
     """Where the scanner is when the middle of a target is abeam, on a calm sea, shape (3,)."""
     foot, centre = np.array([*course.abeam, 0.0]), np.array(target.centre)
     left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])

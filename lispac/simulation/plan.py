@@ -1,0 +1,165 @@
+"""A calibration before it is sailed: the targets, the lines past them, and with what."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.stochastic import PosErrors
+from lispac.simulation.closed_form import Ball, Board, Course
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
+from lispac.simulation.scanner import Profiler
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+SIX = (0, 180, 45, 225, 315, 135)
+"""Degrees: headings of the six-fold pattern, against a wall that lies east (thesis figure 3.3)."""
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """What the vessel carries.
+
+    Attributes
+    ----------
+    mounting : Mounting
+        As far as it is known; the sigmas hardly depend on it.
+    scanner : Profiler
+    pos : PosErrorModel
+    pos_errors : {"correlated", "independent"}
+        How the adjustment takes the POS errors: drifting, or, as in the thesis, every point with
+        one of its own.
+    """
+
+    mounting: Mounting = field(
+        default_factory=lambda: Mounting(np.array([0.0, 0.0, 2.0]), np.zeros(3))
+    )
+    scanner: Profiler = field(default_factory=lambda: Profiler(150_000.0))
+    pos: PosErrorModel = HYDROGRAPHIC_INS
+    pos_errors: PosErrors = "correlated"
+
+    def with_pos_scaled(self, factor: float) -> "System":
+        """The same with a POS whose sigmas are so many times as large."""
+        north, east, up = (factor * sigma for sigma in self.pos.sigma_position)
+        roll, pitch, heading = (factor * sigma for sigma in self.pos.sigma_attitude)
+        return replace(
+            self,
+            pos=replace(
+                self.pos,
+                sigma_position=(north, east, up),
+                sigma_attitude=(roll, pitch, heading),
+            ),
+        )
+
+
+@dataclass(frozen=True)
+class Line:
+    """A straight line past the site.
+
+    Attributes
+    ----------
+    heading_deg : float, degrees clockwise from north
+    distance : float, metres
+        At which the middle of the site passes abeam.
+    starboard : bool
+        Whether to starboard, and not to port.
+    speed : float, metres per second
+    """
+
+    heading_deg: float
+    distance: float = 15.0
+    starboard: bool = True
+    speed: float = 1.0
+
+    @property
+    def name(self) -> str:
+        """Heading, distance and side in short, as on a field plan."""
+        side = "starboard" if self.starboard else "port"
+        return f"{self.heading_deg % 360:03.0f} deg, {self.distance:g} m to {side}"
+
+    def abeam(self, middle: Sequence[float]) -> tuple[float, float]:
+        """Where the vessel is when the middle of the site is abeam: north and west, metres."""
+        heading = np.radians(self.heading_deg)
+        # From the site to the vessel: to port of the course where the site lies to starboard.
+        port = np.array([np.sin(heading), np.cos(heading)])
+        north, west = np.array(middle[:2]) + (port if self.starboard else -port) * self.distance
+        return float(north), float(west)
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A survey to be sailed.
+
+    Attributes
+    ----------
+    targets : tuple of Board or Ball
+    lines : tuple of Line
+        In the order they are sailed.
+    middle : tuple of float, metres, local
+        Of the site: what the lines pass.
+    system : System
+    interval : float, seconds
+        From one line to the next, with the turn.
+    flatness : float, metres
+        Standard deviation of how far a line may see a target off the shape that all lines have in
+        common (`StochasticModel.surface`): bent boards, range errors.
+    """
+
+    targets: tuple[Board | Ball, ...]
+    lines: tuple[Line, ...]
+    middle: tuple[float, float, float]
+    system: System = field(default_factory=System)
+    interval: float = 90.0
+    flatness: float = 0.0005
+
+    @property
+    def courses(self) -> tuple[Course, ...]:
+        """The lines where and when they are sailed."""
+        return tuple(
+            Course(
+                f"L{k + 1}",
+                float(np.radians(line.heading_deg)),
+                line.abeam(self.middle),
+                50.0 + k * self.interval,
+                line.speed,
+            )
+            for k, line in enumerate(self.lines)
+        )
+
+    @property
+    def duration(self) -> float:
+        """Time on site, seconds."""
+        return len(self.lines) * self.interval
+
+    def with_targets(self, targets: Sequence[Board | Ball]) -> "Plan":
+        """The same lines past other targets."""
+        return replace(self, targets=tuple(targets))
+
+    def with_lines(self, lines: Sequence[Line]) -> "Plan":
+        """Other lines past the same targets."""
+        return replace(self, lines=tuple(lines))
+
+
+def pattern(
+    headings_deg: Sequence[float] = SIX,
+    distance: float = 15.0,
+    *,
+    facing_deg: float = 270.0,
+    speed: float = 1.0,
+) -> tuple[Line, ...]:
+    """Lines that pass the site at one distance, on the side its wall faces.
+
+    Parameters
+    ----------
+    distance : float, metres
+    facing_deg : float, degrees
+        Azimuth the wall faces; the vessel stays on that side.
+    """
+    lines = []
+    for heading in headings_deg:
+        # The wall's side of the water lies to port where its azimuth is left of the course.
+        to_port = np.sin(np.radians(heading - facing_deg)) > 0
+        lines.append(Line(float(heading), distance, bool(to_port), speed))
+    return tuple(lines)

@@ -1,0 +1,229 @@
+"""The sigmas that a survey would give, foretold by the adjustment itself.
+
+No point is simulated: the sigmas of a least-squares adjustment follow from where the points lie,
+not from their errors. A few points stand for all that the scanner would measure on a target, each
+counting as many times as it stands for, and the adjustment's own equations
+(`lispac.adjustment.problem`) are put together once, at the truth.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.blas import one_thread
+from lispac.adjustment.observability import WORST_SIGMA
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.problem import Linearised, Problem
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.errors import RankDeficient
+from lispac.simulation.closed_form import STEEPEST, Ball, Board, Course, abeam
+from lispac.simulation.plan import Plan, System
+from lispac.survey.georeferencing import to_lidar
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+GRID = 4
+"""Points along each side of a board that stand for all: with their second moments put right, more
+of them change no sigma by a percent."""
+
+FEWEST = 20
+"""Points below which a sighting is too few to be picked."""
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """What a plan would give.
+
+    Attributes
+    ----------
+    information : ndarray of shape (3, 3), per square radian
+        Normal matrix of roll, pitch, yaw, all else eliminated.
+    points : dict of (target, line) to float
+        Points the scanner would measure; sightings too oblique or too poor are not in it.
+    """
+
+    information: Array
+    points: dict[tuple[str, str], float]
+
+    @property
+    def determined(self) -> bool:
+        """Whether all three angles are told to better than a degree."""
+        return bool(np.linalg.eigvalsh(self.information)[0] >= WORST_SIGMA**-2)
+
+    @property
+    def covariance(self) -> Array:
+        """Of roll, pitch, yaw, shape (3, 3), square radians; infinite where not determined."""
+        if not self.determined:
+            return np.full((3, 3), np.inf)
+        return np.asarray(np.linalg.inv(self.information))
+
+    @property
+    def sigma(self) -> Array:
+        """Standard deviations of roll, pitch, yaw, shape (3,), radians."""
+        return np.asarray(np.sqrt(np.diag(self.covariance)))
+
+    @property
+    def correlation(self) -> Array:
+        """Between roll, pitch, yaw, shape (3, 3); not a number where not determined."""
+        if not self.determined:
+            return np.full((3, 3), np.nan)
+        return np.asarray(self.covariance / np.outer(self.sigma, self.sigma))
+
+
+def predict(plan: Plan) -> Prediction:
+    """Sigmas of roll, pitch and yaw that the adjustment would state after a survey."""
+    seen = _Seen.of(plan)
+    if not seen.sightings:
+        return Prediction(np.zeros((3, 3)), {})
+    with one_thread():
+        try:
+            information = seen.linearised().normal.information(3)
+        except (RankDeficient, np.linalg.LinAlgError):
+            information = np.zeros((3, 3))
+    return Prediction(information, seen.points)
+
+
+def foretold(plan: Plan) -> Linearised:
+    """The adjustment's equations as they would be after a survey.
+
+    Raises
+    ------
+    RankDeficient
+        No target is seen on any line.
+    """
+    seen = _Seen.of(plan)
+    if not seen.sightings:
+        raise RankDeficient(
+            "No line sees a target: they look away from it, see it too obliquely or are too far "
+            "off. Let lines pass on the side the targets face, within the scanner's range."
+        )
+    with one_thread():
+        return seen.linearised()
+
+
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """The sightings of a plan: points that stand for all, and how many each stands for."""
+
+    plan: Plan
+    sightings: list[Sighting]
+    points: dict[tuple[str, str], float]
+    places: list[Array]
+    on_course: list[Course]
+
+    @classmethod
+    def of(cls, plan: Plan) -> "_Seen":
+        seen = cls(plan, [], {}, [], [])
+        courses = plan.courses
+        for target in plan.targets:
+            places = target.grid(GRID) if isinstance(target, Board) else None
+            for course in courses:
+                scanner = abeam(plan.system.mounting, target, course)
+                count = count_of_points(plan.system, target, course, scanner)
+                if count < FEWEST:
+                    continue
+                sighting = Sighting(target.name, course.name)
+                seen.sightings.append(sighting)
+                seen.points[target.name, course.name] = count
+                if isinstance(target, Ball):
+                    places = target.grid(2 * GRID, scanner)
+                assert places is not None
+                seen.places.append(places)
+                seen.on_course.append(course)
+        return seen
+
+    def observations(self) -> Observations:
+        """The points that stand for all, from a level vessel."""
+        system, counts = self.plan.system, [len(place) for place in self.places]
+        places = np.concatenate(self.places)
+        direction, heading, at_abeam, time, speed = (
+            np.repeat(np.array(values), counts, axis=0)
+            for values in zip(
+                *(
+                    (c.direction, c.heading, (*c.abeam, 0.0), c.time, c.speed)
+                    for c in self.on_course
+                ),
+                strict=True,
+            )
+        )
+        # The profile stands across the course and meets a point when the scanner is abeam.
+        along = np.einsum("ni,ni->n", places - at_abeam, direction)
+        along -= system.mounting.lever_arm[0]
+        position = at_abeam + along[:, None] * direction
+        attitude = np.stack([np.zeros_like(heading), np.zeros_like(heading), heading], axis=1)
+        scan = to_lidar(places, Poses(position, attitude), system.mounting)
+        ranges, scanner, count = np.linalg.norm(scan, axis=1), system.scanner, len(scan)
+        across = scanner.angle_sigma * ranges
+        balls = {t.name: t for t in self.plan.targets if isinstance(t, Ball)}
+        names = {sighting.target for sighting in self.sightings}
+        return Observations(
+            points_lidar=scan,
+            position=position,
+            attitude=attitude,
+            pose_rate=np.hstack([speed[:, None] * direction, np.zeros((count, 3))]),
+            sigma_lidar=np.stack([np.full(count, scanner.range_sigma), across, across], axis=1),
+            sigma_position=np.tile(system.pos.sigma_position, (count, 1)),
+            sigma_attitude=np.tile(system.pos.sigma_attitude, (count, 1)),
+            time=time + along / speed,
+            sighting=np.repeat(np.arange(len(counts)), counts),
+            sightings=tuple(self.sightings),
+            beam_sigmas=True,
+            radii={
+                name: ball.radius if ball.radius_known else None
+                for name, ball in balls.items()
+                if name in names
+            },
+        )
+
+    def linearised(self) -> Linearised:
+        """The equations at the truth, with every point counted as often as it stands for."""
+        plan, observations = self.plan, self.observations()
+        pos = plan.system.pos
+        model = StochasticModel(
+            plan.system.pos_errors, pos.time_position, pos.time_attitude, surface=plan.flatness
+        )
+        targets = {target.name: target for target in plan.targets}
+        shapes = np.stack([_shape(targets[name]) for name in observations.targets])
+        problem = Problem.of(observations, plan.system.mounting, model)
+        linearised = problem.linearised(problem.start(plan.system.mounting, shapes))
+        stands_for = np.array(list(self.points.values())) / observations.counts
+        weights = stands_for[problem.groups.sighting]
+        return replace(linearised, sums=linearised.sums * weights[:, None, None])
+
+
+def _shape(target: Board | Ball) -> Array:
+    """Plane (normal, offset) or sphere (centre, radius) as the adjustment has it, shape (4,)."""
+    if isinstance(target, Ball):
+        return np.array([*target.centre, target.radius])
+    return np.array([*target.facing, -target.facing @ np.array(target.centre)])
+
+
+def count_of_points(
+    system: System, target: Board | Ball, course: Course, scanner_place: Array
+) -> float:
+    """Points a profiler measures on a target in one pass; 0 where it cannot see it.
+
+    A profile every ``dt = 1 / profiles`` seconds along the course, a pulse in it every ``da = 2 pi
+    profiles / pulses`` radians: of an area A seen under the incidence ``i`` at the range ``r`` as
+    many as there are fields of ``v dt`` by ``r da`` in ``A cos(i)``.
+
+    Parameters
+    ----------
+    scanner_place : ndarray of shape (3,), metres, local
+        From `lispac.simulation.closed_form.abeam`.
+    """
+    ray = np.array(target.centre) - scanner_place
+    distance = float(np.linalg.norm(ray))
+    if distance > system.scanner.max_range:
+        return 0.0
+    if isinstance(target, Ball):
+        area = np.pi * target.rim**2
+    else:
+        facing = -float(ray @ target.facing) / distance
+        if facing < STEEPEST:
+            return 0.0
+        area = target.width * target.height * facing
+    step = 2 * np.pi * system.scanner.profiles_per_second / system.scanner.pulses_per_second
+    return area * system.scanner.profiles_per_second / (course.speed * step * distance)
