@@ -28,6 +28,8 @@ class Board:
     ----------
     centre, normal : tuple of float, metres, local; the normal looks to the vessel
     width, height : float, metres
+    flatness : float or None, metres
+        How far a line may see it off its plane, where that is not as the others of a plan.
     """
 
     name: str
@@ -35,6 +37,7 @@ class Board:
     normal: tuple[float, float, float]
     width: float = 1.23
     height: float = 1.22
+    flatness: float | None = None
 
     def points(
         self, spacing: float, generator: np.random.Generator, scanner: Array | None = None
@@ -100,12 +103,15 @@ class Ball:
     radius : float, metres
     radius_known : bool
         Whether the adjustment is told the radius.
+    flatness : float or None, metres
+        As of a board.
     """
 
     name: str
     centre: tuple[float, float, float]
     radius: float = 0.1
     radius_known: bool = True
+    flatness: float | None = None
 
     def points(self, spacing: float, generator: np.random.Generator, scanner: Array) -> Array:
         """Points of the cap that faces the scanner, shape (n, 3), metres, local.

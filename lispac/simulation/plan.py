@@ -104,7 +104,7 @@ class Plan:
         From one line to the next, with the turn.
     flatness : float, metres
         Standard deviation of how far a line may see a target off the shape that all lines have in
-        common (`StochasticModel.surface`): bent boards, range errors.
+        common (`StochasticModel.surface`): bent boards, range errors. Targets may have their own.
     """
 
     targets: tuple[Board | Ball, ...]

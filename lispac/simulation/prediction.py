@@ -28,6 +28,9 @@ GRID = 4
 """Points along each side of a board that stand for all: with their second moments put right, more
 of them change no sigma by a percent."""
 
+FLATTEST = 1e-6
+"""Metres: a target said to be perfectly flat beside others that are not."""
+
 FEWEST = 20
 """Points below which a sighting is too few to be picked."""
 
@@ -181,12 +184,19 @@ class _Seen:
         """The equations at the truth, with every point counted as often as it stands for."""
         plan, observations = self.plan, self.observations()
         pos = plan.system.pos
+        own_flatness = any(target.flatness is not None for target in plan.targets)
+        flatness = max(plan.flatness, FLATTEST) if own_flatness else plan.flatness
         model = StochasticModel(
-            plan.system.pos_errors, pos.time_position, pos.time_attitude, surface=plan.flatness
+            plan.system.pos_errors, pos.time_position, pos.time_attitude, surface=flatness
         )
         targets = {target.name: target for target in plan.targets}
         shapes = np.stack([_shape(targets[name]) for name in observations.targets])
         problem = Problem.of(observations, plan.system.mounting, model)
+        for name, target in targets.items():
+            own = [k for k, s in enumerate(self.sightings) if s.target == name]
+            if own and target.flatness is not None:
+                flatness = max(target.flatness, FLATTEST)
+                problem = problem.with_surface_of(own, slice(0, 3), flatness)
         linearised = problem.linearised(problem.start(plan.system.mounting, shapes))
         stands_for = np.array(list(self.points.values())) / observations.counts
         weights = stands_for[problem.groups.sighting]

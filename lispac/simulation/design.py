@@ -1,0 +1,397 @@
+"""The best site: which boards to hang where, and which lines to sail past them.
+
+Where the plans are few, all are looked at, and the best is the best. Where they are many,
+differential evolution (Storn and Price 1997, as scipy has it) searches among them, and what it
+finds is improved by exchanging one board or line at a time for any other that is allowed
+(coordinate exchange: Meyer and Nachtsheim 1995), until no exchange helps.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import combinations, product
+from math import comb
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.observability import one_facing
+from lispac.errors import RankDeficient
+from lispac.progress import Progress, no_progress
+from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.objective import BY_EYE, Objective
+from lispac.simulation.plan import SIX, Line, Plan, pattern
+from lispac.simulation.prediction import Prediction, predict
+from lispac.simulation.site import Site, apart
+
+Array = NDArray[np.float64]
+Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
+"""Calls a function on each of many values, in whatever process; the answers in order."""
+
+EXACTLY = 20_000
+"""Plans up to which all are looked at."""
+
+POPULATION = 8
+"""Plans a generation for each choice that is open."""
+
+HARDLY = 1e-3
+"""Relative gain that is worth an exchange."""
+
+NO_PLAN = 2 * BY_EYE
+"""Number of a plan whose boards hang over each other, or whose targets all face one way, which the
+adjustment refuses: worse than any."""
+
+
+@dataclass(frozen=True)
+class Worth:
+    """What a target or a line is worth: the number of the plan without it, radians."""
+
+    name: str
+    without: float
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """A plan on the way from much effort to little.
+
+    Attributes
+    ----------
+    minutes : float
+    value : float, radians
+        Of the objective.
+    """
+
+    plan: Plan
+    minutes: float
+    value: float
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """What the search found.
+
+    Attributes
+    ----------
+    plan : Plan
+    prediction : Prediction
+    value : float, radians
+        Of the objective.
+    exact : bool
+        Whether all plans were looked at, so that none is better.
+    looked_at : int
+        Plans.
+    worth : tuple of Worth
+        Of each target and each line, the most valuable first.
+    front : tuple of Step
+        The best plans found for less and less time; the first is the plan.
+    """
+
+    plan: Plan
+    prediction: Prediction
+    value: float
+    exact: bool
+    looked_at: int
+    worth: tuple[Worth, ...]
+    front: tuple[Step, ...]
+
+
+def search(
+    site: Site,
+    objective: Objective | None = None,
+    *,
+    plans: int = 10_000,
+    seed: int = 2019,
+    start: Plan | None = None,
+    mapper: Mapper = map,
+    progress: Progress = no_progress,
+) -> Design:
+    """Find the best plan that a site allows.
+
+    Parameters
+    ----------
+    plans : int
+        About how many to look at where there are too many to look at all.
+    seed : int
+        The same seed finds the same plan, with any mapper.
+    start : Plan, optional
+        One to begin with: the search never ends with a worse one, where the site allows it.
+    mapper : callable
+        `map`, or that of a pool of processes.
+
+    Raises
+    ------
+    RankDeficient
+        No plan that the site allows determines the boresight.
+    """
+    space = _Space(site, objective or Objective())
+    counted = _Counted(mapper, progress, min(plans, space.size))
+    exact = space.size <= EXACTLY
+    if exact:
+        chosen = _enumerated(space, counted)
+    else:
+        chosen = _exchanged(space, _evolved(space, counted, plans, seed, start), counted)
+    plan = space.plan(chosen)
+    prediction = predict(plan)
+    if not prediction.determined:
+        raise RankDeficient(
+            "No plan within these limits determines the boresight; allow more lines, other "
+            "headings, or boards of another inclination."
+        )
+    progress(0.95, "Weighing what each board and line is worth")
+    return Design(
+        plan,
+        prediction,
+        space.objective.of(plan),
+        exact,
+        counted.count,
+        worth(plan, space.objective),
+        _front(site, plan, space.objective),
+    )
+
+
+def faces_one_way(plan: Plan) -> bool:
+    """Whether all targets are planes that face one way: the adjustment would refuse them."""
+    normals = [t.facing if isinstance(t, Board) else np.zeros(3) for t in plan.targets]
+    balls = np.array([isinstance(t, Ball) for t in plan.targets])
+    return one_facing(np.stack(normals), balls)
+
+
+def worth(plan: Plan, objective: Objective) -> tuple[Worth, ...]:
+    """What each target and each line is worth, the most valuable first."""
+    found = []
+    for k, target in enumerate(plan.targets):
+        others = plan.with_targets((*plan.targets[:k], *plan.targets[k + 1 :]))
+        found.append(Worth(target.name, objective.of(others)))
+    for k, course in enumerate(plan.courses):
+        others = plan.with_lines((*plan.lines[:k], *plan.lines[k + 1 :]))
+        found.append(Worth(course.name, objective.of(others)))
+    return tuple(sorted(found, key=lambda each: -each.without))
+
+
+@dataclass(frozen=True)
+class _Choice:
+    """Indices of the boards and of the lines of a plan among those that are allowed."""
+
+    boards: tuple[int, ...]
+    lines: tuple[int, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class _Space:
+    """All plans that a site allows."""
+
+    site: Site
+    objective: Objective
+
+    @cached_property
+    def places(self) -> tuple[tuple[float, float, float, int], ...]:
+        """Along, height, inclination and size of each board that could hang."""
+        site = self.site
+        sizes = range(len(site.sizes))
+        return tuple(product(site.along, site.heights, site.inclinations_deg, sizes))
+
+    @cached_property
+    def lines(self) -> tuple[Line, ...]:
+        """Each line that could be sailed."""
+        return self.site.lines_allowed
+
+    @property
+    def size(self) -> int:
+        """Plans there are, those with boards over each other among them.
+
+        The order of the lines counts: what is sailed soon after each other shares its POS error.
+        """
+        boards = comb(len(self.places), self.site.boards) if self.site.boards else 1
+        return boards * int(len(self.lines) ** self.site.lines)
+
+    def all(self) -> Iterator[_Choice]:
+        """Every plan; a line may be sailed more than once."""
+        for boards in combinations(range(len(self.places)), self.site.boards):
+            for lines in product(range(len(self.lines)), repeat=self.site.lines):
+                yield _Choice(boards, lines)
+
+    def plan(self, choice: _Choice) -> Plan:
+        """The plan of a choice."""
+        boards = [
+            self.site.board(f"T{n + 1}", *self.places[k]) for n, k in enumerate(choice.boards)
+        ]
+        return self.site.plan(boards, [self.lines[k] for k in choice.lines])
+
+    def value(self, choice: _Choice) -> float:
+        """The objective's number of a choice, radians."""
+        plan = self.plan(choice)
+        hung = [t for t in plan.targets[: len(choice.boards)] if isinstance(t, Board)]
+        if not apart(hung) or faces_one_way(plan):
+            return NO_PLAN
+        return self.objective.of(plan)
+
+    @cached_property
+    def widths(self) -> tuple[int, ...]:
+        """How many values each gene has: of a board its four, of a line its place in the list.
+
+        Numbers near each other stand for like boards and lines, which an evolution needs.
+        """
+        site = self.site
+        board = (
+            len(site.along), len(site.heights), len(site.inclinations_deg), len(site.sizes),
+        )  # fmt: skip
+        return board * site.boards + (len(self.lines),) * site.lines
+
+    def choice(self, genes: Sequence[float] | Array) -> _Choice:
+        """The choice that genes stand for."""
+        whole = [min(int(g), w - 1) for g, w in zip(genes, self.widths, strict=True)]
+        boards = whole[: 4 * self.site.boards]
+        shape = self.widths[:4] if self.site.boards else (1, 1, 1, 1)
+        places = [
+            int(np.ravel_multi_index(tuple(boards[k : k + 4]), shape))
+            for k in range(0, len(boards), 4)
+        ]
+        return _Choice(tuple(places), tuple(whole[4 * self.site.boards :]))
+
+    def genes(self, choice: _Choice) -> list[float]:
+        """The inverse of `choice`."""
+        shape = self.widths[:4] if self.site.boards else (1, 1, 1, 1)
+        boards = [float(g) for k in choice.boards for g in np.unravel_index(k, shape)]
+        return [*boards, *(float(k) for k in choice.lines)]
+
+    def nearest(self, plan: Plan) -> _Choice | None:
+        """The choice that is a plan, or None where the site does not allow it."""
+        hung = [t for t in plan.targets if t not in self.site.natural]
+        if len(hung) != self.site.boards or len(plan.lines) != self.site.lines:
+            return None
+        allowed = [self.site.board("", *place) for place in self.places]
+        boards = [[k for k, other in enumerate(allowed) if _alike(other, t)] for t in hung]
+        lines = [[k for k, other in enumerate(self.lines) if other == line] for line in plan.lines]
+        if not all(boards) or not all(lines):
+            return None
+        return _Choice(tuple(found[0] for found in boards), tuple(found[0] for found in lines))
+
+
+def _alike(one: Board, other: Board | Ball) -> bool:
+    if isinstance(other, Ball):
+        return False
+    return bool(
+        np.allclose(one.centre, other.centre, atol=1e-6)
+        and np.allclose(one.facing, other.facing, atol=1e-6)
+        and (one.width, one.height) == (other.width, other.height)
+    )
+
+
+class _Counted:
+    """A mapper that counts what it was asked, and reports."""
+
+    def __init__(self, mapper: Mapper, progress: Progress, expected: int) -> None:
+        self.mapper, self.progress, self.expected = mapper, progress, expected
+        self.count, self.best = 0, float("inf")
+
+    def __call__(self, function: Callable[[Any], float], values: Iterable[Any]) -> list[float]:
+        found = []
+        for value in self.mapper(function, values):
+            found.append(value)
+            self.count += 1
+            self.best = min(self.best, value)
+            if self.count % 50 == 0:
+                done = min(self.count / self.expected, 1.0)
+                self.progress(
+                    0.9 * done,
+                    f"Looked at {self.count:,} plans, the best {np.degrees(self.best):.4f} deg",
+                )
+        return found
+
+
+def _enumerated(space: _Space, mapper: Mapper) -> _Choice:
+    choices = list(space.all())
+    values = list(mapper(space.value, choices))
+    return choices[int(np.argmin(values))]
+
+
+@dataclass(frozen=True, eq=False)
+class _OfGenes:
+    """The number of genes; a value that processes can be sent."""
+
+    space: _Space
+
+    def __call__(self, genes: Array) -> float:
+        return self.space.value(self.space.choice(genes))
+
+
+def _evolved(space: _Space, mapper: Mapper, plans: int, seed: int, start: Plan | None) -> _Choice:
+    from scipy.optimize import differential_evolution
+
+    known = None if start is None else space.nearest(start)
+    generations = max(plans // (POPULATION * len(space.widths)) - 1, 1)
+    result = differential_evolution(
+        _OfGenes(space),
+        [(0, width - 1) for width in space.widths],
+        integrality=True,
+        popsize=POPULATION,
+        maxiter=generations,
+        init="sobol",
+        x0=None if known is None else np.array(space.genes(known)),
+        seed=seed,
+        polish=False,
+        updating="deferred",
+        workers=mapper,
+        tol=0.0,
+    )
+    return space.choice(result.x)
+
+
+def _exchanged(space: _Space, choice: _Choice, mapper: Mapper) -> _Choice:
+    """The choice after all exchanges of one board or line that help."""
+    value = space.value(choice)
+    improved = True
+    while improved:
+        improved = False
+        for which, count in (("lines", len(space.lines)), ("boards", len(space.places))):
+            for slot in range(len(getattr(choice, which))):
+                kept: tuple[int, ...] = getattr(choice, which)
+                others = [
+                    replace(choice, **{which: (*kept[:slot], k, *kept[slot + 1 :])})
+                    for k in range(count)
+                ]
+                values = list(mapper(space.value, others))
+                best = int(np.argmin(values))
+                if values[best] < (1 - HARDLY) * value:
+                    choice, value, improved = others[best], values[best], True
+    return choice
+
+
+def _front(site: Site, plan: Plan, objective: Objective) -> tuple[Step, ...]:
+    """What is left out first: step by step what costs least for the minutes it saves."""
+    steps = [Step(plan, site.minutes(plan), objective.of(plan))]
+    while True:
+        now = steps[-1]
+        fewer = [
+            now.plan.with_lines(lines)
+            for k in range(len(now.plan.lines))
+            for lines in [(*now.plan.lines[:k], *now.plan.lines[k + 1 :])]
+        ]
+        fewer += [
+            now.plan.with_targets(targets)
+            for k, target in enumerate(now.plan.targets)
+            if target not in site.natural
+            for targets in [(*now.plan.targets[:k], *now.plan.targets[k + 1 :])]
+        ]
+        found = [Step(p, site.minutes(p), objective.of(p)) for p in fewer if p.targets and p.lines]
+        found = [s for s in found if predict(s.plan).determined and not faces_one_way(s.plan)]
+        if not found:
+            return tuple(steps)
+        steps.append(
+            min(found, key=lambda s: np.log(s.value / now.value) / (now.minutes - s.minutes))
+        )
+
+
+def thesis_plan(site: Site) -> Plan:
+    """What the thesis recommends, on a site: two boards, upright and at 45 deg, and six lines.
+
+    The boards hang 1.6 m apart at 5 m above the vessel, and all lines pass them at 15 m
+    (thesis 4.4.1, figures 3.3 and 4.2).
+    """
+    boards = [
+        site.board("T1", -0.8, 5.0, 90.0, 0),
+        site.board("T2", 0.8, 5.0, 45.0, 0),
+    ]
+    turned = [site.facing_deg - 270.0 + heading for heading in SIX]
+    return site.plan(boards, pattern(turned, 15.0, facing_deg=site.facing_deg))

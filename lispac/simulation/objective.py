@@ -1,0 +1,69 @@
+"""What makes one plan better than another: one number of its three sigmas."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.simulation.plan import Plan
+from lispac.simulation.prediction import Prediction, predict
+
+Array = NDArray[np.float64]
+
+Criterion = Literal["largest", "roll", "pitch", "yaw", "A", "D"]
+CRITERIA: dict[Criterion, str] = {
+    "largest": "the largest of the three sigmas",
+    "roll": "the sigma of roll",
+    "pitch": "the sigma of pitch",
+    "yaw": "the sigma of yaw",
+    "A": "the root mean square of the three sigmas (A-optimality)",
+    "D": "the radius of a ball as large as the confidence ellipsoid (D-optimality)",
+}
+
+BY_EYE = np.radians(10.0)
+"""A mounting is known so well before anything is measured: what keeps the number of a plan finite
+that determines nothing, so that a search can tell bad from worse."""
+
+
+_OF: dict[Criterion, Callable[[Array], float]] = {
+    "largest": lambda covariance: float(np.sqrt(np.diag(covariance).max())),
+    "roll": lambda covariance: float(np.sqrt(covariance[0, 0])),
+    "pitch": lambda covariance: float(np.sqrt(covariance[1, 1])),
+    "yaw": lambda covariance: float(np.sqrt(covariance[2, 2])),
+    "A": lambda covariance: float(np.sqrt(np.trace(covariance) / 3)),
+    "D": lambda covariance: float(np.linalg.det(covariance) ** (1 / 6)),
+}
+
+
+@dataclass(frozen=True)
+class Objective:
+    """What is to be small.
+
+    Attributes
+    ----------
+    criterion : {"largest", "roll", "pitch", "yaw", "A", "D"}
+    pos_factors : tuple of float
+        How good the POS will be on the day is not known: times its stated sigmas, and the mean over
+        them counts.
+    """
+
+    criterion: Criterion = "largest"
+    pos_factors: tuple[float, ...] = (1.0,)
+
+    def of(self, plan: Plan) -> float:
+        """The number of a plan, radians."""
+        found = [
+            self.of_prediction(predict(_with_pos(plan, factor))) for factor in self.pos_factors
+        ]
+        return float(np.mean(found))
+
+    def of_prediction(self, prediction: Prediction) -> float:
+        """The number of what was foretold, radians; by the worst angle where one is left open."""
+        covariance = np.linalg.inv(prediction.information + np.eye(3) / BY_EYE**2)
+        return _OF[self.criterion if prediction.determined else "largest"](covariance)
+
+
+def _with_pos(plan: Plan, factor: float) -> Plan:
+    return plan if factor == 1.0 else replace(plan, system=plan.system.with_pos_scaled(factor))

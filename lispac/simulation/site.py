@@ -1,0 +1,167 @@
+"""What is allowed on a site: where boards may hang, which lines may be sailed, for how long."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.plan import Line, Plan, System
+
+
+@dataclass(frozen=True, eq=False)
+class Site:
+    """A wall on the water, what stands there anyway, and the limits of a survey.
+
+    Attributes
+    ----------
+    middle : tuple of float, metres, local
+        Point of the wall's face about which boards hang and which the lines pass. Zero is the
+        height of the vessel's POS.
+    facing_deg : float, degrees
+        Azimuth the wall faces, to the water.
+    along : tuple of float, metres
+        Where boards may hang: to the right of the middle as seen from the water; negative is left.
+    heights : tuple of float, metres
+        Of the middles of boards above the POS.
+    inclinations_deg : tuple of float, degrees
+        90 hangs upright, 0 lies with its face up; between them it leans back.
+    sizes : tuple of pairs of float, metres
+        Widths and heights.
+    natural : tuple of Board
+        Planes there are anyway, with how flat each is; they cost nothing.
+    headings_deg, distances, speeds : tuples of float, degrees, metres, metres per second
+        Of the lines; the distance is that at which the middle passes abeam.
+    boards, lines : int
+        How many at most.
+    closest : float, metres
+        No line passes nearer than this to the wall when the middle is abeam.
+    time_on_site : float, minutes
+    minutes_per_line, minutes_per_board : float
+        With the turn; to hang it and take it down.
+    """
+
+    middle: tuple[float, float, float]
+    facing_deg: float
+    along: tuple[float, ...] = (-8.0, -4.0, -1.0, 1.0, 4.0, 8.0)
+    heights: tuple[float, ...] = (2.0, 5.0, 8.0)
+    inclinations_deg: tuple[float, ...] = (90.0, 60.0, 45.0, 30.0)
+    sizes: tuple[tuple[float, float], ...] = ((1.23, 1.22),)
+    natural: tuple[Board | Ball, ...] = ()
+    headings_deg: tuple[float, ...] = (0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0)
+    distances: tuple[float, ...] = (10.0, 15.0, 20.0, 30.0, 40.0)
+    speeds: tuple[float, ...] = (1.0,)
+    boards: int = 2
+    lines: int = 6
+    closest: float = 8.0
+    time_on_site: float = 60.0
+    minutes_per_line: float = 1.5
+    minutes_per_board: float = 15.0
+    system: System = field(default_factory=System)
+    flatness: float = 0.0005
+
+    def __post_init__(self) -> None:
+        if self.boards < 0 or self.lines < 2 or self.boards + len(self.natural) < 1:
+            raise InputError(
+                "A site needs at least two lines, and a board or a plane that is there anyway; "
+                "raise the limits."
+            )
+        if self.boards and not (
+            self.along and self.heights and self.inclinations_deg and self.sizes
+        ):
+            raise InputError("Say where boards may hang, how inclined and how large.")
+        if self.lines * self.minutes_per_line > self.time_on_site:
+            raise InputError(
+                f"{self.lines} lines of {self.minutes_per_line:g} minutes take longer than the "
+                f"{self.time_on_site:g} minutes on site; allow fewer lines or more time."
+            )
+        if not self.lines_allowed:
+            raise InputError(
+                f"No heading and distance keep {self.closest:g} m from the wall; allow others."
+            )
+
+    def board(self, name: str, along: float, height: float, lean: float, size: int) -> Board:
+        """A board on the wall.
+
+        Parameters
+        ----------
+        along, height : float, metres
+        lean : float, degrees
+            Inclination.
+        size : int
+            Which of the sizes.
+        """
+        azimuth = np.radians(self.facing_deg)
+        out = np.array([np.cos(azimuth), -np.sin(azimuth)])
+        right = np.array([-out[1], out[0]])  # of one who looks at the wall from the water
+        north, west = np.array(self.middle[:2]) + along * right
+        up = np.cos(np.radians(lean))
+        flat = np.sin(np.radians(lean))
+        width, tall = self.sizes[size]
+        return Board(
+            name,
+            (float(north), float(west), float(height)),
+            (float(flat * out[0]), float(flat * out[1]), float(up)),
+            width,
+            tall,
+        )
+
+    @property
+    def lines_allowed(self) -> tuple[Line, ...]:
+        """Every heading at every distance and speed that keeps off the wall."""
+        allowed = []
+        for heading in self.headings_deg:
+            across = float(np.sin(np.radians(heading - self.facing_deg)))
+            for distance in self.distances:
+                if distance * abs(across) < self.closest:
+                    continue
+                allowed += [Line(heading, distance, across > 0, speed) for speed in self.speeds]
+        return tuple(allowed)
+
+    def plan(self, boards: Sequence[Board], lines: Sequence[Line]) -> Plan:
+        """A plan with these boards and what is there anyway."""
+        return Plan(
+            (*boards, *self.natural),
+            tuple(lines),
+            self.middle,
+            self.system,
+            60.0 * self.minutes_per_line,
+            self.flatness,
+        )
+
+    def minutes(self, plan: Plan) -> float:
+        """What a plan costs: time on the water and time for the boards."""
+        hung = len(plan.targets) - sum(target in self.natural for target in plan.targets)
+        return len(plan.lines) * self.minutes_per_line + hung * self.minutes_per_board
+
+
+def apart(boards: Sequence[Board]) -> bool:
+    """Whether no two boards hang over each other."""
+    centres = np.array([board.centre for board in boards]).reshape(-1, 3)
+    half = np.array([max(board.width, board.height) / 2 for board in boards])
+    far = np.linalg.norm(centres[:, None] - centres[None], axis=2)
+    near = far < half[:, None] + half[None]
+    return not bool((near & ~np.eye(len(boards), dtype=bool)).any())
+
+
+def steps(low: float, high: float, step: float) -> tuple[float, ...]:
+    """Evenly spaced values from the lowest to the highest, both in it.
+
+    Raises
+    ------
+    InputError
+        The step is not positive, or the highest is below the lowest.
+    """
+    if not step > 0 or high < low:
+        raise InputError(
+            f"From {low:g} to {high:g} in steps of {step:g}: the step must be positive, and the "
+            "second value not less than the first."
+        )
+    count = int(np.floor((high - low) / step + 1e-9))
+    values = [low + k * step for k in range(count + 1)]
+    if high - values[-1] > 1e-9 * max(abs(high), 1.0):
+        values.append(high)
+    assert all(a < b for a, b in pairwise(values))
+    return tuple(float(v) for v in values)

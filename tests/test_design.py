@@ -1,0 +1,176 @@
+"""The search for the best plan: what is best is known where all plans can be looked at."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.errors import Cancelled, InputError, RankDeficient
+from lispac.simulation.closed_form import Board
+from lispac.simulation.design import EXACTLY, search, thesis_plan, worth
+from lispac.simulation.objective import CRITERIA, Objective
+from lispac.simulation.plan import Line
+from lispac.simulation.prediction import predict
+from lispac.simulation.site import Site, apart, steps
+
+SMALL = Site(
+    (0.0, -15.0, 0.0),
+    270.0,
+    along=(-4.0, 1.0),
+    heights=(2.0, 8.0),
+    inclinations_deg=(90.0, 45.0),
+    headings_deg=(0.0, 45.0, 135.0),
+    distances=(15.0,),
+    lines=3,
+    boards=2,
+)
+LARGE = Site((0.0, -15.0, 0.0), 270.0)
+
+
+@pytest.fixture(scope="module")
+def best():
+    """The best plan of a small site, by looking at all of them."""
+    return search(SMALL)
+
+
+def test_a_small_site_is_searched_exactly(best) -> None:
+    assert best.exact
+    assert best.looked_at == 28 * 3**3 <= EXACTLY
+    generator = np.random.default_rng(3)
+    lines, objective = SMALL.lines_allowed, Objective()
+    for _ in range(60):
+        boards = [
+            SMALL.board(
+                f"T{k}", *(float(generator.choice(v)) for v in (SMALL.along, SMALL.heights)),
+                float(generator.choice(SMALL.inclinations_deg)), 0,
+            )
+            for k in range(2)
+        ]  # fmt: skip
+        chosen = [lines[k] for k in generator.integers(0, len(lines), 3)]
+        if apart(boards) and boards[0].normal != boards[1].normal:
+            assert objective.of(SMALL.plan(boards, chosen)) >= best.value * (1 - 1e-9)
+
+
+def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lispac.simulation.design.EXACTLY", 10)
+    found = search(SMALL, plans=800)
+    assert not found.exact
+    assert found.value == pytest.approx(best.value, rel=0.02)
+
+
+def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:
+    with ThreadPoolExecutor(2) as pool:
+        assert search(SMALL, mapper=pool.map).plan.lines == best.plan.lines
+        monkeypatch.setattr("lispac.simulation.design.EXACTLY", 10)
+        one, other = (search(SMALL, plans=200, mapper=m) for m in (map, pool.map))
+    assert one.plan.targets == other.plan.targets
+    assert one.plan.lines == other.plan.lines
+    assert one.value == other.value
+
+
+def test_the_search_beats_the_thesis_on_its_own_terms() -> None:
+    """Two boards and six lines, as the thesis recommends, hung and sailed elsewhere."""
+    for criterion, gain in (("largest", 1.5), ("A", 1.5)):
+        objective = Objective(criterion)
+        usual = objective.of(thesis_plan(LARGE))
+        found = search(LARGE, objective, plans=600)
+        print(f"{criterion}: {np.degrees(usual):.4f} -> {np.degrees(found.value):.4f} deg")
+        assert found.value < usual / gain
+        assert len(found.plan.lines) == 6
+        assert len(found.plan.targets) == 2
+        assert all(
+            line.distance * abs(np.sin(np.radians(line.heading_deg - 270.0))) >= LARGE.closest
+            for line in found.plan.lines
+        )
+
+
+def test_the_search_never_ends_worse_than_it_began() -> None:
+    site = replace(LARGE, along=(-0.8, 0.8), heights=(5.0,), distances=(15.0, 20.0))
+    start = thesis_plan(site)
+    found = search(site, plans=150, start=start)
+    assert found.value <= Objective().of(start)
+
+
+def test_worth_is_what_the_plan_is_without(best) -> None:
+    found = {each.name: each.without for each in worth(best.plan, Objective())}
+    assert set(found) == {"T1", "T2", "L1", "L2", "L3"}
+    without = best.plan.with_lines(best.plan.lines[1:])
+    assert found["L1"] == pytest.approx(Objective().of(without))
+    assert all(value >= best.value for value in found.values())
+    assert best.worth == worth(best.plan, Objective())
+
+
+def test_less_time_is_never_better(best) -> None:
+    minutes = [step.minutes for step in best.front]
+    values = [step.value for step in best.front]
+    assert minutes == sorted(minutes, reverse=True)
+    assert values == sorted(values)
+    assert best.front[0].plan is best.plan
+    assert best.front[0].minutes == 3 * SMALL.minutes_per_line + 2 * SMALL.minutes_per_board
+
+
+def test_planes_that_are_there_anyway_are_used() -> None:
+    """Part of a tower 30 m behind the wall and 35 m up, and the quay: as good as any boards."""
+    tower = Board("tower", (0.0, -45.0, 35.0), (0.0, 1.0, 0.0), 6.0, 6.0, 0.003)
+    deck = Board("roof", (4.0, -25.0, -2.0), (0.0, 0.6, 0.8), 6.0, 6.0, 0.005)
+    site = replace(LARGE, boards=0, lines=4, natural=(tower, deck), distances=(15.0,))
+    found = search(site)
+    assert found.exact
+    assert {t.name for t in found.plan.targets} == {"tower", "roof"}
+    assert found.value < Objective().of(thesis_plan(LARGE))
+    assert site.minutes(found.plan) == pytest.approx(4 * 1.5)
+
+
+def test_every_criterion_is_the_smallest_for_its_own_search(best) -> None:
+    for criterion in CRITERIA:
+        objective = Objective(criterion)
+        own = search(SMALL, objective)
+        assert own.value <= objective.of(best.plan) * (1 + 1e-12)
+
+
+def test_an_unsure_pos_counts_by_its_mean() -> None:
+    plan = thesis_plan(LARGE)
+    one, two, both = (Objective(pos_factors=f).of(plan) for f in ((1.0,), (2.0,), (1.0, 2.0)))
+    assert one < both < two
+    assert both == pytest.approx((one + two) / 2)
+    doubled = replace(plan, system=plan.system.with_pos_scaled(2.0))
+    assert two == pytest.approx(float(predict(doubled).sigma.max()), rel=1e-3)
+
+
+def test_targets_that_face_one_way_are_no_plan() -> None:
+    site = replace(SMALL, inclinations_deg=(90.0,))
+    with pytest.raises(RankDeficient, match="No plan within these limits"):
+        search(site)
+
+
+def test_a_search_is_cancelled() -> None:
+    def stop(fraction: float, message: str = "") -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        search(SMALL, progress=stop)
+
+
+def test_limits_that_allow_nothing_are_refused() -> None:
+    with pytest.raises(InputError, match="two lines"):
+        replace(SMALL, lines=1)
+    with pytest.raises(InputError, match="longer than"):
+        replace(SMALL, lines=50)
+    with pytest.raises(InputError, match="keep 40 m from the wall"):
+        replace(SMALL, closest=40.0)
+    with pytest.raises(InputError, match="Say where boards may hang"):
+        replace(SMALL, heights=())
+    with pytest.raises(InputError, match="step must be positive"):
+        steps(0.0, 1.0, 0.0)
+    assert steps(0.0, 1.0, 0.4) == pytest.approx((0.0, 0.4, 0.8, 1.0))
+
+
+def test_a_board_hangs_where_it_is_said() -> None:
+    """To the right of one who looks at the wall, facing the water, leaning back."""
+    board = LARGE.board("T1", 2.0, 6.0, 60.0, 0)
+    # The wall faces west; who looks at it looks east, and has south to the right.
+    assert board.centre == pytest.approx((-2.0, -15.0, 6.0))
+    assert board.normal == pytest.approx((0.0, np.sin(np.radians(60)), 0.5))
+    assert Line(0.0, 15.0, True).abeam((0.0, -15.0)) == pytest.approx((0.0, 0.0))
+    assert all(Line.abeam(line, (0.0, -15.0))[1] > -15.0 for line in LARGE.lines_allowed)
