@@ -1,0 +1,213 @@
+"""One thing changed at a time: what it does to the sigmas (thesis 4.4.1.2, figure 4.12).
+
+The first four are the thesis's: which lines, how inclined, how large, which targets together. The
+others it left out: how far off and how high the targets are, lines sailed again, speed, POS.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.stochastic import PosErrors
+from lispac.progress import Progress, no_progress
+from lispac.simulation.closed_form import Board
+from lispac.simulation.plan import SIX, Plan, System, pattern
+from lispac.simulation.pos_errors import PosErrorModel
+from lispac.simulation.prediction import predict
+
+Array = NDArray[np.float64]
+Case = tuple[str, Plan]
+
+COMBINATIONS: dict[str, tuple[int, ...]] = {
+    "0, 180": (0, 180),
+    "45, 225": (45, 225),
+    "315, 135": (315, 135),
+    "45, 135": (45, 135),
+    "315, 225": (315, 225),
+    "0, 180, 45, 225": (0, 180, 45, 225),
+    "0, 180, 315, 135": (0, 180, 315, 135),
+    "0, 180, 45, 135": (0, 180, 45, 135),
+    "0, 180, 315, 225": (0, 180, 315, 225),
+    "45, 225, 315, 135": (45, 225, 315, 135),
+    "all six": SIX,
+}
+"""Headings in degrees against a wall that lies east."""
+
+INCLINATIONS = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)
+"""Degrees from level. The boards hang above the vessel and face it: they lean forward, for one that
+leans back by as much would hardly be seen."""
+SIZES = (0.25, 0.50, 0.75, 1.00)
+TOGETHER: tuple[tuple[float, ...], ...] = (
+    (90.0,), (90.0, 60.0), (90.0, 45.0), (90.0, 30.0), (60.0, 30.0), (90.0, 60.0, 30.0),
+)  # fmt: skip
+DISTANCES = (5.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0)
+HEIGHTS = (0.0, 2.5, 5.0, 10.0, 15.0, 20.0, 30.0)
+REPEATS = (1, 2, 3, 4)
+SPEEDS = (0.5, 1.0, 2.0, 3.0, 4.0)
+
+GRADES: dict[str, PosErrorModel] = {
+    name: PosErrorModel((level, level, 1.7 * level), tuple(np.radians(attitude)))
+    for name, level, attitude in (
+        ("navigation, post-processed", 0.008, (0.005, 0.005, 0.008)),
+        ("survey, post-processed", 0.012, (0.008, 0.008, 0.012)),
+        ("survey, RTK", 0.020, (0.010, 0.010, 0.020)),
+        ("tactical, post-processed", 0.020, (0.015, 0.015, 0.035)),
+        ("tactical, RTK", 0.030, (0.025, 0.025, 0.080)),
+    )
+}
+"""Sigmas of north, east and up (metres) and of roll, pitch, heading: what data sheets state for
+such classes, rounded; put in those of the POS at hand where they are known."""
+
+
+def thesis_board(inclination_deg: float = 90.0, size: float = 1.0, height: float = 5.0) -> Board:
+    """A square board on the wall 15 m east of the lines that faces them (thesis figure 4.2)."""
+    lean = np.radians(inclination_deg)
+    normal = (0.0, float(np.sin(lean)), -float(np.cos(lean)))
+    return Board(f"{inclination_deg:g} deg", (0.0, -15.0, height), normal, size, size)
+
+
+def thesis_setting(pos_errors: PosErrors = "independent") -> Plan:
+    """One upright board of 1 x 1 m, 15 m off and 5 m up, and six lines (thesis 4.4.1.2)."""
+    return Plan((thesis_board(),), pattern(), (0.0, -15.0, 0.0), System(pos_errors=pos_errors))
+
+
+def line_combinations(plan: Plan) -> list[Case]:
+    """Figure 4.12 (a): some of the six lines."""
+    of = dict(zip(SIX, plan.lines, strict=False))
+    return [
+        (name, plan.with_lines([of[heading] for heading in headings]))
+        for name, headings in COMBINATIONS.items()
+        if set(headings) <= set(of)
+    ]
+
+
+def inclinations(plan: Plan) -> list[Case]:
+    """Figure 4.12 (b): one board, from level to upright."""
+    return [(f"{lean:g} deg", plan.with_targets([thesis_board(lean)])) for lean in INCLINATIONS]
+
+
+def sizes(plan: Plan) -> list[Case]:
+    """Figure 4.12 (c): one upright board, small to large."""
+    return [(f"{100 * size:g} cm", plan.with_targets([thesis_board(size=size)])) for size in SIZES]
+
+
+def target_combinations(plan: Plan) -> list[Case]:
+    """Figure 4.12 (d): boards of some inclinations, 1.6 m apart."""
+    cases = []
+    for leans in TOGETHER:
+        boards = [
+            replace(board, centre=(1.6 * (k - (len(leans) - 1) / 2), *board.centre[1:]))
+            for k, board in enumerate(map(thesis_board, leans))
+        ]
+        cases.append((" + ".join(f"{lean:g}" for lean in leans), plan.with_targets(boards)))
+    return cases
+
+
+def distances(plan: Plan) -> list[Case]:
+    """All lines nearer or farther: a position error turns a far target less."""
+    return [
+        (f"{d:g} m", plan.with_lines([replace(line, distance=d) for line in plan.lines]))
+        for d in DISTANCES
+    ]
+
+
+def heights(plan: Plan) -> list[Case]:
+    """All targets lower or higher, their spread kept."""
+    middle = float(np.mean([target.centre[2] for target in plan.targets]))
+    return [
+        (
+            f"{h:g} m",
+            plan.with_targets(
+                [replace(t, centre=(*t.centre[:2], t.centre[2] - middle + h)) for t in plan.targets]
+            ),
+        )
+        for h in HEIGHTS
+    ]
+
+
+def repeats(plan: Plan) -> list[Case]:
+    """All lines once more and once more: the POS error is another one by then."""
+    return [("once" if n == 1 else f"{n} times", plan.with_lines(plan.lines * n)) for n in REPEATS]
+
+
+def speeds(plan: Plan) -> list[Case]:
+    """All lines slower or faster: fewer points."""
+    return [
+        (f"{v:g} m/s", plan.with_lines([replace(line, speed=v) for line in plan.lines]))
+        for v in SPEEDS
+    ]
+
+
+def grades(plan: Plan) -> list[Case]:
+    """Another POS."""
+    return [
+        (name, replace(plan, system=replace(plan.system, pos=pos))) for name, pos in GRADES.items()
+    ]
+
+
+SCENARIOS: dict[str, Callable[[Plan], list[Case]]] = {
+    "lines": line_combinations,
+    "inclination": inclinations,
+    "size": sizes,
+    "targets": target_combinations,
+    "distance": distances,
+    "height": heights,
+    "repeats": repeats,
+    "speed": speeds,
+    "POS": grades,
+}
+OF_THE_THESIS = ("lines", "inclination", "size", "targets")
+"""Scenarios whose targets are the thesis's own, whatever the plan's are."""
+
+STATED: Sequence[PosErrors] = ("independent", "correlated")
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What one case would give.
+
+    Attributes
+    ----------
+    scenario, case : str
+    pos_errors : {"independent", "correlated"}
+    sigma : ndarray of shape (3,), radians
+        Of roll, pitch, yaw; infinite where not all three are determined.
+    points : float
+        That the scanner would measure on all targets.
+    """
+
+    scenario: str
+    case: str
+    pos_errors: PosErrors
+    sigma: Array
+    points: float
+
+
+def outcomes(
+    plan: Plan,
+    scenarios: Sequence[str] = tuple(SCENARIOS),
+    *,
+    progress: Progress = no_progress,
+) -> tuple[Outcome, ...]:
+    """The sigmas of every case of some scenarios, in both stochastic models.
+
+    Parameters
+    ----------
+    plan : Plan
+        What is changed in one thing at a time. The thesis's scenarios keep its lines and system and
+        have boards of their own.
+    scenarios : sequence of str
+        Among `SCENARIOS`.
+    """
+    found = []
+    for k, scenario in enumerate(scenarios):
+        progress(k / len(scenarios), f"Scenario: {scenario}")
+        for case, changed in SCENARIOS[scenario](plan):
+            for errors in STATED:
+                told = predict(replace(changed, system=replace(changed.system, pos_errors=errors)))
+                points = sum(told.points.values())
+                found.append(Outcome(scenario, case, errors, told.sigma, points))
+    progress(1.0, "Scenarios done")
+    return tuple(found)

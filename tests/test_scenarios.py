@@ -1,0 +1,148 @@
+"""The scenarios of thesis figure 4.12 in its own mode, and what honest errors say of them."""
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from lispac.errors import Cancelled
+from lispac.simulation.scenarios import (
+    DISTANCES,
+    GRADES,
+    SCENARIOS,
+    Outcome,
+    outcomes,
+    thesis_setting,
+)
+
+
+@cache
+def everything() -> tuple[Outcome, ...]:
+    return outcomes(thesis_setting())
+
+
+def sigmas(scenario: str, model: str) -> dict[str, np.ndarray]:
+    """Degrees, by case."""
+    found = {
+        each.case: np.degrees(each.sigma)
+        for each in everything()
+        if (each.scenario, each.pos_errors) == (scenario, model)
+    }
+    for case, sigma in found.items():
+        print(f"{scenario:12s} {model:12s} {case:28s}" + "".join(f"{v:9.4f}" for v in sigma))
+    return found
+
+
+@pytest.mark.parametrize("model", ["independent", "correlated"])
+def test_six_lines_are_best(model: str) -> None:
+    """Figure 4.12 (a). Two lines alone leave an angle open, for an upright board."""
+    found = sigmas("lines", model)
+    best = found.pop("all six")
+    for case, sigma in found.items():
+        assert (best <= sigma).all(), case
+        assert np.isinf(sigma).all() == (case.count(",") == 1), case
+
+
+def test_upright_is_best_for_pitch_and_yaw() -> None:
+    """Figure 4.12 (b). Level boards above the vessel are not seen."""
+    found = sigmas("inclination", "independent")
+    upright = found.pop("90 deg")
+    for case, sigma in found.items():
+        assert (upright[1:] < sigma[1:]).all(), case
+    assert np.isinf(found["0 deg"]).all()
+
+
+def test_with_honest_errors_a_leaning_board_is_better_for_roll() -> None:
+    """The thesis does not say so: upright is best for pitch and yaw, and for roll it is not."""
+    found = sigmas("inclination", "correlated")
+    assert (found["90 deg"][1:] <= found["60 deg"][1:]).all()
+    assert found["60 deg"][0] < found["90 deg"][0]
+
+
+@pytest.mark.parametrize("model", ["independent", "correlated"])
+def test_larger_is_better(model: str) -> None:
+    """Figure 4.12 (c)."""
+    ordered = list(sigmas("size", model).values())
+    for smaller, larger in pairwise(ordered):
+        assert (larger < smaller).all()
+    if model == "correlated":
+        # No size lowers what the position error does to yaw.
+        assert ordered[-1][2] > 0.95 * ordered[0][2]
+
+
+def test_three_inclinations_are_best_and_two_are_close() -> None:
+    """Figure 4.12 (d)."""
+    found = sigmas("targets", "independent")
+    three, two = found.pop("90 + 60 + 30"), found["90 + 30"]
+    for case, sigma in found.items():
+        assert (three <= sigma).all(), case
+    assert (two < 1.3 * three).all()
+    assert (found["90"] > two).all()
+
+
+def test_with_honest_errors_a_second_board_halves_roll_and_leaves_yaw() -> None:
+    found = sigmas("targets", "correlated")
+    assert found["90 + 30"][0] < 0.55 * found["90"][0]
+    assert found["90 + 60 + 30"][2] > 0.9 * found["90"][2]
+
+
+def test_farther_is_better_for_yaw() -> None:
+    """A position error turns a far target less; thesis mode hardly sees it."""
+    found = sigmas("distance", "correlated")
+    yaw = [found[f"{d:g} m"][2] for d in DISTANCES]
+    assert yaw == sorted(yaw, reverse=True)
+    assert yaw[-1] < yaw[2] / 1.9
+    roll = sigmas("distance", "independent")
+    assert roll["80 m"][0] > 2 * roll["15 m"][0]
+
+
+def test_higher_is_better_for_roll_and_pitch() -> None:
+    found = sigmas("height", "correlated")
+    assert (found["20 m"][:2] < found["5 m"][:2] / 2).all()
+
+
+def test_lines_sailed_again_help_as_their_root() -> None:
+    found = sigmas("repeats", "correlated")
+    assert (found["4 times"] < 0.6 * found["once"]).all()
+    assert (found["4 times"] >= 0.5 * found["once"]).all()
+    thesis = sigmas("repeats", "independent")
+    assert thesis["4 times"] == pytest.approx(thesis["once"] / 2, rel=1e-6)
+
+
+def test_slower_is_more_points_and_nothing_else() -> None:
+    found = sigmas("speed", "independent")
+    assert found["4 m/s"] == pytest.approx(found["1 m/s"] * 2, rel=1e-6)
+    honest = sigmas("speed", "correlated")
+    assert (honest["4 m/s"] < 1.06 * honest["1 m/s"]).all()
+
+
+def test_a_better_pos_is_better() -> None:
+    for model in ("independent", "correlated"):
+        by_name = sigmas("POS", model)
+        found = [by_name[name] for name in GRADES]
+        for better, worse in pairwise(found):
+            assert (better < worse).all()
+
+
+def test_thesis_mode_is_many_times_too_sure() -> None:
+    """The reason this program exists: the ratio is printed, whatever it is."""
+    honest, thesis = (sigmas("targets", m)["90 + 30"] for m in ("correlated", "independent"))
+    print("honest over thesis", (honest / thesis).round(1))
+    assert (honest > 5 * thesis).all()
+
+
+def test_some_scenarios_and_cancelling() -> None:
+    told: list[str] = []
+    found = outcomes(
+        thesis_setting(), ("size",), progress=lambda done, message="": told.append(message)
+    )
+    assert {each.scenario for each in found} == {"size"}
+    assert told == ["Scenario: size", "Scenarios done"]
+    assert {each.scenario for each in everything()} == set(SCENARIOS)
+
+    def stop(fraction: float, message: str = "") -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        outcomes(thesis_setting(), ("size",), progress=stop)
