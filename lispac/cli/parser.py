@@ -45,6 +45,7 @@ def build_parser() -> argparse.ArgumentParser:
     _export(commands)
     report_options.add(commands)
     _angles(commands)
+    _visibility(commands)
     return parser
 
 
@@ -315,3 +316,33 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
     ):
         angles.add_argument(name, nargs=3, metavar=("X", "Y", "Z"), help=text)
     json_option(angles)
+
+
+def _visibility(commands: "Commands[argparse.ArgumentParser]") -> None:
+    visibility = command(
+        commands, "visibility", "say what systematic errors do to a board, line by line"
+    )
+    visibility.add_argument(
+        "site", choices=("terrestrial", "marine"),
+        help="a vehicle 2.5 m above a board on the ground, or a vessel 15 m from a quay 5 m high",
+    )  # fmt: skip
+    visibility.add_argument("--output", type=Path, required=True, metavar="DIR")
+    visibility.add_argument(
+        "--error", nargs="+", metavar="NAME",
+        choices=(
+            "roll", "pitch", "yaw", "lever-x", "lever-y", "lever-z", "range-offset",
+            "scan-angle-offset",
+        ),
+        help="these only (default all of the site): roll, pitch, yaw, lever-x, lever-y, lever-z, "
+        "range-offset, scan-angle-offset",
+    )  # fmt: skip
+    visibility.add_argument(
+        "--formats", nargs="+", choices=("png", "svg", "pdf"), default=["png"],
+        help="of the figures (default png)",
+    )  # fmt: skip
+    visibility.add_argument(
+        "--struck", action="store_true",
+        help="take the beams that meet the board with the error, as a real one would have them, "
+        "instead of those aimed at it; the thesis has the latter",
+    )  # fmt: skip
+    json_option(visibility)

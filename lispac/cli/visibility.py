@@ -1,0 +1,85 @@
+"""``lispac visibility``: what systematic errors do to a board, by its inclination and the line."""
+
+from argparse import Namespace
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.report.blocks import Table
+from lispac.report.visibility_tables import all_errors_in_words, comparison_table
+from lispac.simulation.thesis_answers import Compared, compared_with_thesis
+from lispac.simulation.thesis_site import SITES
+from lispac.simulation.visibility_study import Best
+from lispac.simulation.visibility_study import visibility as study
+from lispac.workflow.visibility import write_visibility
+
+
+def visibility(arguments: Namespace) -> None:
+    """Simulate a site, write what is seen, and print the best configurations."""
+    site = SITES[arguments.site]
+    errors = [error.replace("-", "_") for error in arguments.error or site.errors]
+    unknown = [error for error in errors if error not in site.errors]
+    if unknown:
+        raise UsageError(
+            f"--error {unknown[0].replace('_', '-')}: the {site.name} site has "
+            f"{', '.join(error.replace('_', '-') for error in site.errors)} only"
+        )
+    with ConsoleProgress() as progress:
+        found = study(site, "struck" if arguments.struck else "aimed", progress=progress)
+        written = write_visibility(
+            found, arguments.output, errors, arguments.formats, progress=progress
+        )
+    if arguments.json:
+        print_json(
+            {
+                "site": site.name,
+                "beams": found.beams,
+                "best": [_best(found.best(error)) for error in errors],
+                "thesis": [] if arguments.struck else [
+                    _thesis(each)
+                    for each in compared_with_thesis(found)
+                    if each.best.error in errors
+                ],
+                "files": [str(path) for path in written],
+            }
+        )  # fmt: skip
+        return
+    if not arguments.struck:
+        _print(comparison_table(found, errors))
+        print(all_errors_in_words(found))
+    print(f"{len(written)} files in {arguments.output}")
+
+
+def _best(best: Best) -> dict[str, Any]:
+    chosen = best.inclination
+    return {
+        "error": best.error,
+        "kept_deg": [round(float(np.degrees(each))) for each in best.kept],
+        "inclination_deg": None if chosen is None else round(float(np.degrees(chosen))),
+        "groups_of_lines_deg": best.groups,
+    }
+
+
+def _thesis(each: Compared) -> dict[str, Any]:
+    return {
+        "error": each.best.error,
+        **asdict(each.stated),
+        "lines_agree": each.lines_agree,
+        "inclination_agrees": each.inclination_agrees,
+        "reason": each.reason,
+    }
+
+
+def _print(table: Table) -> None:
+    """A table as text; the reasons, which are sentences, come below it."""
+    *heads, _why = [column.title for column in table.columns]
+    lines = [heads, *(row[:-1] for row in table.rows)]
+    widths = [max(len(line[k]) for line in lines) for k in range(len(heads))]
+    for line in lines:
+        print("  ".join(f"{cell:{width}s}" for cell, width in zip(line, widths, strict=True)))
+    print()
+    for row in table.rows:
+        if row[-1]:
+            print(f"{row[0]}: {row[-1]}")

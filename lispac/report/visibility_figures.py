@@ -1,0 +1,121 @@
+"""How visible an error is, line by line over the board's inclination (thesis 3.13 to C.21)."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from lispac.adjustment.shown import capitalised, parameter
+from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank, dress
+from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
+from lispac.simulation.visibility_study import THRESHOLD, Visibility
+
+Array = NDArray[np.float64]
+
+KEPT, BEST = "#e3ebf3", "#555555"
+WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
+"""Of the lines, points: whatever two show the same, both are seen."""
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """One of the three plots of an error.
+
+    Attributes
+    ----------
+    title, label : str
+        In words, and on the axis with its unit.
+    least : float
+        Height of the axis at the least, so that rounding is not blown up to a picture.
+    values : function of a `Visibility`
+        Shape (errors, lines, inclinations), in the unit of the label.
+    """
+
+    title: str
+    label: str
+    decimals: int
+    least: float
+    values: Callable[[Visibility], Array]
+
+
+CRITERIA: Mapping[str, Criterion] = {
+    "type-one": Criterion(
+        "Type I: is it still a board, near where it stands?", "Type I", 3, 1.0, lambda v: v.type_one
+    ),
+    "orthogonal-distance": Criterion(
+        "Type II: how far the board is shifted",
+        "Signed orthogonal distance (m)", 4, 0.02, lambda v: v.orthogonal_distance,
+    ),
+    "angular-deviation": Criterion(
+        "Type II: how far the board is turned",
+        "Angular deviation (deg)", 3, 0.2, lambda v: np.degrees(v.angular_deviation),
+    ),
+}  # fmt: skip
+
+
+def error_in_words(error: str) -> str:
+    """An error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
+    size = SIZES[error]
+    shown = f"{100 * size:.0f} cm" if error.startswith(("lever", "range")) else (
+        f"{np.degrees(size):.0f} deg"
+    )  # fmt: skip
+    return f"{capitalised(parameter(error))} {shown}"
+
+
+def _as_high(axes: Axes, values: Array, least: float) -> None:
+    low, high = float(values.min()), float(values.max())
+    wanting = max(0.0, least - (high - low)) / 2
+    low, high = low - wanting, high + wanting
+    room = 0.15 * (high - low)
+    axes.set_ylim(low - room, high + room)
+
+
+def visibility_figure(
+    found: Visibility, error: str, criterion: str, figure: Figure | None = None
+) -> Figure:
+    """One criterion of one error: six lines over the inclination of the board.
+
+    Shaded are the inclinations that Type I keeps, dashed is the best of them. The axis is as high
+    as these need: where beams graze the board, points may lie anywhere.
+
+    Parameters
+    ----------
+    criterion : str
+        Of `CRITERIA`.
+    """
+    figure = blank(figure, (6.3, 3.4))
+    axes = figure.add_subplot()
+    shown = CRITERIA[criterion]
+    best = found.best(error)
+    inclinations = np.degrees(found.site.inclinations)
+    if best.kept:
+        axes.axvspan(
+            np.degrees(best.kept[0]) - 5, np.degrees(best.kept[-1]) + 5, color=KEPT, linewidth=0
+        )
+    if best.inclination is not None:
+        axes.axvline(np.degrees(best.inclination), color=BEST, linewidth=0.9, linestyle="--")
+    values = shown.values(found)[found.site.errors.index(error)]
+    for k, heading in enumerate(HEADINGS_DEG):
+        axes.plot(
+            inclinations, values[k], color=LINE_COLOURS[k], linewidth=WIDTHS[k],
+            marker="o", markersize=WIDTHS[k] + 1.5, label=f"{heading} deg",
+        )  # fmt: skip
+    dress(axes, "Inclination of the board (deg; positive leans to the vessel)", shown.label)
+    if criterion == "type-one":
+        axes.axhline(THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
+        axes.set_ylim(-0.05, 1.05)
+    elif best.kept:
+        _as_high(axes, values[:, np.isin(found.site.inclinations, best.kept)], shown.least)
+    axes.set_xticks(inclinations[:: 3 if len(inclinations) > 20 else 1])
+    axes.set_xlim(inclinations[0] - 5, inclinations[-1] + 5)
+    axes.set_title(
+        f"{error_in_words(error)}, {found.site.name}. {shown.title}",
+        fontsize=TEXT + 1, color=INK, loc="left",
+    )  # fmt: skip
+    figure.legend(
+        loc="outside lower center", ncols=6, fontsize=SMALL, frameon=False, labelcolor=INK
+    )
+    return figure

@@ -1,0 +1,201 @@
+"""The two sites of the thesis on which errors are made visible (sections 3.5 and 3.9).
+
+A profiler passes one board on six straight lines, level and steadily, without noise. One of eight
+systematic errors is put into the measurement: the range is where the beam with the error meets the
+board's plane (3.4.2). The points are then placed by someone who does not know the error.
+
+Decided here, because the thesis shows it in figures only or not at all:
+
+- An inclination is counted from the upright board, positive where its upper edge leans towards the
+  vessel. So the boards at +60 deg are the ones that run along the beams (figure 3.9), and those of
+  the marine site between 0 and 90 deg face the vessel.
+- A board turns about its lower edge, which lies on the ground or on the edge of the quay: the 19
+  inclinations fill the half circle above ground, the 28 the 270 deg about the edge of a quay.
+- All lines pass through one point abeam of the board, 5 m (terrestrial) or 15 m (marine) from the
+  edge. The thesis gives no distance for the terrestrial site. From 5 m the boards at +60 run along
+  the beams and Type I keeps nearly the inclinations the appendix keeps; 2 or 10 m do not.
+- Beams are those that would meet the board if there were no error, and its plane has no end
+  (``aimed``): only so do points fly far off where a board runs along the beams, as 3.4.4.1 says.
+  On a real board (``struck``) no point moves farther than its range times the error.
+- A board has one face. From behind it gives no points.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import Plane, in_plane_axes, plane_through
+from lispac.simulation.closed_form import Board, Course, six_courses
+from lispac.survey.georeferencing import CALIBRATION, Mounting, place
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+Beams = Literal["aimed", "struck"]
+
+SIDE = 1.0
+"""Of a board, metres."""
+
+SIZES: Mapping[str, float] = {
+    "roll": np.radians(2.0),
+    "pitch": np.radians(2.0),
+    "yaw": np.radians(2.0),
+    "lever_x": 0.1,
+    "lever_y": 0.1,
+    "lever_z": 0.1,
+    "range_offset": 0.1,
+    "scan_angle_offset": np.radians(2.0),
+}
+"""The eight errors of table 3.2, radians and metres."""
+
+MARGIN: Mapping[Beams, float] = {"aimed": 0.0, "struck": np.radians(4.0)}
+"""Profiles reach so far beyond the board: an error moves beams onto it that were beside it."""
+
+
+@dataclass(frozen=True)
+class Site:
+    """Where the board stands, and how it is scanned.
+
+    Attributes
+    ----------
+    distance, rise : float, metres
+        Of the board's lower edge from the scanner: aside when abeam, and upwards.
+    inclinations : tuple of float, radians
+    errors : tuple of str
+        Those studied, of `SIZES`.
+    angle_step : float, radians
+        Between the beams of a profile.
+    profile_spacing : float, metres
+        Along the line.
+    """
+
+    name: str
+    distance: float
+    rise: float
+    inclinations: tuple[float, ...]
+    errors: tuple[str, ...]
+    angle_step: float
+    profile_spacing: float
+
+    def board(self, inclination: float) -> Board:
+        """The board at an inclination, radians; its normal is that of its face."""
+        cosine, sine = np.cos(inclination), np.sin(inclination)
+        centre = (0.0, self.distance - SIDE / 2 * sine, self.rise + SIDE / 2 * cosine)
+        return Board(f"{np.degrees(inclination):.0f}", centre, (0.0, -cosine, -sine), SIDE, SIDE)
+
+
+def _steps(first: int, last: int) -> tuple[float, ...]:
+    return tuple(float(np.radians(degrees)) for degrees in range(first, last + 1, 10))
+
+
+TERRESTRIAL = Site(
+    "terrestrial", 5.0, -2.5, _steps(-90, 90), tuple(SIZES), float(np.radians(0.2)), 0.03
+)
+MARINE = Site(
+    "marine", 15.0, 5.0, _steps(-90, 180), ("roll", "pitch", "yaw"), float(np.radians(0.1)), 0.03
+)
+SITES: Mapping[str, Site] = {site.name: site for site in (TERRESTRIAL, MARINE)}
+
+LINES: tuple[Course, ...] = six_courses()
+HEADINGS_DEG = tuple(round(float(np.degrees(course.heading))) for course in LINES)
+"""Of the six lines, in the thesis's order."""
+
+NO_ERROR = Mounting(np.zeros(3), np.zeros(3))
+
+
+def mounting_with(error: str, share: float = 1.0) -> Mounting:
+    """The true mounting where one of the eight errors is there, as a share of its size."""
+    values = np.zeros(len(CALIBRATION))
+    values[CALIBRATION.index(error)] = share * SIZES[error]
+    return Mounting.of_values(values)
+
+
+def board_plane(board: Board) -> Plane:
+    """The plane a board lies in, its normal that of the board's face."""
+    return plane_through(np.array(board.centre), np.array(board.normal))
+
+
+def on_board(points: Array, board: Board) -> NDArray[np.bool_]:
+    """Which points of its plane lie on the board: what 3.4.3 asks of four triangles' areas.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres, local
+    """
+    along = (points - np.array(board.centre)) @ in_plane_axes(np.array(board.normal)).T
+    inside: NDArray[np.bool_] = (np.abs(along) <= (board.width / 2, board.height / 2)).all(axis=1)
+    return inside
+
+
+def simulated(
+    site: Site, course: Course, inclination: float, error: Mounting, beams: Beams = "aimed"
+) -> Array:
+    """The board's points, placed by someone who takes the mounting to have no error.
+
+    Parameters
+    ----------
+    error : Mounting
+        The true one.
+    beams : {"aimed", "struck"}
+        Those that would meet the board without the error, or those that meet it with the error.
+
+    Returns
+    -------
+    ndarray of shape (n, 3), metres, local
+        None where the board is only seen from behind.
+    """
+    board = site.board(inclination)
+    directions, poses = _profiles(site, board, course, MARGIN[beams])
+    ranges, hits = _met(directions, poses, error, board)
+    seen = np.isfinite(ranges)
+    if beams == "aimed":
+        meant, hits = _met(directions, poses, NO_ERROR, board)
+        seen &= np.isfinite(meant)
+    seen[seen] = on_board(hits[seen], board)
+    measured = directions[seen] * ranges[seen, None]
+    return place(measured, Poses(poses.position[seen], poses.attitude[seen]), NO_ERROR)
+
+
+def _profiles(site: Site, board: Board, course: Course, margin: float) -> tuple[Array, Poses]:
+    """Unit beams in the LiDAR frame and the poses they leave from, about the board."""
+    ahead = course.direction
+    left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])
+    across, up = in_plane_axes(np.array(board.normal))
+    corners = np.array(board.centre) + [
+        (u * across + v * up) * SIDE / 2 for u in (-1, 1) for v in (-1, 1)
+    ]
+    # Both grids lie alike for lines run in opposite directions.
+    edge = float(np.array([0.0, site.distance, 0.0]) @ ahead)
+    angles = np.arctan2(corners[:, 2], corners @ left)
+    middle = float(np.angle(np.exp(1j * angles).mean()))
+    aside = np.angle(np.exp(1j * (angles - middle)))
+    reach = margin * float(np.linalg.norm(corners, axis=1).max())
+    step = site.angle_step
+    scan = step * np.arange(
+        np.floor((middle + aside.min() - margin) / step),
+        np.ceil((middle + aside.max() + margin) / step) + 1,
+    )
+    far = float(np.abs(corners @ ahead - edge).max()) + reach
+    count = int(np.ceil(far / site.profile_spacing))
+    along = edge + site.profile_spacing * (np.arange(-count, count) + 0.5)
+    along, scan = (grid.ravel() for grid in np.meshgrid(along, scan))
+    directions = np.column_stack([np.zeros_like(scan), np.cos(scan), np.sin(scan)])
+    attitude = np.tile([0.0, 0.0, course.heading], (len(scan), 1))
+    return directions, Poses(along[:, None] * ahead, attitude)
+
+
+def _met(directions: Array, poses: Poses, mounting: Mounting, board: Board) -> tuple[Array, Array]:
+    """Where beams meet a board's plane on its face: readings (n,) and points (n, 3), metres.
+
+    Readings of beams that come from behind, or never meet it, are NaN.
+    """
+    # Whatever the mounting, a reading of one metre more is a point one metre farther on the beam.
+    near, far = place(directions, poses, mounting), place(2 * directions, poses, mounting)
+    plane = board_plane(board)
+    rate = (far - near) @ plane.normal
+    with np.errstate(divide="ignore", invalid="ignore"):
+        readings = 1.0 - plane.distances(near) / rate
+    readings = np.where((rate < 0) & (readings > 0), readings, np.nan)
+    return readings, near + (readings - 1.0)[:, None] * (far - near)

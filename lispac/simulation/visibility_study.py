@@ -1,0 +1,216 @@
+"""Every error, line and inclination of a site: what is seen of it, and the best configurations.
+
+The rule the thesis applies by eye (3.5.2), made exact: an inclination is kept where Type I reaches
+a threshold on every line, from the upright board outwards; of those kept it is best where the
+lines differ most in both numbers of Type II. Lines that show the same form a group, and a
+configuration takes one line of each: so the eight combinations of table 3.1 come about.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import PlaneNotFound
+from lispac.progress import Progress, no_progress
+from lispac.simulation.thesis_site import (
+    HEADINGS_DEG,
+    LINES,
+    Beams,
+    Site,
+    board_plane,
+    mounting_with,
+    simulated,
+)
+from lispac.simulation.visibility import (
+    angular_deviation,
+    centroidal_distance,
+    normalised,
+    orthogonal_distance,
+    shape_of,
+    type_one,
+)
+
+Array = NDArray[np.float64]
+
+THRESHOLD = 0.75
+"""Of Type I. The thesis says near 1 and gives no number."""
+ALIKE = 0.1
+"""Lines show the same where they differ by less than this share of the largest value."""
+LEAST = 0.001, np.radians(0.02)
+"""Differences of orthogonal distance (metres) and angular deviation (radians) that are none."""
+
+
+@dataclass(frozen=True, eq=False)
+class Visibility:
+    """The criteria of a site.
+
+    Attributes
+    ----------
+    points : ndarray of int, shape (errors, lines, inclinations)
+    planarity, type_one : ndarray of that shape
+        NaN and 0 where there are no points on the board.
+    centroidal_distance, orthogonal_distance : ndarray of that shape, metres
+    angular_deviation : ndarray of that shape, radians
+    """
+
+    site: Site
+    beams: Beams
+    points: NDArray[np.int64]
+    planarity: Array
+    centroidal_distance: Array
+    type_one: Array
+    orthogonal_distance: Array
+    angular_deviation: Array
+
+    def best(self, error: str, considered: tuple[float, float] = (-np.inf, np.inf)) -> "Best":
+        """The best configuration for an error.
+
+        Parameters
+        ----------
+        considered : tuple of float, radians
+            Lowest and highest inclination that may be chosen.
+        """
+        kept = self.kept(error)
+        low, high = considered
+        chosen = self._most_visible(error, [each for each in kept if low <= each <= high])
+        if chosen is None:
+            return Best(error, kept, None, (HEADINGS_DEG,))
+        return Best(error, kept, self.site.inclinations[chosen], self.groups(error, chosen))
+
+    def kept(self, error: str) -> tuple[float, ...]:
+        """Inclinations that Type I keeps: next to each other, about the upright board, radians."""
+        good = (self.type_one[self.site.errors.index(error)] >= THRESHOLD).all(axis=0)
+        upright = int(np.argmin(np.abs(self.site.inclinations)))
+        if not good[upright]:
+            return ()
+        low = high = upright
+        while low > 0 and good[low - 1]:
+            low -= 1
+        while high < len(good) - 1 and good[high + 1]:
+            high += 1
+        return self.site.inclinations[low : high + 1]
+
+    def spread(self, error: str) -> tuple[Array, Array]:
+        """How far the lines differ at each inclination: metres and radians, each (inclinations,).
+
+        NaN where a line has no points.
+        """
+        k = self.site.errors.index(error)
+        return np.ptp(self.orthogonal_distance[k], 0), np.ptp(self.angular_deviation[k], 0)
+
+    def _most_visible(self, error: str, kept: Sequence[float]) -> int | None:
+        """Place of the inclination where the lines differ most, None where they do not.
+
+        Both differences count alike, each as a share of the largest among these inclinations.
+        """
+        among = [j for j, each in enumerate(self.site.inclinations) if each in kept]
+        score = np.zeros(len(among))
+        for spread, least in zip(self.spread(error), LEAST, strict=True):
+            largest = spread[among].max(initial=0.0)
+            if largest > least:
+                score += spread[among] / largest
+        return among[int(np.argmax(score))] if score.any() else None
+
+    def groups(self, error: str, inclination: int) -> tuple[tuple[int, ...], ...]:
+        """Headings (deg) of lines that show the same at the inclination of this place."""
+        k = self.site.errors.index(error)
+        shown = [
+            (values[k, :, inclination], max(least, ALIKE * np.abs(values[k, :, inclination]).max()))
+            for values, least in zip(
+                (self.orthogonal_distance, self.angular_deviation), LEAST, strict=True
+            )
+        ]
+        groups: list[list[int]] = []
+        for line in range(len(HEADINGS_DEG)):
+            for group in groups:
+                if all(abs(values[line] - values[group[0]]) < limit for values, limit in shown):
+                    group.append(line)
+                    break
+            else:
+                groups.append([line])
+        return tuple(tuple(HEADINGS_DEG[line] for line in group) for group in groups)
+
+
+@dataclass(frozen=True)
+class Best:
+    """The best configuration for one error.
+
+    Attributes
+    ----------
+    kept : tuple of float, radians
+        Inclinations of which Type I says that the board can be used.
+    inclination : float, radians
+        None where no lines differ at any of them: the error is not seen.
+    groups : tuple of tuple of int, degrees
+        Headings of lines that show the same; one line of each is needed.
+    """
+
+    error: str
+    kept: tuple[float, ...]
+    inclination: float | None
+    groups: tuple[tuple[int, ...], ...]
+
+    @property
+    def lines(self) -> tuple[int, ...]:
+        """Headings (deg) of the first line of each group; none where the error is not seen."""
+        return () if self.inclination is None else tuple(group[0] for group in self.groups)
+
+    def seen_by(self, lines: Sequence[int]) -> bool:
+        """Whether these lines hold one of each group."""
+        return self.inclination is not None and all(
+            set(group) & set(lines) for group in self.groups
+        )
+
+
+def visibility(
+    site: Site, beams: Beams = "aimed", *, progress: Progress = no_progress
+) -> Visibility:
+    """Simulate every error on every line and inclination.
+
+    Centroidal distances are normalised over all of a site's errors together. Within one error
+    whose distance is the same everywhere, equation 3.4 would stretch nothing to the whole of 0 to
+    1. The thesis does not say over what; its figure 3.18 holds three errors.
+    """
+    shape = len(site.errors), len(LINES), len(site.inclinations)
+    points = np.zeros(shape, dtype=np.int64)
+    values = np.full((4, *shape), np.nan)
+    for e, error in enumerate(site.errors):
+        mounting = mounting_with(error)
+        for j, inclination in enumerate(site.inclinations):
+            progress((e + j / shape[2]) / shape[0])
+            board = site.board(inclination)
+            plane = board_plane(board)
+            for k, course in enumerate(LINES):
+                cloud = simulated(site, course, inclination, mounting, beams)
+                points[e, k, j] = len(cloud)
+                try:
+                    found = shape_of(cloud)
+                except PlaneNotFound:
+                    continue  # not seen, or along one beam only
+                values[:, e, k, j] = (
+                    found.planarity,
+                    centroidal_distance(found, np.array(board.centre)),
+                    orthogonal_distance(found, plane),
+                    angular_deviation(found, plane),
+                )
+    progress(1.0)
+    planarity, centroidal, orthogonal, angular = values
+    good = type_one(planarity, normalised(centroidal))
+    return Visibility(site, beams, points, planarity, centroidal, good, orthogonal, angular)
+
+
+def fewest_lines(found: Sequence[Best]) -> tuple[tuple[int, ...], ...]:
+    """The smallest sets of lines, headings in degrees, that see every error any lines can see."""
+    visible = [best for best in found if best.inclination is not None]
+    for count in range(1, len(HEADINGS_DEG) + 1):
+        enough = tuple(
+            lines
+            for lines in combinations(HEADINGS_DEG, count)
+            if all(best.seen_by(lines) for best in visible)
+        )
+        if enough:
+            return enough
+    return ()

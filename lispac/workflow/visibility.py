@@ -1,0 +1,60 @@
+"""What errors do to boards, as files: all values, the best configurations, and figures."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from lispac.io.files import written_whole
+from lispac.progress import Progress, no_progress
+from lispac.report.tables import csv_text
+from lispac.report.visibility_figures import CRITERIA, visibility_figure
+from lispac.report.visibility_tables import comparison_table, values_table
+from lispac.simulation.visibility_study import Visibility
+
+RESOLUTION = 200
+"""Of a PNG, dots per inch."""
+
+
+def write_visibility(
+    found: Visibility,
+    folder: Path,
+    errors: Sequence[str],
+    formats: Sequence[str],
+    *,
+    progress: Progress = no_progress,
+) -> list[Path]:
+    """Write a site's tables and the three figures of each error.
+
+    Parameters
+    ----------
+    errors : of the site
+    formats : png, svg or pdf, of the figures
+
+    Returns
+    -------
+    list of Path
+        What was written.
+
+    Raises
+    ------
+    InputError
+        Where a file cannot be written.
+    """
+    tables = [("values", values_table(found, errors))]
+    if found.beams == "aimed":  # those of the thesis
+        tables.append(("best", comparison_table(found, errors)))
+    written = []
+    for name, table in tables:
+        path = folder / f"{found.site.name}-{name}.csv"
+        with written_whole(path) as part:
+            # A spreadsheet's line ends are those the writer put there.
+            part.write_text(csv_text(table), encoding="utf-8", newline="")
+        written.append(path)
+    drawn = [(error, criterion, form) for error in errors for criterion in CRITERIA
+             for form in formats]  # fmt: skip
+    for k, (error, criterion, form) in enumerate(drawn):
+        progress(k / len(drawn), "drawing")
+        name = f"{found.site.name}-{error.replace('_', '-')}-{criterion}.{form}"
+        with written_whole(folder / name) as part:
+            visibility_figure(found, error, criterion).savefig(part, format=form, dpi=RESOLUTION)
+        written.append(folder / name)
+    return written
