@@ -69,6 +69,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                 "All calibrations of a vessel's system: has its mounting moved?"),
     "subsampling": ("&Subsampling study…", "Subsampling", "", "Shift+F9",
                     "Adjust with points nearer together and farther apart, and compare"),
+    "visibility": ("&Visibility of errors…", "Visibility", "", "",
+                   "Which board and which lines show which systematic error"),
     "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
                "Stop; nothing is changed"),
     "before": ("&Before (prior boresight)", "Before", "history", "",
@@ -125,7 +127,7 @@ _MENUS: dict[str, Menu] = {
         "lasso_add",
         "lasso_remove",
     ),
-    "&Adjust": ("estimate", "", "subsampling", "", "cancel"),
+    "&Adjust": ("estimate", "", "subsampling", "visibility", "", "cancel"),
     "Va&lidate": ("validate", "check", "", "budget", "history"),
     "&Help": ("keys", "about"),
 }

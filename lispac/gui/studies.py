@@ -1,5 +1,5 @@
 """Studies of an answer: against a reference, over the years, with other distances between points,
-and what each source of error does."""
+and what each source of error does; and of boards, before there is one."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from lispac.gui.panels.histograms import preload
-from lispac.progress import Progress
+from lispac.progress import Progress, part
 from lispac.project import Project
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
+from lispac.simulation.thesis_site import SITES
+from lispac.simulation.visibility_study import Visibility, visibility
 from lispac.workflow.absolute import check_absolute
 from lispac.workflow.budget import budget_of
 from lispac.workflow.history import History, histories
@@ -34,6 +36,7 @@ class Studies(QObject):
             "history": self.history,
             "subsampling": self.subsampling,
             "budget": self.budget,
+            "visibility": self.visibility,
         }.items():
             self._actions[name].triggered.connect(lambda _=False, study=study: study())
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
@@ -113,6 +116,19 @@ class Studies(QObject):
         )  # fmt: skip
         self._controller.based_on_project(task)
 
+    def visibility(self) -> None:
+        """Show which boards and lines show which error; it needs no project."""
+
+        def work(progress: Progress) -> list[Visibility]:
+            preload()
+            sites = list(SITES.values())
+            return [
+                visibility(site, progress=part(progress, k / len(sites), (k + 1) / len(sites)))
+                for k, site in enumerate(sites)
+            ]
+
+        self._runner.run("Simulating boards", work, self._dialogs.visibility)
+
     def _ready(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current
         return self._document.project, self._document.survey if current else None
@@ -122,7 +138,8 @@ class Studies(QObject):
         ready = survey is not None and not busy
         picked = project is not None and bool(project.of_role("target"))
         estimated = project is not None and project.result is not None
-        self._actions["history"].setEnabled(not busy)
+        for name in ("history", "visibility"):
+            self._actions[name].setEnabled(not busy)
         self._actions["subsampling"].setEnabled(picked and ready)
         for name in ("check", "budget"):
             self._actions[name].setEnabled(estimated and ready)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from lispac.report.blocks import Column, Table, rows
-from lispac.report.visibility_figures import error_in_words
+from lispac.report.visibility_figures import CRITERIA, error_in_words
 from lispac.simulation.thesis_answers import (
     ALL_ERRORS,
     Compared,
@@ -45,6 +45,32 @@ def values_table(found: Visibility, errors: Sequence[str]) -> Table:
     return Table(title, tuple(map(Column, heads)), rows(made))
 
 
+def reading(found: Visibility, error: str, criterion: str, inclination_deg: float) -> str:
+    """What all lines show at the studied inclination nearest to one, in a sentence."""
+    shown = CRITERIA[criterion]
+    j = int(np.argmin(np.abs(np.degrees(found.site.inclinations) - inclination_deg)))
+    values = shown.values(found)[found.site.errors.index(error), :, j]
+    said = ", ".join(
+        f"{heading}: {_number(value, shown.decimals) or 'no points'}"
+        for heading, value in zip(HEADINGS_DEG, values, strict=True)
+    )
+    return f"{shown.label} at {np.degrees(found.site.inclinations[j]):.0f} deg on line {said}"
+
+
+def plot_table(found: Visibility, error: str, criterion: str) -> Table:
+    """What one figure is drawn from: a row an inclination, a column a line."""
+    shown = CRITERIA[criterion]
+    values = shown.values(found)[found.site.errors.index(error)]
+    return Table(
+        f"{error_in_words(error)}: {shown.label}",
+        tuple(map(Column, ("Inclination (deg)", *(f"{each} deg" for each in HEADINGS_DEG)))),
+        rows(
+            (f"{np.degrees(each):.0f}", *(_number(value, 6) for value in values[:, j]))
+            for j, each in enumerate(found.site.inclinations)
+        ),
+    )
+
+
 def comparison_table(found: Visibility, errors: Sequence[str]) -> Table:
     """The best configuration for each error, here and in the thesis, and whether they agree."""
     heads = (
@@ -76,7 +102,7 @@ def _compared(each: Compared) -> tuple[str, ...]:
         " to ".join(kept) or "none",
         "{} to {}".format(*stated.kept_deg),
         NOT_SEEN if best.inclination is None else f"{np.degrees(best.inclination):.0f}",
-        NOT_SEEN if thesis is None else " to ".join(f"{each}" for each in dict.fromkeys(thesis)),
+        NOT_SEEN if thesis is None else _about(*thesis),
         # Lines that show the same stand together; one of each group is enough.
         ", ".join("/".join(map(str, group)) for group in best.groups) if best.lines else NOT_SEEN,
         _headings(stated.lines) or NOT_SEEN,
@@ -84,6 +110,10 @@ def _compared(each: Compared) -> tuple[str, ...]:
         _agree(each.lines_agree),
         each.reason,
     )
+
+
+def _about(low: int, high: int) -> str:
+    return f"{low}" if low == high else f"about {(low + high) / 2:.0f}"
 
 
 def _agree(agree: bool) -> str:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.backend_bases import MouseEvent
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QDialog
@@ -13,6 +14,7 @@ from lispac.gui.dialogs.budget import BudgetDialog
 from lispac.gui.dialogs.check import CheckDialog, CheckedDialog
 from lispac.gui.dialogs.history import HistoryDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
+from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
 from lispac.project import Project
@@ -187,6 +189,52 @@ def test_the_error_budget(adjusted: Driver) -> None:
 
     QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
     answered(adjusted, look)
+
+
+def test_visible_errors_are_chosen_read_off_and_copied(driver: Driver) -> None:
+    """Without a project: boards are thought of before there is a survey."""
+
+    def look(dialog: VisibilityDialog) -> None:
+        assert isinstance(dialog, VisibilityDialog)
+        assert dialog.table.rowCount() == 8
+        best = {
+            dialog.table.item(row, 0).text(): dialog.table.item(row, 3).text() for row in range(8)
+        }
+        assert best["Pitch 2 deg"] == "0"
+        assert best["Lever arm Z 10 cm"] == "not seen"
+        dialog.table.selectRow(0)
+        assert dialog.error.currentText() == "Roll 2 deg"
+        assert "Appendix C.2.1" in dialog.said.text()
+        dialog.table.selectRow(2)
+        assert dialog.error.currentText() == "Yaw 2 deg"
+        assert "Appendix" not in dialog.said.text()
+        dialog.criterion.setCurrentIndex(1)
+        (axes,) = dialog.canvas.figure.axes
+        assert "Yaw" in axes.get_title(loc="left")
+        assert "orthogonal distance" in axes.get_ylabel()
+        dialog.canvas.draw()
+        x, y = axes.transData.transform((-38.0, 0.0))
+        MouseEvent("motion_notify_event", dialog.canvas, x, y)._process()
+        said = dialog.reading.text()
+        assert "at -40 deg" in said
+        driver.bot.mouseClick(dialog.copy_numbers, Left)
+        heads, *rows = QGuiApplication.clipboard().text().splitlines()
+        assert heads.split("\t")[3] == "45 deg"
+        (row,) = (row.split("\t") for row in rows if row.startswith("-40\t"))
+        assert f"45: {float(row[3]):.4f}" in said
+        driver.bot.mouseClick(dialog.copy_picture, Left)
+        assert QGuiApplication.clipboard().pixmap().width() >= 560
+        dialog.site.setCurrentText("Marine")
+        assert dialog.table.rowCount() == 3
+        assert [dialog.error.itemText(k) for k in range(3)] == [
+            "Roll 2 deg", "Pitch 2 deg", "Yaw 2 deg",
+        ]  # fmt: skip
+        assert dialog.error.currentText() == "Yaw 2 deg"
+
+    action = driver.window.actions_["visibility"]
+    assert action.isEnabled()
+    action.trigger()
+    answered(driver, look)
 
 
 def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:

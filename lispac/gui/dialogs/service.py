@@ -24,12 +24,14 @@ from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
+from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
 from lispac.project import LineSource, Project, Target, Triple
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
+from lispac.simulation.visibility_study import Visibility
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.settings import FinderChoices
 from lispac.workflow.export_request import ExportRequest, What
@@ -160,6 +162,12 @@ class Dialogs:
     def subsampling(self, found: Sequence[Subsampled], used: float) -> None:
         """Show the answers with other distances between the points; ``used`` is the project's."""
         dialog = SubsamplingDialog(found, used, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def visibility(self, found: Sequence[Visibility]) -> None:
+        """Show which boards and lines show which error, on each site."""
+        dialog = VisibilityDialog(found, self.parent)
         dialog.exec()
         dialog.deleteLater()
 

@@ -37,7 +37,7 @@ class StudyDialog(QDialog):
             "Copy numbers", f"{name}_numbers", tip="Copy the table for a spreadsheet"
         )
         self.copy_numbers.clicked.connect(
-            lambda: QGuiApplication.clipboard().setText(table.as_text())
+            lambda: QGuiApplication.clipboard().setText(self.numbers())
         )
         self.copy_picture = widgets.button(
             "Copy picture", f"{name}_picture", tip="Copy the plot as it is shown"
@@ -59,6 +59,10 @@ class StudyDialog(QDialog):
         """Show rows in the table, all of them where they are few."""
         self.table.show_rows(rows)
         self.table.setMinimumHeight(HEAD + ROW * min(len(rows), MOST_SHOWN))
+
+    def numbers(self) -> str:
+        """What is copied for a spreadsheet."""
+        return self.table.as_text()
 
     def figure(self):
         """The figure of the plot, which stands below the table."""
