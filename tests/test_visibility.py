@@ -334,6 +334,27 @@ def test_the_command_writes_what_it_shows(
     assert {r["Type I"] for r in rows if r["Points"] == "0"} == {"0.0000"}
 
 
+def test_a_real_board_is_not_held_against_the_thesis(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    found = answer(
+        capsys, "visibility", "marine", "--output", tmp_path, "--error", "pitch", "--struck"
+    )
+    assert found["beams"] == "struck"
+    assert found["thesis"] == []
+    assert found["best"][0]["inclination_deg"] == 0
+    assert "marine-best.csv" not in {Path(each).name for each in found["files"]}
+
+
+def test_the_angular_deviation_knows_no_direction() -> None:
+    """Two lines turned by 2 deg each to opposite sides: 4 deg apart, and the same to Type II."""
+    one, other = (shape_of(cloud("roll", heading)) for heading in (0, 180))
+    reference = board_plane(UPRIGHT)
+    assert angular_deviation(one, reference) == pytest.approx(E, abs=1e-9)
+    assert angular_deviation(other, reference) == pytest.approx(E, abs=1e-9)
+    assert one.plane.tilt_to(other.plane) == pytest.approx(2 * E, abs=1e-9)
+
+
 def test_an_error_the_site_does_not_study_is_refused(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

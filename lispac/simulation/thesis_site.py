@@ -50,7 +50,7 @@ SIZES: Mapping[str, float] = {
 }
 """The eight errors of table 3.2, radians and metres."""
 
-MARGIN: Mapping[Beams, float] = {"aimed": 0.0, "struck": np.radians(4.0)}
+MARGIN: Mapping[Beams, float] = {"aimed": 0.0, "struck": np.radians(2.5)}
 """Profiles reach so far beyond the board: an error moves beams onto it that were beside it."""
 
 
