@@ -8,14 +8,15 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.project import Project
-from lispac.targets.detection import detect_planes
+from lispac.simulation.scene import tilted
+from lispac.targets.detection import VOXEL, detect_planes
 from lispac.targets.finder import FinderSettings
-from lispac.targets.patches import flat_patches
+from lispac.targets.patches import flat_patches, voxel_for
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.proposing import propose
 from lispac.workflow.survey import Survey
-from tests.finder_scenes import precision_and_recall
+from tests.finder_scenes import WALL, precision_and_recall, rippled, site
 from tests.test_finder import SharedSurvey
 from tests.test_finder_sites import scenery
 
@@ -56,6 +57,34 @@ def test_both_twins_are_detected_on_every_line_and_kept_apart():
         assert "L9" in own[0].missing
         for line, patch in own[0].found.items():
             assert min(precision_and_recall(patch.indices, seen.on(line, name))) > 0.95
+
+
+def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
+    """A tarpaulin in folds comes in pieces, larger than the board beside it."""
+    folds = rippled("sheet", (-0.6, WALL, 7.8), 3.2, 1.6, period=1.4, slope_deg=7.0)
+    seen = site([tilted("T1", (2.6, WALL, 7.5), 1.0, 0.7, 270, 40), *folds], lines=2)
+    clouds, settings = seen.clouds(), FinderSettings(threshold=0.06)
+    voxel = voxel_for(settings.threshold, VOXEL)
+    pieces = [
+        patch
+        for line in clouds
+        for patch in flat_patches(clouds[line], settings.threshold, voxel=voxel).patches
+        if patch.area > 1.0
+    ]
+    assert len(pieces) > 2
+    planes = detect_planes(clouds, settings, most=2)
+    shown = [
+        {
+            name
+            for name in ("T1", "sheet")
+            if all(
+                min(precision_and_recall(patch.indices, seen.on(line, name))) > 0.9
+                for line, patch in plane.found.items()
+            )
+        }
+        for plane in planes
+    ]
+    assert shown == [{"sheet"}, {"T1"}]
 
 
 def test_the_demo_is_calibrated_from_what_is_proposed(calibrated: tuple[Project, Survey]) -> None:

@@ -37,7 +37,8 @@ VOXEL = 0.1
 # Least area (square metres) and least mean width (metres) worth following: posts and rails
 # are narrow strips.
 LEAST_AREA, LEAST_WIDTH = 0.4, 0.3
-# Surfaces followed through the lines.
+# Surfaces followed through the lines. A smeared or rough one comes in pieces, other ones in each
+# line: pieces of what has been followed already do not count.
 MOST = 12
 # Larger planes are cut at the search radius all alike: their area beyond counts no more.
 LARGE_AREA = 12.0
@@ -115,13 +116,17 @@ def detect_planes(
             for name, found in zip(clouds, looked, strict=True)
         }
     detected: list[DetectedPlane] = []
-    surfaces = _surfaces(patches, settings)[:most]
-    for k, (line, patch) in enumerate(surfaces):
-        step = part(progress, 0.4 + 0.6 * k / len(surfaces), 0.4 + 0.6 * (k + 1) / len(surfaces))
+    surfaces = _surfaces(patches, settings)
+    followed, most = 0, min(most, len(surfaces))
+    for line, patch in surfaces:
+        if followed == most:
+            break
         # The middle of a surface may be a hole; a point of it is not.
         seed = patch.points[np.argmin(np.linalg.norm(patch.points - patch.centre, axis=1))]
         if any(_holds(plane, lines[line], line, seed, settings) for plane in detected):
             continue
+        step = part(progress, 0.4 + 0.6 * followed / most, 0.4 + 0.6 * (followed + 1) / most)
+        followed += 1
         try:
             found, missing = find(seed, line, step)
         except TargetNotFound:
