@@ -11,7 +11,7 @@ import pytest
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.cli.main import main
-from lispac.errors import TargetNotFound
+from lispac.errors import RankDeficient, TargetNotFound
 from lispac.project import Project, Target
 from lispac.simulation.scene import tilted
 from lispac.simulation.survey import SimulatedSurvey
@@ -177,6 +177,35 @@ def answer(project: Project, survey: Survey, targets: tuple[Target, ...]) -> Adj
 def apart(first: AdjustmentResult, second: AdjustmentResult) -> np.ndarray:
     """Differences of roll, pitch, yaw in combined sigmas."""
     return np.abs(first.boresight - second.boresight) / np.hypot(first.sigma, second.sigma)
+
+
+def test_boards_that_leave_an_angle_open_are_not_kept_to() -> None:
+    """Two boards that hardly differ, before a wall and beside a roof, on two opposite lines."""
+    seen = site(
+        [
+            board(),
+            tilted("T2", (-2.0, WALL, 8.0), 1.23, 1.2, 270, 15),
+            tilted("roof", (3.4, WALL + 0.2, 8.5), 4.0, 4.5, 270, 50),
+            wall(0.5),
+        ],
+        lines=2,
+    )
+    project, survey = seen.opened((1, -1, 1))
+    proposal = propose(project, survey)
+    shown = {
+        target: name
+        for target in proposal.targets
+        for name in ("T1", "T2", "roof", "wall")
+        if mostly_on(seen, name, {s.line: s.indices for s in target.sightings})
+    }
+    chosen = tuple(target for target in shown if target.role == "target")
+    boards = tuple(target for target, name in shown.items() if name in ("T1", "T2"))
+    assert len(boards) == 2
+    assert {shown[target] for target in chosen} - {"T1", "T2"}
+    with pytest.raises(RankDeficient):
+        answer(project, survey, boards)
+    result = answer(project, survey, chosen)
+    assert (np.abs(result.boresight - seen.boresight) < 3 * result.sigma).all()
 
 
 @pytest.mark.long

@@ -34,6 +34,8 @@ Array = NDArray[np.float64]
 MOST_TARGETS, LEAST_VALIDATION = 4, 4
 WORTH_IT = 0.85
 """A target that leaves more than this share of every sigma is left for validation."""
+FAR_WORSE = 2.0
+"""Times the worst sigma that any two planes leave: beyond it two boards are not kept to."""
 LARGE = 2.0
 """Square metres from which a plane is large enough for validation, where there are others."""
 MOSTLY = 0.5
@@ -286,17 +288,20 @@ def _chosen(
 ) -> tuple[list[str], dict[str, str], Array]:
     """The planes to adjust with, the reason of each, and the sigmas they give."""
     with one_thread():
-        # Boards rather than walls, where there are enough: walls are wanted for validation.
-        pool = [name for name in names if name in whole]
-        pool = names if set(combinations(pool, 2)) <= one_way else pool
-        allowed = [pair for pair in combinations(pool, 2) if pair not in one_way]
-        if not allowed:
+        pairs = {
+            pair: _sigma(linearised, pair) for pair in combinations(names, 2) if pair not in one_way
+        }
+        if not pairs:
             raise AdjustmentError(
                 "All flat surfaces found face one way, and that leaves the boresight open; put up "
                 "a board of another inclination, or set seeds by hand."
             )
-        pairs = {pair: _sigma(linearised, pair) for pair in allowed}
-        best = min(pairs, key=lambda pair: float(pairs[pair].max()))
+        worst = {pair: float(sigma.max()) for pair, sigma in pairs.items()}
+        best, pool = min(worst, key=worst.__getitem__), names
+        # Boards rather than walls, where they tell enough: walls are wanted for validation.
+        boards = {pair: sigma for pair, sigma in worst.items() if whole.issuperset(pair)}
+        if boards and min(boards.values()) <= FAR_WORSE * worst[best]:
+            best, pool = min(boards, key=boards.__getitem__), [n for n in names if n in whole]
         sigma, chosen = pairs[best], list(best)
         if not np.isfinite(sigma).all():
             raise AdjustmentError("No two of the planes found determine the boresight.")
