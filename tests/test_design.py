@@ -80,7 +80,7 @@ def test_the_search_beats_the_thesis_on_its_own_terms() -> None:
         assert len(found.plan.lines) == 6
         assert len(found.plan.targets) == 2
         assert all(
-            line.distance * abs(np.sin(np.radians(line.heading_deg - 270.0))) >= LARGE.closest
+            line.distance * abs(np.sin(np.radians(line.heading_deg - 270.0))) > LARGE.closest
             for line in found.plan.lines
         )
 

@@ -18,6 +18,10 @@ SIX = (0, 180, 45, 225, 315, 135)
 """Degrees: headings of the six-fold pattern, against a wall that lies east (thesis figure 3.3)."""
 
 
+BEYOND = 5.0
+"""Metres that a line runs straight before the first target is abeam and after the last one."""
+
+
 @dataclass(frozen=True, eq=False)
 class System:
     """What the vessel carries.
@@ -127,6 +131,18 @@ class Plan:
             )
             for k, line in enumerate(self.lines)
         )
+
+    @property
+    def runs(self) -> tuple[tuple[float, float], ...]:
+        """From where to where each line is straight, metres after the middle is abeam."""
+        found = []
+        for course in self.courses:
+            along = [
+                float((np.array(target.centre[:2]) - course.abeam) @ course.direction[:2])
+                for target in self.targets
+            ]
+            found.append((min(along) - BEYOND, max(along) + BEYOND))
+        return tuple(found)
 
     @property
     def duration(self) -> float:

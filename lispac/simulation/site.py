@@ -8,7 +8,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.plan import Line, Plan, System
+from lispac.simulation.plan import BEYOND, Line, Plan, System
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +37,7 @@ class Site:
     boards, lines : int
         How many at most.
     closest : float, metres
-        No line passes nearer than this to the wall when the middle is abeam.
+        No line comes nearer than this to the wall while the middle of the site is about abeam.
     time_on_site : float, minutes
     minutes_per_line, minutes_per_board : float
         With the turn; to hang it and take it down.
@@ -55,7 +55,7 @@ class Site:
     speeds: tuple[float, ...] = (1.0,)
     boards: int = 2
     lines: int = 6
-    closest: float = 8.0
+    closest: float = 6.0
     time_on_site: float = 60.0
     minutes_per_line: float = 1.5
     minutes_per_board: float = 15.0
@@ -113,9 +113,9 @@ class Site:
         """Every heading at every distance and speed that keeps off the wall."""
         allowed = []
         for heading in self.headings_deg:
-            across = float(np.sin(np.radians(heading - self.facing_deg)))
+            across, to = (float(f(np.radians(heading - self.facing_deg))) for f in (np.sin, np.cos))
             for distance in self.distances:
-                if distance * abs(across) < self.closest:
+                if distance * abs(across) - BEYOND * abs(to) < self.closest:
                     continue
                 allowed += [Line(heading, distance, across > 0, speed) for speed in self.speeds]
         return tuple(allowed)

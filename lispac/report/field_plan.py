@@ -1,0 +1,215 @@
+"""One page for the field: where the boards hang, which lines to sail in which order."""
+
+from collections.abc import Sequence
+from textwrap import fill
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT
+from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.plan import Line, Plan
+from lispac.simulation.prediction import predict
+
+Array = NDArray[np.float64]
+
+PAGE = (8.27, 11.69)
+"""Inches: A4."""
+
+WALL = "#8a8f98"
+ASSUMED = (
+    "Heights are above the vessel's POS. The distance is from the middle of the site to the line; "
+    "straight from, to: metres along the line before and after the middle is abeam. Keep course "
+    "and speed there. The order of the lines counts. Hang the boards flat and firm: the sigmas "
+    "rest on their not moving by a millimetre."
+)
+
+
+def field_plan(plan: Plan, facing_deg: float, title: str, notes: Sequence[str] = ()) -> Figure:
+    """Drawing, boards, lines and what is to be expected, on one page.
+
+    Parameters
+    ----------
+    facing_deg : float, degrees
+        Azimuth the wall faces.
+    notes : sequence of str
+        Printed below: what the plan rests on.
+    """
+    figure = Figure(figsize=PAGE)
+    figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK)
+    figure.text(0.07, 0.933, _expected(plan), fontsize=TEXT + 1, color=INK)
+    _from_above(figure.add_axes((0.09, 0.52, 0.85, 0.39)), plan, facing_deg)
+    _front(figure.add_axes((0.09, 0.365, 0.85, 0.105)), plan, facing_deg)
+    _table(figure, 0.325, "Targets", TARGET_HEADS, _target_rows(plan, facing_deg))
+    low = 0.325 - 0.019 * (len(plan.targets) + 2.3)
+    _table(figure, low, "Lines, in this order", LINE_HEADS, _line_rows(plan, facing_deg))
+    low -= 0.019 * (len(plan.lines) + 2.3)
+    text = "\n".join(fill(note, 125) for note in (ASSUMED, *notes))
+    figure.text(0.07, low, text, fontsize=SMALL, color=INK, va="top", linespacing=1.4)
+    return figure
+
+
+def _expected(plan: Plan) -> str:
+    found = predict(plan)
+    if not found.determined:
+        return "This plan does not determine the boresight."
+    sigma = np.degrees(found.sigma)
+    return (
+        f"Expected (1 sigma): roll {sigma[0]:.4f}, pitch {sigma[1]:.4f}, yaw {sigma[2]:.4f} deg; "
+        f"{plan.duration / 60:.0f} minutes of lines"
+    )
+
+
+def _from_above(axes: Axes, plan: Plan, facing_deg: float) -> None:
+    """East to the right, north up; the wall, the targets and the lines with their numbers."""
+    middle = np.array(plan.middle[:2])
+    out = _out(facing_deg)
+    right = np.array([-out[1], out[0]])
+    aside = 0.02 * max(line.distance for line in plan.lines)  # opposite lines beside each other
+    reach = max(line.distance for line in plan.lines) + 5.0
+    ends = middle + np.outer([-reach, reach], right)
+    axes.plot(*_east_north(ends), color=WALL, linewidth=3, zorder=1)
+    for k, (line, (start, stop)) in enumerate(zip(plan.lines, plan.runs, strict=True), start=1):
+        direction, abeam = _direction(line), np.array(line.abeam(plan.middle))
+        abeam = abeam + aside * np.array([direction[1], -direction[0]])
+        first, last = abeam + start * direction, abeam + stop * direction
+        (x0, x1), (y0, y1) = _east_north(np.stack([first, last]))
+        axes.annotate(
+            "", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "-|>", "color": BEFORE, "lw": 1.3}
+        )
+        axes.plot([x0, x1], [y0, y1], linewidth=0)
+        axes.text(x0, y0, f"{k}", fontsize=TEXT, color="white", ha="center", va="center",
+                  bbox={"boxstyle": "circle,pad=0.2", "fc": BEFORE, "ec": "none"})  # fmt: skip
+    for target in plan.targets:
+        east, north = -target.centre[1], target.centre[0]
+        axes.plot(east, north, "s" if isinstance(target, Board) else "o", color=AFTER, ms=5)
+        axes.annotate(target.name, (east, north), xytext=(5, 4), textcoords="offset points",
+                      fontsize=SMALL, color=INK)  # fmt: skip
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.grid(True, color=GRID, linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.tick_params(labelsize=SMALL, colors=INK)
+    axes.set_xlabel("East (m)", fontsize=TEXT, color=INK)
+    axes.set_ylabel("North (m)", fontsize=TEXT, color=INK)
+    axes.set_title(
+        "From above; numbers stand where a line begins", fontsize=TEXT, color=INK, loc="left"
+    )
+
+
+def _front(axes: Axes, plan: Plan, facing_deg: float) -> None:
+    """The wall as it is seen from the water."""
+    for target in plan.targets:
+        along = _along(target, plan, facing_deg)
+        up = target.centre[2]
+        if isinstance(target, Ball):
+            wide = tall = 2 * target.radius
+        else:
+            wide, tall = target.width, target.height * float(np.hypot(*target.facing[:2]))
+        axes.fill_between(
+            [along - wide / 2, along + wide / 2], up - max(tall, 0.1) / 2, up + max(tall, 0.1) / 2,
+            color=AFTER, alpha=0.8, linewidth=0,
+        )  # fmt: skip
+        axes.annotate(target.name, (along + wide / 2, up), xytext=(3, 0), fontsize=SMALL,
+                      textcoords="offset points", va="center", color=INK)  # fmt: skip
+    axes.margins(0.12, 0.25)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.grid(True, color=GRID, linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.tick_params(labelsize=SMALL, colors=INK)
+    axes.set_xlabel(
+        "Along the wall, to the right as seen from the water (m)", fontsize=TEXT, color=INK
+    )
+    axes.set_ylabel("Above POS (m)", fontsize=TEXT, color=INK)
+
+
+TARGET_HEADS = (
+    "target", "along (m)", "off the wall (m)", "above POS (m)", "size (m)", "from level (deg)",
+    "faces (deg)",
+)  # fmt: skip
+LINE_HEADS = (
+    "line", "heading (deg)", "distance (m)", "site on", "off wall, least (m)", "speed (m/s)",
+    "straight from, to (m)",
+)  # fmt: skip
+
+
+def _target_rows(plan: Plan, facing_deg: float) -> list[tuple[str, ...]]:
+    rows = []
+    for target in plan.targets:
+        off = float((np.array(target.centre[:2]) - plan.middle[:2]) @ _out(facing_deg))
+        place = (
+            target.name, _signed(_along(target, plan, facing_deg)), _signed(off),
+            f"{target.centre[2]:.2f}",
+        )  # fmt: skip
+        if isinstance(target, Ball):
+            rows.append((*place, f"ball, r {target.radius:.3f}", "", ""))
+            continue
+        normal = target.facing
+        lean = 90.0 - np.degrees(np.arcsin(np.clip(normal[2], -1.0, 1.0)))
+        level = float(np.hypot(normal[0], normal[1])) < 1e-6
+        azimuth = "" if level else f"{np.degrees(np.arctan2(-normal[1], normal[0])) % 360:.0f}"
+        rows.append((*place, f"{target.width:.2f} x {target.height:.2f}", _leans(lean), azimuth))
+    return rows
+
+
+def _signed(metres: float) -> str:
+    return f"{metres:+.2f}" if abs(metres) >= 0.005 else "0.00"
+
+
+def _leans(degrees: float) -> str:
+    """Inclination from level in words: 90 is upright."""
+    if abs(degrees - 90.0) < 0.5:
+        return "90, upright"
+    return f"{degrees:.0f}, leans back" if degrees < 90.0 else f"{180 - degrees:.0f}, leans forward"
+
+
+def _line_rows(plan: Plan, facing_deg: float) -> list[tuple[str, ...]]:
+    rows = []
+    for k, (line, (start, stop)) in enumerate(zip(plan.lines, plan.runs, strict=True), start=1):
+        abeam, direction, out = (
+            np.array(line.abeam(plan.middle)),
+            _direction(line),
+            _out(facing_deg),
+        )
+        off = min(float((abeam + s * direction - plan.middle[:2]) @ out) for s in (start, stop))
+        rows.append(
+            (
+                f"{k}", f"{line.heading_deg % 360:.0f}", f"{line.distance:g}",
+                "starboard" if line.starboard else "port", f"{off:.1f}", f"{line.speed:g}",
+                f"{start:+.0f}, {stop:+.0f}",
+            )
+        )  # fmt: skip
+    return rows
+
+
+def _table(
+    figure: Figure, top: float, title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]
+) -> None:
+    figure.text(0.07, top, title, fontsize=TEXT + 1, weight="bold", color=INK, va="top")
+    at = np.linspace(0.07, 0.95, len(heads) + 1)[:-1]
+    for k, row in enumerate([heads, *rows]):
+        for x, value in zip(at, row, strict=True):
+            figure.text(x, top - 0.019 * (k + 1), value, fontsize=TEXT, color=INK, va="top",
+                        weight="bold" if k == 0 else "normal")  # fmt: skip
+
+
+def _out(facing_deg: float) -> Array:
+    """Unit vector away from the wall, north and west."""
+    azimuth = np.radians(facing_deg)
+    return np.array([np.cos(azimuth), -np.sin(azimuth)])
+
+
+def _along(target: Board | Ball, plan: Plan, facing_deg: float) -> float:
+    out = _out(facing_deg)
+    offset = np.array(target.centre[:2]) - plan.middle[:2]
+    return float(offset @ [-out[1], out[0]])
+
+
+def _direction(line: Line) -> Array:
+    heading = np.radians(line.heading_deg)
+    return np.array([np.cos(heading), -np.sin(heading)])
+
+
+def _east_north(places: Array) -> tuple[Array, Array]:
+    return -places[:, 1], places[:, 0]
