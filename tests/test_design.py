@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from lispac.errors import Cancelled, InputError, RankDeficient
+from lispac.simulation.choices import thesis_plan
 from lispac.simulation.closed_form import Board
-from lispac.simulation.design import EXACTLY, search, thesis_plan, worth
+from lispac.simulation.design import EXACTLY, search, worth
 from lispac.simulation.objective import CRITERIA, Objective
 from lispac.simulation.plan import Line
 from lispac.simulation.prediction import predict
@@ -41,9 +42,9 @@ def test_a_small_site_is_searched_exactly(best) -> None:
     lines, objective = SMALL.lines_allowed, Objective()
     for _ in range(60):
         boards = [
-            SMALL.board(
+            SMALL.wall.board(
                 f"T{k}", *(float(generator.choice(v)) for v in (SMALL.along, SMALL.heights)),
-                float(generator.choice(SMALL.inclinations_deg)), 0,
+                float(generator.choice(SMALL.inclinations_deg)), SMALL.sizes[0],
             )
             for k in range(2)
         ]  # fmt: skip
@@ -168,7 +169,7 @@ def test_limits_that_allow_nothing_are_refused() -> None:
 
 def test_a_board_hangs_where_it_is_said() -> None:
     """To the right of one who looks at the wall, facing the water, leaning back."""
-    board = LARGE.board("T1", 2.0, 6.0, 60.0, 0)
+    board = LARGE.wall.board("T1", 2.0, 6.0, 60.0, LARGE.sizes[0])
     # The wall faces west; who looks at it looks east, and has south to the right.
     assert board.centre == pytest.approx((-2.0, -15.0, 6.0))
     assert board.normal == pytest.approx((0.0, np.sin(np.radians(60)), 0.5))

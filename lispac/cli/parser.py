@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from lispac import __version__
-from lispac.cli import estimate_options, pick_options, report_options
+from lispac.cli import design_options, estimate_options, pick_options, report_options
 from lispac.cli.values import (
     Commands,
     command,
@@ -46,6 +46,7 @@ def build_parser() -> argparse.ArgumentParser:
     report_options.add(commands)
     _angles(commands)
     _visibility(commands)
+    design_options.add(commands)
     return parser
 
 

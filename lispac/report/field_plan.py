@@ -12,6 +12,7 @@ from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT
 from lispac.simulation.closed_form import Ball, Board
 from lispac.simulation.plan import Line, Plan
 from lispac.simulation.prediction import predict
+from lispac.simulation.site import Wall
 
 Array = NDArray[np.float64]
 
@@ -27,24 +28,24 @@ ASSUMED = (
 )
 
 
-def field_plan(plan: Plan, facing_deg: float, title: str, notes: Sequence[str] = ()) -> Figure:
+def field_plan(plan: Plan, wall: Wall, title: str, notes: Sequence[str] = ()) -> Figure:
     """Drawing, boards, lines and what is to be expected, on one page.
 
     Parameters
     ----------
-    facing_deg : float, degrees
-        Azimuth the wall faces.
+    wall : Wall
+        On the water.
     notes : sequence of str
         Printed below: what the plan rests on.
     """
     figure = Figure(figsize=PAGE)
     figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK)
     figure.text(0.07, 0.933, _expected(plan), fontsize=TEXT + 1, color=INK)
-    _from_above(figure.add_axes((0.09, 0.52, 0.85, 0.39)), plan, facing_deg)
-    _front(figure.add_axes((0.09, 0.365, 0.85, 0.105)), plan, facing_deg)
-    _table(figure, 0.325, "Targets", TARGET_HEADS, _target_rows(plan, facing_deg))
+    _from_above(figure.add_axes((0.09, 0.52, 0.85, 0.39)), plan, wall)
+    _front(figure.add_axes((0.09, 0.365, 0.85, 0.105)), plan, wall)
+    _table(figure, 0.325, "Targets", TARGET_HEADS, _target_rows(plan, wall))
     low = 0.325 - 0.019 * (len(plan.targets) + 2.3)
-    _table(figure, low, "Lines, in this order", LINE_HEADS, _line_rows(plan, facing_deg))
+    _table(figure, low, "Lines, in this order", LINE_HEADS, _line_rows(plan, wall))
     low -= 0.019 * (len(plan.lines) + 2.3)
     text = "\n".join(fill(note, 125) for note in (ASSUMED, *notes))
     figure.text(0.07, low, text, fontsize=SMALL, color=INK, va="top", linespacing=1.4)
@@ -62,14 +63,12 @@ def _expected(plan: Plan) -> str:
     )
 
 
-def _from_above(axes: Axes, plan: Plan, facing_deg: float) -> None:
+def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     """East to the right, north up; the wall, the targets and the lines with their numbers."""
     middle = np.array(plan.middle[:2])
-    out = _out(facing_deg)
-    right = np.array([-out[1], out[0]])
     aside = 0.02 * max(line.distance for line in plan.lines)  # opposite lines beside each other
     reach = max(line.distance for line in plan.lines) + 5.0
-    ends = middle + np.outer([-reach, reach], right)
+    ends = middle + np.outer([-reach, reach], wall.right)
     axes.plot(*_east_north(ends), color=WALL, linewidth=3, zorder=1)
     for k, (line, (start, stop)) in enumerate(zip(plan.lines, plan.runs, strict=True), start=1):
         direction, abeam = _direction(line), np.array(line.abeam(plan.middle))
@@ -98,10 +97,10 @@ def _from_above(axes: Axes, plan: Plan, facing_deg: float) -> None:
     )
 
 
-def _front(axes: Axes, plan: Plan, facing_deg: float) -> None:
+def _front(axes: Axes, plan: Plan, wall: Wall) -> None:
     """The wall as it is seen from the water."""
     for target in plan.targets:
-        along = _along(target, plan, facing_deg)
+        along = wall.seen(target.centre)[0]
         up = target.centre[2]
         if isinstance(target, Ball):
             wide = tall = 2 * target.radius
@@ -134,22 +133,17 @@ LINE_HEADS = (
 )  # fmt: skip
 
 
-def _target_rows(plan: Plan, facing_deg: float) -> list[tuple[str, ...]]:
-    rows = []
+def _target_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
+    rows: list[tuple[str, ...]] = []
     for target in plan.targets:
-        off = float((np.array(target.centre[:2]) - plan.middle[:2]) @ _out(facing_deg))
-        place = (
-            target.name, _signed(_along(target, plan, facing_deg)), _signed(off),
-            f"{target.centre[2]:.2f}",
-        )  # fmt: skip
+        along, off, up = wall.seen(target.centre)
+        place = (target.name, _signed(along), _signed(off), f"{up:.2f}")
         if isinstance(target, Ball):
             rows.append((*place, f"ball, r {target.radius:.3f}", "", ""))
             continue
-        normal = target.facing
-        lean = 90.0 - np.degrees(np.arcsin(np.clip(normal[2], -1.0, 1.0)))
-        level = float(np.hypot(normal[0], normal[1])) < 1e-6
-        azimuth = "" if level else f"{np.degrees(np.arctan2(-normal[1], normal[0])) % 360:.0f}"
-        rows.append((*place, f"{target.width:.2f} x {target.height:.2f}", _leans(lean), azimuth))
+        lean, azimuth = wall.facing_of(target)
+        faces = "" if lean < 0.05 or lean > 179.95 else f"{azimuth:.0f}"
+        rows.append((*place, f"{target.width:.2f} x {target.height:.2f}", _leans(lean), faces))
     return rows
 
 
@@ -164,15 +158,13 @@ def _leans(degrees: float) -> str:
     return f"{degrees:.0f}, leans back" if degrees < 90.0 else f"{180 - degrees:.0f}, leans forward"
 
 
-def _line_rows(plan: Plan, facing_deg: float) -> list[tuple[str, ...]]:
-    rows = []
+def _line_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
+    rows: list[tuple[str, ...]] = []
     for k, (line, (start, stop)) in enumerate(zip(plan.lines, plan.runs, strict=True), start=1):
-        abeam, direction, out = (
-            np.array(line.abeam(plan.middle)),
-            _direction(line),
-            _out(facing_deg),
+        abeam, direction = np.array(line.abeam(plan.middle)), _direction(line)
+        off = min(
+            float((abeam + s * direction - plan.middle[:2]) @ wall.out) for s in (start, stop)
         )
-        off = min(float((abeam + s * direction - plan.middle[:2]) @ out) for s in (start, stop))
         rows.append(
             (
                 f"{k}", f"{line.heading_deg % 360:.0f}", f"{line.distance:g}",
@@ -192,18 +184,6 @@ def _table(
         for x, value in zip(at, row, strict=True):
             figure.text(x, top - 0.019 * (k + 1), value, fontsize=TEXT, color=INK, va="top",
                         weight="bold" if k == 0 else "normal")  # fmt: skip
-
-
-def _out(facing_deg: float) -> Array:
-    """Unit vector away from the wall, north and west."""
-    azimuth = np.radians(facing_deg)
-    return np.array([np.cos(azimuth), -np.sin(azimuth)])
-
-
-def _along(target: Board | Ball, plan: Plan, facing_deg: float) -> float:
-    out = _out(facing_deg)
-    offset = np.array(target.centre[:2]) - plan.middle[:2]
-    return float(offset @ [-out[1], out[0]])
 
 
 def _direction(line: Line) -> Array:

@@ -6,24 +6,20 @@ finds is improved by exchanging one board or line at a time for any other that i
 (coordinate exchange: Meyer and Nachtsheim 1995), until no exchange helps.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from functools import cached_property
-from itertools import combinations, product
-from math import comb
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.observability import one_facing
 from lispac.errors import RankDeficient
 from lispac.progress import Progress, no_progress
-from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.objective import BY_EYE, Objective
-from lispac.simulation.plan import SIX, Line, Plan, pattern
+from lispac.simulation.choices import Choice, Space, faces_one_way
+from lispac.simulation.objective import Objective
+from lispac.simulation.plan import Plan
 from lispac.simulation.prediction import Prediction, predict
-from lispac.simulation.site import Site, apart
+from lispac.simulation.site import Site
 
 Array = NDArray[np.float64]
 Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
@@ -37,10 +33,6 @@ POPULATION = 8
 
 HARDLY = 1e-3
 """Relative gain that is worth an exchange."""
-
-NO_PLAN = 2 * BY_EYE
-"""Number of a plan whose boards hang over each other, or whose targets all face one way, which the
-adjustment refuses: worse than any."""
 
 
 @dataclass(frozen=True)
@@ -124,7 +116,7 @@ def search(
     RankDeficient
         No plan that the site allows determines the boresight.
     """
-    space = _Space(site, objective or Objective())
+    space = Space(site, objective or Objective())
     counted = _Counted(mapper, progress, min(plans, space.size))
     exact = space.size <= EXACTLY
     if exact:
@@ -150,13 +142,6 @@ def search(
     )
 
 
-def faces_one_way(plan: Plan) -> bool:
-    """Whether all targets are planes that face one way: the adjustment would refuse them."""
-    normals = [t.facing if isinstance(t, Board) else np.zeros(3) for t in plan.targets]
-    balls = np.array([isinstance(t, Ball) for t in plan.targets])
-    return one_facing(np.stack(normals), balls)
-
-
 def worth(plan: Plan, objective: Objective) -> tuple[Worth, ...]:
     """What each target and each line is worth, the most valuable first."""
     found = []
@@ -167,115 +152,6 @@ def worth(plan: Plan, objective: Objective) -> tuple[Worth, ...]:
         others = plan.with_lines((*plan.lines[:k], *plan.lines[k + 1 :]))
         found.append(Worth(course.name, objective.of(others)))
     return tuple(sorted(found, key=lambda each: -each.without))
-
-
-@dataclass(frozen=True)
-class _Choice:
-    """Indices of the boards and of the lines of a plan among those that are allowed."""
-
-    boards: tuple[int, ...]
-    lines: tuple[int, ...]
-
-
-@dataclass(frozen=True, eq=False)
-class _Space:
-    """All plans that a site allows."""
-
-    site: Site
-    objective: Objective
-
-    @cached_property
-    def places(self) -> tuple[tuple[float, float, float, int], ...]:
-        """Along, height, inclination and size of each board that could hang."""
-        site = self.site
-        sizes = range(len(site.sizes))
-        return tuple(product(site.along, site.heights, site.inclinations_deg, sizes))
-
-    @cached_property
-    def lines(self) -> tuple[Line, ...]:
-        """Each line that could be sailed."""
-        return self.site.lines_allowed
-
-    @property
-    def size(self) -> int:
-        """Plans there are, those with boards over each other among them.
-
-        The order of the lines counts: what is sailed soon after each other shares its POS error.
-        """
-        boards = comb(len(self.places), self.site.boards) if self.site.boards else 1
-        return boards * int(len(self.lines) ** self.site.lines)
-
-    def all(self) -> Iterator[_Choice]:
-        """Every plan; a line may be sailed more than once."""
-        for boards in combinations(range(len(self.places)), self.site.boards):
-            for lines in product(range(len(self.lines)), repeat=self.site.lines):
-                yield _Choice(boards, lines)
-
-    def plan(self, choice: _Choice) -> Plan:
-        """The plan of a choice."""
-        boards = [
-            self.site.board(f"T{n + 1}", *self.places[k]) for n, k in enumerate(choice.boards)
-        ]
-        return self.site.plan(boards, [self.lines[k] for k in choice.lines])
-
-    def value(self, choice: _Choice) -> float:
-        """The objective's number of a choice, radians."""
-        plan = self.plan(choice)
-        hung = [t for t in plan.targets[: len(choice.boards)] if isinstance(t, Board)]
-        if not apart(hung) or faces_one_way(plan):
-            return NO_PLAN
-        return self.objective.of(plan)
-
-    @cached_property
-    def widths(self) -> tuple[int, ...]:
-        """How many values each gene has: of a board its four, of a line its place in the list.
-
-        Numbers near each other stand for like boards and lines, which an evolution needs.
-        """
-        site = self.site
-        board = (
-            len(site.along), len(site.heights), len(site.inclinations_deg), len(site.sizes),
-        )  # fmt: skip
-        return board * site.boards + (len(self.lines),) * site.lines
-
-    def choice(self, genes: Sequence[float] | Array) -> _Choice:
-        """The choice that genes stand for."""
-        whole = [min(int(g), w - 1) for g, w in zip(genes, self.widths, strict=True)]
-        boards = whole[: 4 * self.site.boards]
-        shape = self.widths[:4] if self.site.boards else (1, 1, 1, 1)
-        places = [
-            int(np.ravel_multi_index(tuple(boards[k : k + 4]), shape))
-            for k in range(0, len(boards), 4)
-        ]
-        return _Choice(tuple(places), tuple(whole[4 * self.site.boards :]))
-
-    def genes(self, choice: _Choice) -> list[float]:
-        """The inverse of `choice`."""
-        shape = self.widths[:4] if self.site.boards else (1, 1, 1, 1)
-        boards = [float(g) for k in choice.boards for g in np.unravel_index(k, shape)]
-        return [*boards, *(float(k) for k in choice.lines)]
-
-    def nearest(self, plan: Plan) -> _Choice | None:
-        """The choice that is a plan, or None where the site does not allow it."""
-        hung = [t for t in plan.targets if t not in self.site.natural]
-        if len(hung) != self.site.boards or len(plan.lines) != self.site.lines:
-            return None
-        allowed = [self.site.board("", *place) for place in self.places]
-        boards = [[k for k, other in enumerate(allowed) if _alike(other, t)] for t in hung]
-        lines = [[k for k, other in enumerate(self.lines) if other == line] for line in plan.lines]
-        if not all(boards) or not all(lines):
-            return None
-        return _Choice(tuple(found[0] for found in boards), tuple(found[0] for found in lines))
-
-
-def _alike(one: Board, other: Board | Ball) -> bool:
-    if isinstance(other, Ball):
-        return False
-    return bool(
-        np.allclose(one.centre, other.centre, atol=1e-6)
-        and np.allclose(one.facing, other.facing, atol=1e-6)
-        and (one.width, one.height) == (other.width, other.height)
-    )
 
 
 class _Counted:
@@ -300,7 +176,7 @@ class _Counted:
         return found
 
 
-def _enumerated(space: _Space, mapper: Mapper) -> _Choice:
+def _enumerated(space: Space, mapper: Mapper) -> Choice:
     choices = list(space.all())
     values = list(mapper(space.value, choices))
     return choices[int(np.argmin(values))]
@@ -310,13 +186,13 @@ def _enumerated(space: _Space, mapper: Mapper) -> _Choice:
 class _OfGenes:
     """The number of genes; a value that processes can be sent."""
 
-    space: _Space
+    space: Space
 
     def __call__(self, genes: Array) -> float:
         return self.space.value(self.space.choice(genes))
 
 
-def _evolved(space: _Space, mapper: Mapper, plans: int, seed: int, start: Plan | None) -> _Choice:
+def _evolved(space: Space, mapper: Mapper, plans: int, seed: int, start: Plan | None) -> Choice:
     from scipy.optimize import differential_evolution
 
     known = None if start is None else space.nearest(start)
@@ -338,7 +214,7 @@ def _evolved(space: _Space, mapper: Mapper, plans: int, seed: int, start: Plan |
     return space.choice(result.x)
 
 
-def _exchanged(space: _Space, choice: _Choice, mapper: Mapper) -> _Choice:
+def _exchanged(space: Space, choice: Choice, mapper: Mapper) -> Choice:
     """The choice after all exchanges of one board or line that help."""
     value = space.value(choice)
     improved = True
@@ -381,17 +257,3 @@ def _front(site: Site, plan: Plan, objective: Objective) -> tuple[Step, ...]:
         steps.append(
             min(found, key=lambda s: np.log(s.value / now.value) / (now.minutes - s.minutes))
         )
-
-
-def thesis_plan(site: Site) -> Plan:
-    """What the thesis recommends, on a site: two boards, upright and at 45 deg, and six lines.
-
-    The boards hang 1.6 m apart at 5 m above the vessel, and all lines pass them at 15 m
-    (thesis 4.4.1, figures 3.3 and 4.2).
-    """
-    boards = [
-        site.board("T1", -0.8, 5.0, 90.0, 0),
-        site.board("T2", 0.8, 5.0, 45.0, 0),
-    ]
-    turned = [site.facing_deg - 270.0 + heading for heading in SIX]
-    return site.plan(boards, pattern(turned, 15.0, facing_deg=site.facing_deg))

@@ -1,14 +1,86 @@
 """What is allowed on a site: where boards may hang, which lines may be sailed, for how long."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.simulation.closed_form import Ball, Board
 from lispac.simulation.plan import BEYOND, Line, Plan, System
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A wall on the water, looked at from there.
+
+    Attributes
+    ----------
+    middle : tuple of float, metres, local
+        Point of its face from which places are counted.
+    facing_deg : float, degrees
+        Azimuth it faces.
+    """
+
+    middle: tuple[float, float, float]
+    facing_deg: float
+
+    @property
+    def out(self) -> Array:
+        """Unit vector towards the water, north and west."""
+        azimuth = np.radians(self.facing_deg)
+        return np.array([np.cos(azimuth), -np.sin(azimuth)])
+
+    @property
+    def right(self) -> Array:
+        """Unit vector to the right of one who looks at the wall, north and west."""
+        out = self.out
+        return np.array([-out[1], out[0]])
+
+    def place(self, along: float, off: float, up: float) -> tuple[float, float, float]:
+        """A place from along (right), off (towards the water) and up, metres; local."""
+        north, west = np.array(self.middle[:2]) + along * self.right + off * self.out
+        return float(north), float(west), float(self.middle[2] + up)
+
+    def seen(self, place: Sequence[float]) -> tuple[float, float, float]:
+        """The inverse of `place`."""
+        offset = np.array(place[:2]) - self.middle[:2]
+        return float(offset @ self.right), float(offset @ self.out), place[2] - self.middle[2]
+
+    def board(
+        self, name: str, along: float, up: float, inclination_deg: float,
+        size: tuple[float, float], *, off: float = 0.0, facing_deg: float | None = None,
+        flatness: float | None = None,
+    ) -> Board:  # fmt: skip
+        """A board on or before the wall.
+
+        Parameters
+        ----------
+        along, up, off : float, metres
+        inclination_deg : float, degrees from level
+            90 is upright; less leans back, more leans forward.
+        size : pair of float, metres
+            Width and height.
+        facing_deg : float, degrees, optional
+            Azimuth it faces, where that is not the wall's.
+        """
+        facing = self if facing_deg is None else replace(self, facing_deg=facing_deg)
+        lean = np.radians(inclination_deg)
+        level = np.sin(lean) * facing.out
+        normal = (float(level[0]), float(level[1]), float(np.cos(lean)))
+        return Board(name, self.place(along, off, up), normal, *size, flatness)
+
+    def facing_of(self, board: Board) -> tuple[float, float]:
+        """Inclination from level and azimuth of a board, degrees; a level one faces as the wall."""
+        normal = board.facing
+        lean = float(np.degrees(np.arccos(np.clip(normal[2], -1.0, 1.0))))
+        if np.hypot(normal[0], normal[1]) < 1e-9:
+            return lean, self.facing_deg
+        return lean, float(np.degrees(np.arctan2(-normal[1], normal[0])) % 360)
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,31 +154,10 @@ class Site:
                 f"No heading and distance keep {self.closest:g} m from the wall; allow others."
             )
 
-    def board(self, name: str, along: float, height: float, lean: float, size: int) -> Board:
-        """A board on the wall.
-
-        Parameters
-        ----------
-        along, height : float, metres
-        lean : float, degrees
-            Inclination.
-        size : int
-            Which of the sizes.
-        """
-        azimuth = np.radians(self.facing_deg)
-        out = np.array([np.cos(azimuth), -np.sin(azimuth)])
-        right = np.array([-out[1], out[0]])  # of one who looks at the wall from the water
-        north, west = np.array(self.middle[:2]) + along * right
-        up = np.cos(np.radians(lean))
-        flat = np.sin(np.radians(lean))
-        width, tall = self.sizes[size]
-        return Board(
-            name,
-            (float(north), float(west), float(height)),
-            (float(flat * out[0]), float(flat * out[1]), float(up)),
-            width,
-            tall,
-        )
+    @property
+    def wall(self) -> Wall:
+        """The wall."""
+        return Wall(self.middle, self.facing_deg)
 
     @property
     def lines_allowed(self) -> tuple[Line, ...]:

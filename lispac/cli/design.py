@@ -1,0 +1,91 @@
+"""``lispac design``: the best boards and lines that a site allows."""
+
+import os
+from argparse import Namespace
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.io.plan_file import read_site
+from lispac.simulation.choices import thesis_plan
+from lispac.simulation.closed_form import Board
+from lispac.simulation.design import Design, search
+from lispac.simulation.objective import CRITERIA, Objective
+from lispac.simulation.plan import Plan
+from lispac.simulation.prediction import predict
+from lispac.simulation.site import Site
+from lispac.workflow.designing import pool_of, words_of, write_design
+
+
+def design(arguments: Namespace) -> None:
+    """Search; print the best plan, what each part is worth and what less time costs."""
+    title, site = read_site(arguments.site)
+    objective = Objective(arguments.criterion, tuple(arguments.pos_factors))
+    workers = arguments.workers or os.cpu_count() or 1
+    with ConsoleProgress() as progress, pool_of(workers) as mapper:
+        found = search(
+            site, objective, plans=arguments.plans, seed=arguments.seed, mapper=mapper,
+            progress=progress,
+        )  # fmt: skip
+    if arguments.output is not None:
+        write_design(arguments.output, title, site, found, objective)
+    usual = thesis_plan(site)
+    if arguments.json:
+        print_json(_values(title, site, found, usual))
+        return
+    print(f"{title}: smallest {CRITERIA[objective.criterion]}")
+    for name, plan in (("best plan", found.plan), ("thesis", usual)):
+        prediction = predict(plan)
+        told = "not determined"
+        if prediction.determined:
+            sigma = np.degrees(prediction.sigma)
+            told = ", ".join(f"{a} {v:.4f}" for a, v in zip(ANGLES, sigma, strict=True)) + " deg"
+        print(f"{name:12s}{told}")
+    looked = f"{found.looked_at:,} plans looked at"
+    print(f"{looked}, which is all there are" if found.exact else f"{looked}, of many more")
+    for sentence in words_of(found.plan):
+        print(sentence)
+    print(f"{'target':12s}{'along m':>9s}{'off m':>9s}{'up m':>9s}{'from level deg':>16s}")
+    for target in found.plan.targets:
+        along, off, up = site.wall.seen(target.centre)
+        lean = f"{site.wall.facing_of(target)[0]:16.0f}" if isinstance(target, Board) else ""
+        print(f"{target.name:12s}{along:9.2f}{off:9.2f}{up:9.2f}{lean}")
+    for k, line in enumerate(found.plan.lines, start=1):
+        print(f"line {k}      {line.name}, {line.speed:g} m/s")
+    print(f"{'without':12s}{'deg':>10s}")
+    for each in found.worth:
+        print(f"{each.name:12s}{np.degrees(each.without):10.4f}")
+    print(f"{'minutes':12s}{'deg':>10s}  targets x lines")
+    for step in found.front:
+        size = f"{len(step.plan.targets)} x {len(step.plan.lines)}"
+        print(f"{step.minutes:<12.0f}{np.degrees(step.value):10.4f}  {size}")
+    if arguments.output is not None:
+        print(arguments.output)
+
+
+def _values(title: str, site: Site, found: Design, usual: Plan) -> dict[str, object]:
+    thesis = predict(usual)
+    return {
+        "title": title,
+        "sigma_deg": np.degrees(found.prediction.sigma).tolist(),
+        "value_deg": float(np.degrees(found.value)),
+        "thesis_sigma_deg": np.degrees(thesis.sigma).tolist() if thesis.determined else None,
+        "exact": found.exact,
+        "looked_at": found.looked_at,
+        "targets": [
+            {"name": t.name, "along_off_up_m": list(site.wall.seen(t.centre))}
+            for t in found.plan.targets
+        ],
+        "lines": [vars(line) for line in found.plan.lines],
+        "without_deg": {each.name: float(np.degrees(each.without)) for each in found.worth},
+        "front": [
+            {
+                "minutes": step.minutes,
+                "value_deg": float(np.degrees(step.value)),
+                "targets": [t.name for t in step.plan.targets],
+                "lines": len(step.plan.lines),
+            }
+            for step in found.front
+        ],
+    }

@@ -1,0 +1,63 @@
+"""The commands that design a site before anybody sails."""
+
+import argparse
+from pathlib import Path
+
+from lispac.cli.values import Commands, command, json_option, positive
+
+CRITERIA = ("largest", "roll", "pitch", "yaw", "A", "D")
+SCENARIOS = (
+    "lines", "inclination", "size", "targets", "distance", "height", "repeats", "speed", "POS",
+)  # fmt: skip
+
+
+def add(commands: "Commands[argparse.ArgumentParser]") -> None:
+    """Describe them."""
+    predict = command(commands, "predict", "foretell the sigmas of a plan, before anybody sails it")
+    predict.add_argument("plan", type=Path, metavar="PLAN", help="TOML file of targets and lines")
+    json_option(predict)
+    _scenarios(commands)
+    _design(commands)
+    replay = command(commands, "replay", "compare a survey with the plan it was sailed by")
+    replay.add_argument("project", type=Path, metavar="PROJECT")
+    replay.add_argument("--plan", type=Path, required=True, metavar="FILE")
+    json_option(replay)
+
+
+def _scenarios(commands: "Commands[argparse.ArgumentParser]") -> None:
+    scenarios = command(
+        commands, "scenarios",
+        "change one thing at a time: lines, boards, distance, height, repeats, speed, POS",
+    )  # fmt: skip
+    scenarios.add_argument(
+        "plan", type=Path, nargs="?", metavar="PLAN",
+        help="plan to change (default: one upright board and six lines, as in the thesis)",
+    )  # fmt: skip
+    scenarios.add_argument("--only", nargs="+", choices=SCENARIOS, metavar="SCENARIO",
+                           help=f"among {', '.join(SCENARIOS)}")  # fmt: skip
+    scenarios.add_argument(
+        "--output", type=Path, metavar="DIR", help="folder for tables (CSV) and plots (SVG)"
+    )
+    json_option(scenarios)
+
+
+def _design(commands: "Commands[argparse.ArgumentParser]") -> None:
+    design = command(commands, "design", "find the best boards and lines that a site allows")
+    design.add_argument("site", type=Path, metavar="SITE", help="TOML file of what is allowed")
+    design.add_argument(
+        "--for", dest="criterion", choices=CRITERIA, default="largest",
+        help="what is to be small: the largest sigma (default), one angle's, or all (A, D)",
+    )  # fmt: skip
+    design.add_argument("--plans", type=int, default=10_000, metavar="N",
+                        help="about how many to look at (default 10000)")  # fmt: skip
+    design.add_argument(
+        "--pos-factors", type=positive, nargs="+", default=[1.0], metavar="F",
+        help="the POS may be so many times as good or poor as stated: the mean over them counts",
+    )  # fmt: skip
+    design.add_argument("--seed", type=int, default=2019, help="of the search (default 2019)")
+    design.add_argument("--workers", type=int, metavar="N", help="processes (default: all cores)")
+    design.add_argument(
+        "--output", type=Path, metavar="DIR",
+        help="folder for plan.toml, the field plan (PDF), and what less time costs",
+    )  # fmt: skip
+    json_option(design)

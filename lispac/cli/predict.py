@@ -1,0 +1,58 @@
+"""``lispac predict``: the sigmas that a plan would give."""
+
+from argparse import Namespace
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import print_json
+from lispac.io.plan_file import read_plan
+from lispac.simulation.design import worth
+from lispac.simulation.objective import Objective
+from lispac.simulation.prediction import predict as foretold
+from lispac.workflow.designing import words_of
+
+
+def predict(arguments: Namespace) -> None:
+    """Print sigmas, correlations, what is weak, and what each target and line is worth."""
+    titled = read_plan(arguments.plan)
+    plan = titled.plan
+    found, valued = foretold(plan), worth(plan, Objective())
+    words = words_of(plan)
+    if arguments.json:
+        known = found.determined
+        print_json(
+            {
+                "title": titled.title,
+                "determined": known,
+                "sigma_deg": np.degrees(found.sigma).tolist() if known else None,
+                "correlation": found.correlation.tolist() if known else None,
+                "points": [
+                    {"target": target, "line": line, "points": round(count)}
+                    for (target, line), count in found.points.items()
+                ],
+                "largest_sigma_without_deg": {v.name: float(np.degrees(v.without)) for v in valued},
+                "words": list(words),
+            }
+        )
+        return
+    print(titled.title)
+    if found.determined:
+        sigma = np.degrees(found.sigma)
+        told = (f"{angle} {value:.4f}" for angle, value in zip(ANGLES, sigma, strict=True))
+        print(f"sigma      {', '.join(told)} deg (1 sigma)")
+        rows = found.correlation
+        print(
+            f"correlation roll-pitch {rows[0, 1]:+.2f}, roll-yaw {rows[0, 2]:+.2f}, "
+            f"pitch-yaw {rows[1, 2]:+.2f}"
+        )
+    for sentence in words:
+        print(sentence)
+    print(f"{'points':12s}" + "".join(f"{course.name:>8s}" for course in plan.courses))
+    for target in plan.targets:
+        counts = (found.points.get((target.name, c.name)) for c in plan.courses)
+        cells = "".join(f"{'-' if n is None else f'{n:,.0f}':>8s}" for n in counts)
+        print(f"{target.name:12s}{cells}")
+    print(f"{'without':12s}{'largest sigma, deg':>20s}")
+    for each in valued:
+        print(f"{each.name:12s}{np.degrees(each.without):20.4f}")

@@ -1,0 +1,51 @@
+"""``lispac scenarios``: what one thing changes, whichever it is."""
+
+from argparse import Namespace
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.io.plan_file import read_plan
+from lispac.simulation.scenarios import SCENARIOS, Outcome, outcomes, thesis_setting
+from lispac.workflow.designing import write_scenarios
+
+
+def scenarios(arguments: Namespace) -> None:
+    """Print a table for each scenario in both stochastic models; write tables and plots."""
+    plan = thesis_setting() if arguments.plan is None else read_plan(arguments.plan).plan
+    with ConsoleProgress() as progress:
+        found = outcomes(plan, tuple(arguments.only or SCENARIOS), progress=progress)
+    if arguments.output is not None:
+        write_scenarios(arguments.output, found)
+    if arguments.json:
+        print_json({"outcomes": [_outcome(each) for each in found]})
+        return
+    heads = "".join(f"{angle:>9s}" for angle in ANGLES)
+    for scenario in dict.fromkeys(each.scenario for each in found):
+        print(f"{scenario:30s}{'drifting POS errors':>27s}{'thesis':>27s}  1 sigma, deg")
+        print(f"{'':30s}{heads}{heads}")
+        own = [each for each in found if each.scenario == scenario]
+        for case in dict.fromkeys(each.case for each in own):
+            by = {each.pos_errors: each for each in own if each.case == case}
+            print(f"{case:30s}{_cells(by['correlated'])}{_cells(by['independent'])}")
+        print()
+    if arguments.output is not None:
+        print(arguments.output)
+
+
+def _cells(each: Outcome) -> str:
+    if not np.isfinite(each.sigma).all():
+        return "not determined".rjust(27)
+    return "".join(f"{value:9.4f}" for value in np.degrees(each.sigma))
+
+
+def _outcome(each: Outcome) -> dict[str, object]:
+    known = bool(np.isfinite(each.sigma).all())
+    return {
+        "scenario": each.scenario,
+        "case": each.case,
+        "pos_errors": each.pos_errors,
+        "sigma_deg": np.degrees(each.sigma).tolist() if known else None,
+        "points": round(each.points),
+    }

@@ -1,0 +1,259 @@
+"""Plans and sites from TOML, and plans to TOML.
+
+Places are those of somebody who stands on the water and looks at the wall: along it to the right,
+off it towards the water, and up from the vessel's POS; the middle of the site is 0, 0.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from lispac.adjustment.stochastic import POS_ERRORS
+from lispac.io.files import written_whole
+from lispac.io.toml_table import Table
+from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.plan import Line, Plan, System
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
+from lispac.simulation.scanner import Profiler
+from lispac.simulation.site import Site, Wall
+from lispac.survey.georeferencing import Mounting
+
+SIDES = ("starboard", "port")
+USUAL_INTERVAL = 1.5
+"""Minutes from one line to the next."""
+
+
+@dataclass(frozen=True, eq=False)
+class TitledPlan:
+    """A plan with what its file says besides.
+
+    Attributes
+    ----------
+    wall : Wall
+        Against which its places are stated.
+    """
+
+    title: str
+    plan: Plan
+    wall: Wall
+
+
+def read_plan(path: Path) -> TitledPlan:
+    """Targets, lines and system of a plan.
+
+    Raises
+    ------
+    InputError
+        With file and key, and what to do.
+    """
+    with Table.read(path, "plan") as table:
+        title = table.text("title", path.stem)
+        wall = Wall((0.0, 0.0, 0.0), table.number("facing_deg", 270.0))
+        system, flatness = _system(table)
+        targets = _targets(table, wall)
+        lines = tuple(_line(each) for each in table.tables("lines"))
+        if not targets:
+            raise table.refuse("boards", "has no board; add [[boards]] or [[balls]]")
+        if not lines:
+            raise table.refuse("lines", "is empty; add [[lines]]")
+        names = [target.name for target in targets]
+        for name in names:
+            if names.count(name) > 1:
+                raise table.refuse("boards", f"has {name} twice; give each target its own name")
+        interval = 60.0 * table.number("minutes_per_line", USUAL_INTERVAL, over=0.0)
+        return TitledPlan(
+            title, Plan(targets, lines, wall.middle, system, interval, flatness), wall
+        )
+
+
+def read_site(path: Path) -> tuple[str, Site]:
+    """What is allowed on a site, and its title.
+
+    Raises
+    ------
+    InputError
+        With file and key, and what to do.
+    """
+    with Table.read(path, "site") as table:
+        title = table.text("title", path.stem)
+        wall = Wall((0.0, 0.0, 0.0), table.number("facing_deg", 270.0))
+        system, flatness = _system(table)
+        natural = _targets(table, wall, "natural", "natural_balls")
+        with table.table("hang") as hang:
+            count = int(hang.number("boards", 2.0, least=0.0, most=6.0))
+            along = hang.numbers("along_m", None, Site.along)
+            heights = hang.numbers("up_m", None, Site.heights)
+            leans = hang.numbers(
+                "from_level_deg", None, Site.inclinations_deg, least=0.0, most=180.0
+            )
+            width = hang.numbers("width_m", None, (Site.sizes[0][0],), least=0.05)
+            tall = hang.numbers("height_m", None, (Site.sizes[0][1],), least=0.05)
+            if len(width) != len(tall):
+                raise hang.refuse(
+                    "height_m", "and width_m differ in number; give one of each a size"
+                )
+        with table.table("sail") as sail:
+            lines = int(sail.number("lines", 6.0, least=2.0, most=12.0))
+            headings = sail.numbers("headings_deg", None, Site.headings_deg)
+            distances = sail.numbers("distances_m", None, Site.distances, least=1.0)
+            speeds = sail.numbers("speeds_m_s", None, Site.speeds, least=0.05)
+            closest = sail.number("closest_m", Site.closest, least=0.0)
+        with table.table("time") as time:
+            on_site = time.number("on_site_min", Site.time_on_site, over=0.0)
+            per_line = time.number("per_line_min", Site.minutes_per_line, over=0.0)
+            per_board = time.number("per_board_min", Site.minutes_per_board, least=0.0)
+        return title, Site(
+            wall.middle, wall.facing_deg, along, heights, leans,
+            tuple(zip(width, tall, strict=True)), natural, headings, distances, speeds, count,
+            lines, closest, on_site, per_line, per_board, system, flatness,
+        )  # fmt: skip
+
+
+def _system(table: Table) -> tuple[System, float]:
+    """The system, and how flat targets are, metres."""
+    usual, scanner = HYDROGRAPHIC_INS, Profiler(150_000.0)
+    with table.table("system") as own:
+        lever = own.three("lever_arm_m", (0.0, 0.0, 2.0))
+        pos = PosErrorModel(
+            own.three("position_sigma_m", usual.sigma_position, least=1e-6),
+            _radians(own.three("attitude_sigma_deg", _degrees(usual.sigma_attitude), least=1e-6)),
+            own.number("position_time_s", usual.time_position, over=0.0),
+            own.number("attitude_time_s", usual.time_attitude, over=0.0),
+        )
+        profiler = Profiler(
+            own.number("pulses_per_second", scanner.pulses_per_second, over=0.0),
+            own.number("profiles_per_second", scanner.profiles_per_second, over=0.0),
+            max_range=own.number("max_range_m", scanner.max_range, over=0.0),
+            range_sigma=own.number("range_sigma_m", scanner.range_sigma, over=0.0),
+            angle_sigma=float(
+                np.radians(
+                    own.number("angle_sigma_deg", np.degrees(scanner.angle_sigma), least=0.0)
+                )
+            ),
+        )
+        errors = own.choice("pos_errors", POS_ERRORS, "correlated")
+        flatness = own.number("flatness_m", Site.flatness, least=0.0)
+    mounting = Mounting(np.array(lever), np.zeros(3))
+    chosen = next(each for each in POS_ERRORS if each == errors)
+    return System(mounting, profiler, pos, chosen), flatness
+
+
+def _targets(
+    table: Table, wall: Wall, boards: str = "boards", balls: str = "balls"
+) -> tuple[Board | Ball, ...]:
+    found: list[Board | Ball] = []
+    for each in table.tables(boards):
+        found.append(
+            wall.board(
+                each.text("name"),
+                each.number("along_m"),
+                each.number("up_m"),
+                each.number("from_level_deg", 90.0, least=0.0, most=180.0),
+                (
+                    each.number("width_m", 1.23, least=0.05),
+                    each.number("height_m", 1.22, least=0.05),
+                ),
+                off=each.number("off_m", 0.0),
+                facing_deg=each.number("facing_deg", wall.facing_deg),
+                flatness=each.number("flatness_m", None, least=0.0),
+            )
+        )
+    for each in table.tables(balls):
+        found.append(
+            Ball(
+                each.text("name"),
+                wall.place(each.number("along_m"), each.number("off_m", 0.0), each.number("up_m")),
+                each.number("radius_m", least=0.02),
+                each.flag("radius_known", True),
+                each.number("flatness_m", None, least=0.0),
+            )
+        )
+    return tuple(found)
+
+
+def _line(table: Table) -> Line:
+    return Line(
+        table.number("heading_deg", least=-360.0, most=360.0),
+        table.number("distance_m", over=0.0),
+        table.choice("site_on", SIDES) == "starboard",
+        table.number("speed_m_s", 1.0, least=0.05),
+    )
+
+
+def write_plan(path: Path, titled: TitledPlan) -> None:
+    """Write what `read_plan` reads."""
+    with written_whole(Path(path)) as temporary:
+        temporary.write_text(_text(titled), encoding="utf-8")
+
+
+def _text(titled: TitledPlan) -> str:
+    plan, wall = titled.plan, titled.wall
+    system, scanner, pos = plan.system, plan.system.scanner, plan.system.pos
+    rows = [
+        "# A plan. Along the wall to the right as seen from the water, off it towards the water,",
+        "# up from the vessel's POS; from_level_deg 90 is upright, less leans back.",
+        f"title = {_quoted(titled.title)}",
+        f"facing_deg = {_number(wall.facing_deg)}",
+        f"minutes_per_line = {_number(plan.interval / 60)}",
+        "",
+        "[system]",
+        f"lever_arm_m = {_numbers(system.mounting.lever_arm)}",
+        f"position_sigma_m = {_numbers(pos.sigma_position)}",
+        f"attitude_sigma_deg = {_numbers(np.degrees(pos.sigma_attitude))}",
+        f"position_time_s = {_number(pos.time_position)}",
+        f"attitude_time_s = {_number(pos.time_attitude)}",
+        f"pulses_per_second = {_number(scanner.pulses_per_second)}",
+        f"profiles_per_second = {_number(scanner.profiles_per_second)}",
+        f"range_sigma_m = {_number(scanner.range_sigma)}",
+        f"angle_sigma_deg = {_number(np.degrees(scanner.angle_sigma))}",
+        f"max_range_m = {_number(scanner.max_range)}",
+        f"pos_errors = {_quoted(system.pos_errors)}",
+        f"flatness_m = {_number(plan.flatness)}",
+    ]
+    for target in plan.targets:
+        along, off, up = wall.seen(target.centre)
+        board = isinstance(target, Board)
+        rows += ["", "[[boards]]" if board else "[[balls]]", f"name = {_quoted(target.name)}"]
+        rows += [f"along_m = {_number(along)}", f"off_m = {_number(off)}", f"up_m = {_number(up)}"]
+        if isinstance(target, Board):
+            lean, azimuth = wall.facing_of(target)
+            rows += [f"from_level_deg = {_number(lean)}", f"facing_deg = {_number(azimuth)}"]
+            rows += [f"width_m = {_number(target.width)}", f"height_m = {_number(target.height)}"]
+        else:
+            rows += [f"radius_m = {_number(target.radius)}"]
+            rows += [f"radius_known = {str(target.radius_known).lower()}"]
+        if target.flatness is not None:
+            rows.append(f"flatness_m = {_number(target.flatness)}")
+    for line in plan.lines:
+        rows += [
+            "", "[[lines]]", f"heading_deg = {_number(line.heading_deg)}",
+            f"distance_m = {_number(line.distance)}",
+            f'site_on = "{SIDES[0] if line.starboard else SIDES[1]}"',
+            f"speed_m_s = {_number(line.speed)}",
+        ]  # fmt: skip
+    return "\n".join([*rows, ""])
+
+
+def _number(value: float) -> str:
+    return f"{round(float(value), 9):.12g}"
+
+
+def _numbers(values: Sequence[float] | np.ndarray) -> str:
+    return f"[{', '.join(_number(float(v)) for v in values)}]"
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
+
+
+def _degrees(values: Sequence[float]) -> tuple[float, float, float]:
+    a, b, c = (float(v) for v in np.degrees(values))
+    return a, b, c
+
+
+def _radians(values: Sequence[float]) -> tuple[float, float, float]:
+    a, b, c = (float(v) for v in np.radians(values))
+    return a, b, c

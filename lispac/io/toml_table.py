@@ -1,0 +1,170 @@
+"""Tables of a TOML file, read key by key; what is wrong is said with file, key and remedy."""
+
+import math
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from lispac.errors import InputError
+from lispac.io.files import require_file
+
+NOTHING: Any = object()
+"""No default: the key has to be there."""
+
+
+class Table:
+    """One table; every key has to be asked for, so that none is misspelt in silence."""
+
+    def __init__(self, path: Path, values: Mapping[str, Any], place: str = "") -> None:
+        self.path = path
+        self._values = values
+        self._place = place
+        self._known: set[str] = set()
+
+    @classmethod
+    @contextmanager
+    def read(cls, path: Path, what: str) -> "Iterator[Table]":
+        """The whole file; when the block ends, keys that nobody asked for are refused.
+
+        Raises
+        ------
+        InputError
+        """
+        path = require_file(Path(path), what)
+        try:
+            values = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise InputError(f"{path}: this is not sound TOML ({error}); correct it.") from error
+        table = cls(path, values)
+        yield table
+        table.done()
+
+    def __contains__(self, key: str) -> bool:
+        self._known.add(key)
+        return key in self._values
+
+    def refuse(self, key: str, why: str) -> InputError:
+        """An error about a key."""
+        return InputError(f"{self.path}: {self._named(key)} {why}.")
+
+    def text(self, key: str, default: Any = NOTHING) -> str:
+        """A string that is not empty."""
+        value = self._value(key, default)
+        if value is not default and not (isinstance(value, str) and value.strip()):
+            raise self.refuse(key, f"is {value!r}, not a text; put words between quotes")
+        return value
+
+    def choice(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
+        """One of some words."""
+        value = self._value(key, default)
+        if value is not default and value not in words:
+            raise self.refuse(key, f"is {value!r}; give one of {', '.join(words)}")
+        return value
+
+    def flag(self, key: str, default: Any = NOTHING) -> bool:
+        """True or false."""
+        value = self._value(key, default)
+        if not isinstance(value, bool):
+            raise self.refuse(key, f"is {value!r}; give true or false")
+        return value
+
+    def number(
+        self, key: str, default: Any = NOTHING, *, least: float = -math.inf,
+        most: float = math.inf, over: float = -math.inf,
+    ) -> float:  # fmt: skip
+        """A number from ``least`` to ``most``, and larger than ``over``."""
+        value = self._value(key, default)
+        if value is default:
+            return value
+        return self._sound(key, value, least, most, over)
+
+    def numbers(
+        self, key: str, count: int | None, default: Any = NOTHING, *, least: float = -math.inf,
+        most: float = math.inf,
+    ) -> tuple[float, ...]:  # fmt: skip
+        """So many numbers, or any number of them."""
+        value = self._value(key, default)
+        if value is default:
+            return value
+        if not isinstance(value, list) or (count is not None and len(value) != count):
+            many = "numbers" if count is None else f"{count} numbers"
+            raise self.refuse(key, f"is {value!r}; give {many} in brackets")
+        return tuple(self._sound(key, each, least, most, -math.inf) for each in value)
+
+    def three(
+        self, key: str, default: Any = NOTHING, *, least: float = -math.inf
+    ) -> tuple[float, float, float]:
+        """Three numbers."""
+        values = self.numbers(key, 3, default, least=least)
+        return values[0], values[1], values[2]
+
+    @contextmanager
+    def table(self, key: str) -> "Iterator[Table]":
+        """A table inside this one; an empty one where it is not there."""
+        value = self._value(key, {})
+        if not isinstance(value, dict):
+            raise self.refuse(key, f"is {value!r}, not a table; write [{key}] above its keys")
+        inner = Table(self.path, value, f"{self._place}{key}.")
+        yield inner
+        inner.done()
+
+    def tables(self, key: str) -> "Iterator[Table]":
+        """The tables of a list, one after the other."""
+        value = self._value(key, [])
+        if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
+            raise self.refuse(key, f"is no list of tables; write [[{key}]] above each of them")
+        for k, each in enumerate(value):
+            inner = Table(self.path, each, f"{self._place}{key}[{k + 1}].")
+            yield inner
+            inner.done()
+
+    def leave_rest(self) -> None:
+        """Nothing more is wanted of this table."""
+        self._known |= set(self._values)
+
+    def done(self) -> None:
+        """Refuse keys that nobody asked for.
+
+        Raises
+        ------
+        InputError
+        """
+        for key in self._values:
+            if key not in self._known:
+                near = get_close_matches(key, self._known, 1, 0.6) or [
+                    known for known in sorted(self._known) if known.startswith(f"{key}_")
+                ]
+                wanted = f"did you mean {near[0]}?" if near else (
+                    f"known are {', '.join(sorted(self._known))}"
+                )  # fmt: skip
+                raise self.refuse(key, f"is not known here; {wanted.rstrip('?')}")
+
+    def _named(self, key: str) -> str:
+        return f"{self._place}{key}"
+
+    def _value(self, key: str, default: Any) -> Any:
+        self._known.add(key)
+        if key in self._values:
+            return self._values[key]
+        if default is NOTHING:
+            stem = key.split("_")[0]
+            near = [k for k in self._values if k not in self._known and k.split("_")[0] == stem]
+            if near:
+                raise self.refuse(near[0], f"is not known here; it has to be named {key}")
+            raise InputError(f"{self.path}: {self._named(key)} is missing; add it.")
+        return default
+
+    def _sound(self, key: str, value: Any, least: float, most: float, over: float) -> float:
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise self.refuse(key, f"holds {value!r}, which is not a number; correct it")
+        if not math.isfinite(value):
+            raise self.refuse(key, f"holds {value}, which is not finite; correct it")
+        if value < least or value <= over:
+            wanted = f"at least {least:g}" if value < least else f"more than {over:g}"
+            raise self.refuse(key, f"holds {value:g}; give {wanted}")
+        if value > most:
+            raise self.refuse(key, f"holds {value:g}; give at most {most:g}")
+        return float(value)

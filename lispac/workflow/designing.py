@@ -1,0 +1,116 @@
+"""The best plan of a site, searched on all cores and written for the field."""
+
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from lispac.adjustment.observability import observability
+from lispac.errors import LispacError, RankDeficient
+from lispac.io.files import written_whole
+from lispac.io.plan_file import TitledPlan, write_plan
+from lispac.simulation.choices import faces_one_way
+from lispac.simulation.design import Design, Mapper
+from lispac.simulation.objective import CRITERIA, Objective
+from lispac.simulation.plan import Plan
+from lispac.simulation.prediction import foretold, predict
+from lispac.simulation.scenarios import Outcome
+from lispac.simulation.site import Site
+
+CHUNK = 16
+"""Plans that a process is sent at once."""
+
+
+@contextmanager
+def pool_of(workers: int) -> Iterator[Mapper]:
+    """A mapper over so many processes; one is this one."""
+    if workers <= 1:
+        yield map
+        return
+    with ProcessPoolExecutor(workers) as pool:
+        yield partial(pool.map, chunksize=CHUNK)
+
+
+def words_of(plan: Plan) -> tuple[str, ...]:
+    """What the geometry of a plan sees, in sentences, as after an adjustment."""
+    try:
+        if faces_one_way(plan):
+            return (
+                "All targets face the same way, and the adjustment refuses that: add a target of "
+                "another inclination.",
+            )
+        if not predict(plan).determined:
+            return ("This plan does not determine the boresight; add lines in other directions.",)
+        return observability(foretold(plan)).sentences
+    except RankDeficient as error:
+        return (str(error),)
+
+
+def write_design(
+    folder: Path, title: str, site: Site, design: Design, objective: Objective
+) -> None:
+    """Write the plan, its field plan and the front into a folder.
+
+    Raises
+    ------
+    LispacError
+        The folder cannot be made.
+    """
+    from lispac.report.design_figures import front_figure
+    from lispac.report.field_plan import field_plan
+
+    folder = _made(folder)
+    write_plan(folder / "plan.toml", TitledPlan(title, design.plan, site.wall))
+    page = field_plan(design.plan, site.wall, title)
+    with written_whole(folder / "field-plan.pdf") as temporary:
+        page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
+    figure = front_figure(design.front, CRITERIA[objective.criterion])
+    with written_whole(folder / "front.svg") as temporary:
+        figure.savefig(temporary, format="svg", metadata={"Date": None})
+    rows = ["minutes,value_deg,roll_deg,pitch_deg,yaw_deg,targets,lines"]
+    for step in design.front:
+        sigma = np.degrees(predict(step.plan).sigma)
+        names = " ".join(target.name for target in step.plan.targets)
+        rows.append(
+            f"{step.minutes:.1f},{np.degrees(step.value):.6f},"
+            + ",".join(f"{value:.6f}" for value in sigma)
+            + f",{names},{len(step.plan.lines)}"
+        )
+    with written_whole(folder / "front.csv") as temporary:
+        temporary.write_text("\n".join([*rows, ""]), encoding="utf-8")
+
+
+def write_scenarios(folder: Path, found: Sequence[Outcome]) -> None:
+    """Write the table of all outcomes and a plot of each scenario into a folder.
+
+    Raises
+    ------
+    LispacError
+        The folder cannot be made.
+    """
+    from lispac.report.design_figures import scenario_figure
+
+    folder = _made(folder)
+    rows = ["scenario,case,pos_errors,roll_deg,pitch_deg,yaw_deg,points"]
+    for each in found:
+        sigma = (f"{v:.6f}" if np.isfinite(v) else "" for v in np.degrees(each.sigma))
+        case = f'"{each.case}"' if "," in each.case else each.case
+        rows.append(f"{each.scenario},{case},{each.pos_errors},{','.join(sigma)},{each.points:.0f}")
+    with written_whole(folder / "scenarios.csv") as temporary:
+        temporary.write_text("\n".join([*rows, ""]), encoding="utf-8")
+    for scenario in dict.fromkeys(each.scenario for each in found):
+        figure = scenario_figure([each for each in found if each.scenario == scenario])
+        with written_whole(folder / f"{scenario}.svg") as temporary:
+            figure.savefig(temporary, format="svg", metadata={"Date": None})
+
+
+def _made(folder: Path) -> Path:
+    folder = Path(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise LispacError(f"{folder}: this folder cannot be made ({error.strerror}).") from error
+    return folder

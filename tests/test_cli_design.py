@@ -1,0 +1,125 @@
+"""The design of a site at the command line: predict, scenarios, design, replay."""
+
+import csv
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.io.plan_file import read_plan
+from lispac.project import Project
+from lispac.workflow.survey import Survey
+from tests.test_cli import answer, refused, run
+
+PORT = Path(__file__).parent / "data" / "port-plan.toml"
+QUAY = Path(__file__).parents[1] / "resources" / "sites" / "quay.toml"
+
+
+def told(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+    """What a command that goes well prints."""
+    code, out, err = run(capsys, *words)
+    assert code == 0, err
+    return out
+
+
+def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
+    found = answer(capsys, "predict", PORT)
+    assert found["determined"]
+    assert len(found["points"]) == 12
+    assert found["sigma_deg"] == pytest.approx([0.0126, 0.0282, 0.0241], abs=0.0002)
+    assert set(found["largest_sigma_without_deg"]) == {"T1", "T2", *(f"L{k}" for k in range(1, 7))}
+    said = told(capsys, "predict", PORT)
+    assert "The weakest direction is pitch" in said
+    assert "correlation roll-pitch" in said
+
+
+def test_what_is_not_determined_is_said(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    text = PORT.read_text()
+    one_way = tmp_path / "one-way.toml"
+    one_way.write_text(text.replace("from_level_deg = 45\n", ""))
+    assert "All targets face the same way" in told(capsys, "predict", one_way)
+    one_line = tmp_path / "one-line.toml"
+    one_line.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
+    found = answer(capsys, "predict", one_line)
+    assert found["sigma_deg"] is None
+    assert found["words"] == [
+        "This plan does not determine the boresight; add lines in other directions."
+    ]
+    assert "no such plan file" in refused(capsys, "predict", tmp_path / "none.toml")
+
+
+def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    said = told(capsys, "scenarios", "--only", "lines", "size", "--output", folder)
+    assert "all six" in said
+    assert "not determined" in said
+    with (folder / "scenarios.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 2 * (11 + 4)
+    assert {path.name for path in folder.iterdir()} == {"scenarios.csv", "lines.svg", "size.svg"}
+    found = answer(capsys, "scenarios", PORT, "--only", "distance")
+    assert {each["scenario"] for each in found["outcomes"]} == {"distance"}
+
+
+def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    site, folder = tmp_path / "site.toml", tmp_path / "out"
+    text = QUAY.read_text()
+    for wide, narrow in (
+        ("boards = 2", "boards = 2"),
+        ("along_m = [-8, -4, -1, 1, 4, 8]", "along_m = [-1, 1]"),
+        ("up_m = [2, 5, 8]", "up_m = [2, 8]"),
+        ("from_level_deg = [90, 60, 45, 120, 135]", "from_level_deg = [90, 45]"),
+        ("lines = 6", "lines = 3"),
+        ("headings_deg = [0, 45, 90, 135, 180, 225, 270, 315]", "headings_deg = [0, 45, 135]"),
+        ("distances_m = [10, 15, 20, 30, 40]", "distances_m = [15]"),
+    ):
+        assert wide in text
+        text = text.replace(wide, narrow)
+    site.write_text(text)
+    found = answer(capsys, "design", site, "--workers", 1, "--output", folder)
+    assert found["exact"]
+    assert found["looked_at"] == 28 * 27
+    assert {path.name for path in folder.iterdir()} == {
+        "plan.toml", "field-plan.pdf", "front.svg", "front.csv",
+    }  # fmt: skip
+    again = answer(capsys, "predict", folder / "plan.toml")
+    assert again["sigma_deg"] == pytest.approx(found["sigma_deg"], rel=1e-6)
+    assert answer(capsys, "design", site, "--workers", 2) == found
+    said = told(capsys, "design", site, "--workers", 1, "--for", "yaw")
+    assert "smallest the sigma of yaw" in said
+    assert "which is all there are" in said
+    assert (folder / "field-plan.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_limits_that_make_no_sense_are_refused(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    site = tmp_path / "site.toml"
+    site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
+    assert "longer than the 5 minutes on site" in refused(capsys, "design", site)
+
+
+def test_replay_of_the_built_in_survey(
+    calibrated: tuple[Project, Survey], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """All its points, its rolling vessel, its helmsman: the sigmas stated are those foretold."""
+    folder = tmp_path / "port"
+    shutil.copytree(calibrated[0].folder, folder)
+    found = answer(capsys, "replay", folder, "--plan", PORT)
+    stated, foretold = np.array(found["obtained_sigma_deg"]), np.array(found["as_flat_sigma_deg"])
+    assert stated == pytest.approx(foretold, rel=0.05)
+    assert found["missing_lines"] == []
+    assert found["missing_targets"] == []
+    more = tmp_path / "more.toml"
+    further = '[[lines]]\nheading_deg = 20\ndistance_m = 30\nsite_on = "starboard"\n'
+    board = '[[boards]]\nname = "T9"\nalong_m = 4\nup_m = 12\n'
+    more.write_text(PORT.read_text() + further + board)
+    said = told(capsys, "replay", folder, "--plan", more)
+    assert "Line 7 (020 deg, 30 m to starboard) was not sailed: with it the sigma of" in said
+    assert "Target T9 was not used: with it the sigma of" in said
+    strange = tmp_path / "strange.toml"
+    text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')
+    strange.write_text(text)
+    assert "has no target of this plan" in refused(capsys, "replay", folder, "--plan", strange)
+    assert read_plan(strange).plan.targets[0].name == "A"
