@@ -10,7 +10,7 @@ from lispac.geometry.frames import LocalFrame
 from lispac.project import LineSource, Project, Settings
 from lispac.simulation.port import ORIGIN, six_passes
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
-from lispac.simulation.scanner import Echoes, Profiler, scan
+from lispac.simulation.scanner import Echoes, Scanner, scan
 from lispac.simulation.scene import Rectangle, Scene, Surface, tilted
 from lispac.simulation.survey import BORESIGHT_DEG, LEVER_ARM
 from lispac.simulation.vessel import RATE, sail
@@ -95,8 +95,8 @@ def site(
     echoes = {}
     for k, (each, recorded) in enumerate(zip(passes, motion.recorded, strict=True)):
         whole = scan(
-            Profiler(pulses_per_second), scene, states, recorded, each.starboard,
-            np.array(LEVER_ARM), boresight, scanners[k],
+            Scanner(pulses_per_second), scene, states, recorded, each.starboard,
+            Mounting(np.array(LEVER_ARM), boresight), scanners[k],
         )  # fmt: skip
         near = np.linalg.norm(whole.true_points_local - middle, axis=1) < NEAR
         echoes[f"L{k + 1}"] = Echoes(

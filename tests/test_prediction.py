@@ -12,7 +12,7 @@ from lispac.errors import RankDeficient
 from lispac.simulation.closed_form import Ball, Board, abeam
 from lispac.simulation.plan import Line, Plan, System, pattern
 from lispac.simulation.prediction import count_of_points, foretold, predict
-from lispac.simulation.scanner import Profiler, scan
+from lispac.simulation.scanner import Scanner, scan
 from lispac.simulation.scene import Scene, upright
 from tests.prediction_study import PLAN, compared, printed, survey
 
@@ -34,7 +34,7 @@ def test_the_adjustment_states_what_was_foretold(model: PosErrors, errors: float
 
 def test_as_many_points_as_the_scanner_measures() -> None:
     """The beams of a profiler that passes on a calm sea, against the count."""
-    system = System(scanner=Profiler(60_000.0))
+    system = System(scanner=Scanner(60_000.0))
     surface = upright("T1", (0.0, -12.0), 4.0, 5.5, 1.8, 270)
     board = Board("T1", (0.0, -12.0, 4.75), (0.0, 1.0, 0.0), 1.8, 1.5)
     for line in pattern((0, 45, 135), 12.0):
@@ -46,11 +46,10 @@ def test_as_many_points_as_the_scanner_measures() -> None:
         attitude = np.tile([0.0, 0.0, course.heading], (len(time), 1))
         echoes = scan(
             system.scanner, Scene.of([surface]), (time, position, attitude),
-            (float(time[0]), float(time[-1])), line.starboard, system.mounting.lever_arm,
-            system.mounting.boresight, None,
+            (float(time[0]), float(time[-1])), line.starboard, system.mounting, None,
         )  # fmt: skip
         count = count_of_points(system, board, course, abeam(system.mounting, board, course))
-        profiles = len(np.unique(np.round(echoes.time * system.scanner.profiles_per_second)))
+        profiles = len(np.unique(np.round(echoes.time * system.scanner.turns_per_second)))
         # Every profile meets the board with the same pulses: one more or less in each of them
         assert abs(count - len(echoes.time)) <= profiles + len(echoes.time) / profiles
         assert count > 0.9 * len(echoes.time)
@@ -62,7 +61,7 @@ def test_what_looks_away_or_is_too_far_is_not_seen() -> None:
     assert not predict(PLAN.with_targets([away])).determined
     with pytest.raises(RankDeficient, match="No line sees a target"):
         foretold(PLAN.with_targets([away]))
-    near = replace(PLAN, system=System(scanner=Profiler(150_000.0, max_range=20.0)))
+    near = replace(PLAN, system=System(scanner=Scanner(150_000.0, max_range=20.0)))
     far = near.with_lines((Line(0.0, 30.0), *near.lines))
     assert {line for _, line in predict(far).points} == {f"L{k}" for k in range(2, 8)}
 

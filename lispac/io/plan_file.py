@@ -16,7 +16,7 @@ from lispac.io.toml_table import Table
 from lispac.simulation.closed_form import Ball, Board
 from lispac.simulation.plan import Line, Plan, System
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
-from lispac.simulation.scanner import Profiler
+from lispac.simulation.scanner import Scanner
 from lispac.simulation.site import Site, Wall
 from lispac.survey.georeferencing import Mounting
 
@@ -113,7 +113,7 @@ def read_site(path: Path) -> tuple[str, Site]:
 
 def _system(table: Table) -> tuple[System, float]:
     """The system, and how flat targets are, metres."""
-    usual, scanner = HYDROGRAPHIC_INS, Profiler(150_000.0)
+    usual, scanner = HYDROGRAPHIC_INS, Scanner(150_000.0)
     with table.table("system") as own:
         lever = own.three("lever_arm_m", (0.0, 0.0, 2.0))
         pos = PosErrorModel(
@@ -122,9 +122,9 @@ def _system(table: Table) -> tuple[System, float]:
             own.number("position_time_s", usual.time_position, over=0.0),
             own.number("attitude_time_s", usual.time_attitude, over=0.0),
         )
-        profiler = Profiler(
+        profiler = Scanner(
             own.number("pulses_per_second", scanner.pulses_per_second, over=0.0),
-            own.number("profiles_per_second", scanner.profiles_per_second, over=0.0),
+            own.number("profiles_per_second", scanner.turns_per_second, over=0.0),
             max_range=own.number("max_range_m", scanner.max_range, over=0.0),
             range_sigma=own.number("range_sigma_m", scanner.range_sigma, over=0.0),
             angle_sigma=float(
@@ -205,7 +205,7 @@ def _text(titled: TitledPlan) -> str:
         f"position_time_s = {_number(pos.time_position)}",
         f"attitude_time_s = {_number(pos.time_attitude)}",
         f"pulses_per_second = {_number(scanner.pulses_per_second)}",
-        f"profiles_per_second = {_number(scanner.profiles_per_second)}",
+        f"profiles_per_second = {_number(scanner.turns_per_second)}",
         f"range_sigma_m = {_number(scanner.range_sigma)}",
         f"angle_sigma_deg = {_number(np.degrees(scanner.angle_sigma))}",
         f"max_range_m = {_number(scanner.max_range)}",

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.stochastic import PosErrors
 from lispac.simulation.closed_form import Ball, Board, Course
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
-from lispac.simulation.scanner import Profiler
+from lispac.simulation.scanner import Scanner
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -30,7 +30,7 @@ class System:
     ----------
     mounting : Mounting
         As far as it is known; the sigmas hardly depend on it.
-    scanner : Profiler
+    scanner : Scanner
     pos : PosErrorModel
     pos_errors : {"correlated", "independent"}
         How the adjustment takes the POS errors: drifting, or, as in the thesis, every point with
@@ -40,7 +40,7 @@ class System:
     mounting: Mounting = field(
         default_factory=lambda: Mounting(np.array([0.0, 0.0, 2.0]), np.zeros(3))
     )
-    scanner: Profiler = field(default_factory=lambda: Profiler(150_000.0))
+    scanner: Scanner = field(default_factory=lambda: Scanner(150_000.0))
     pos: PosErrorModel = HYDROGRAPHIC_INS
     pos_errors: PosErrors = "correlated"
 

@@ -235,5 +235,5 @@ def count_of_points(
         if facing < STEEPEST:
             return 0.0
         area = target.width * target.height * facing
-    step = 2 * np.pi * system.scanner.profiles_per_second / system.scanner.pulses_per_second
-    return area * system.scanner.profiles_per_second / (course.speed * step * distance)
+    step = 2 * np.pi * system.scanner.turns_per_second / system.scanner.pulses_per_second
+    return area * system.scanner.turns_per_second / (course.speed * step * distance)

@@ -1,53 +1,82 @@
-"""The 2D profiler: which pulses it sends, what they meet, and what it says it measured.
+"""Scanners that turn about an axis: which pulses they send, what these meet, what is read.
 
-The misalignment is put into the beams themselves, not added to finished points: a pulse leaves
-along ``R_local_body R_body_lidar u`` and stops at the first surface (thesis 3.4.2).
+The errors of the mounting are put into the beams themselves, not added to finished points: a pulse
+leaves from where the true lever arm puts the scanner, along ``R_local_body R_body_lidar R_x u``, at
+its time plus the latency, and stops at the first surface; the range offset is missing in what is
+read (thesis 3.4.2).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
 from lispac.geometry.rotations import rotation_matrix
-from lispac.simulation.scene import Scene, heights_above, nearest_hit
+from lispac.simulation.scene import Scene
+from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
+Axis = Literal["x", "z"]
 
 # Echoes of one pulse closer than this melt into one wrong range; farther ones are told apart.
 PULSE_LENGTH = 1.0  # metres
 # Two surfaces meeting at an edge within this are no mixed echo.
 SMALLEST_MIX = 0.01  # metres
+CHUNK = 1 << 16  # pulses cast together
 
 
 @dataclass(frozen=True)
-class Profiler:
-    """A scanner that turns about its x axis: ``x_lidar = 0`` for every point.
+class Scanner:
+    """A scanner that turns about an axis of the LiDAR frame; as it stands a 2D profiler.
+
+    A beam of elevation ``e`` at angle ``a`` leaves along ``(sin e, cos e cos a, cos e sin a)``
+    where the axis is x, and along ``(cos e cos a, cos e sin a, sin e)`` where it is z. A profiler
+    has the one elevation 0 and the axis x, so that ``x_lidar = 0`` for every point.
 
     Attributes
     ----------
     pulses_per_second : float
-        Over the whole turn, as a data sheet states it; the window keeps a part of them.
-    profiles_per_second : float
+        Of all beams over the whole turn, as a data sheet states it; the window keeps a part.
+    turns_per_second : float
     window : pair of float, radians
-        Lowest and highest elevation recorded, on the side of the quay.
+        First and last angle recorded by a line whose site lies to port; starboard is its mirror
+        image.
     max_range : float, metres
     range_sigma, angle_sigma : float, metres and radians
     divergence : float, radians
         Full width of the beam, which smears echoes at edges.
+    elevations : tuple of float, radians
+        Of the beams, in the order in which they fire.
+    axis : {"x", "z"}
+        That the beams turn about.
+    min_range : float, metres
+        Nothing nearer is recorded.
+    incidence_growth : float
+        The sigma of a range is ``range_sigma / cos(incidence) ** incidence_growth``.
+    grazing : float, radians
+        Beyond this incidence nothing comes back.
     """
 
     pulses_per_second: float
-    profiles_per_second: float = 50.0
+    turns_per_second: float = 50.0
     window: tuple[float, float] = (np.radians(-1.0), np.radians(67.0))
     max_range: float = 90.0
     range_sigma: float = 0.0025
     angle_sigma: float = np.radians(0.005)
     divergence: float = 0.0005
+    elevations: tuple[float, ...] = (0.0,)
+    axis: Axis = "x"
+    min_range: float = 0.0
+    incidence_growth: float = 0.0
+    grazing: float = np.pi / 2
 
-    def pulses(self, start: float, stop: float, starboard: bool) -> tuple[Array, Array]:
-        """Pulses of all whole profiles in a stretch of time.
+    def pulses(
+        self, start: float, stop: float, starboard: bool
+    ) -> tuple[Array, Array, NDArray[np.intp]]:
+        """Pulses of all whole turns in a stretch of time, in their order.
 
         Parameters
         ----------
@@ -59,15 +88,28 @@ class Profiler:
         -------
         time : ndarray of shape (n,), seconds
         angle : ndarray of shape (n,), radians
-            From left (+y) over up (+z, pi/2) to right (pi).
+            Axis x: from left (+y) over up (+z, pi/2) to right (pi). Axis z: from ahead (+x) to
+            left (+y).
+        beam : ndarray of shape (n,)
+            Index into the elevations.
         """
-        turn = 2 * np.pi * self.profiles_per_second  # rad/s
-        low, high = self.window
-        first, last = (np.pi - high, np.pi - low) if starboard else (low, high)
+        turn = 2 * np.pi * self.turns_per_second  # rad/s
+        first, last = self.window
+        if starboard:
+            first, last = (np.pi - last, np.pi - first) if self.axis == "x" else (-last, -first)
         angle = np.arange(first, last, turn / self.pulses_per_second)
-        profiles = np.arange(int((stop - start) * self.profiles_per_second))
-        time = start + profiles[:, None] / self.profiles_per_second + (angle - first) / turn
-        return time.ravel(), np.tile(angle, len(profiles))
+        turns = np.arange(max(int((stop - start) * self.turns_per_second), 1))
+        time = start + turns[:, None] / self.turns_per_second + (angle - first) / turn
+        beam = np.arange(len(angle)) % len(self.elevations)
+        return time.ravel(), np.tile(angle, len(turns)), np.tile(beam, len(turns))
+
+    def directions(self, angle: Array, elevation: Array | float) -> Array:
+        """Unit vectors along beams, shape (n, 3), LiDAR frame."""
+        level = np.cos(elevation)
+        aside = np.sin(elevation) * np.ones(len(angle))
+        first, second = level * np.cos(angle), level * np.sin(angle)
+        parts = (aside, first, second) if self.axis == "x" else (first, second, aside)
+        return np.stack(parts, axis=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,14 +134,32 @@ class Echoes:
     label: NDArray[np.int16]
 
 
+@dataclass(frozen=True, eq=False)
+class _Hits:
+    """Pulses that met something, before anything is read."""
+
+    time: Array
+    angle: Array
+    beam: NDArray[np.intp]
+    distance: Array
+    edge_distance: Array
+    cosine: Array
+    true_points_local: Array
+    label: NDArray[np.int16]
+
+    @classmethod
+    def joined(cls, parts: Sequence["_Hits"]) -> "_Hits":
+        columns = zip(*(vars(part).values() for part in parts), strict=True)
+        return cls(*(np.concatenate(column) for column in columns))
+
+
 def scan(
-    profiler: Profiler,
+    scanner: Scanner,
     scene: Scene,
     states: tuple[Array, Array, Array],
     recorded: tuple[float, float],
     starboard: bool,
-    lever_arm: Array,
-    boresight: Array,
+    mounting: Mounting,
     generator: np.random.Generator | None,
 ) -> Echoes:
     """Scan the scene during one pass.
@@ -111,51 +171,100 @@ def scan(
         vessel is where linear interpolation puts it, which is all that a sampled POS can know.
     recorded : pair of float, seconds
     starboard : bool
-        On which side the quay lies.
-    lever_arm : ndarray of shape (3,), metres, body
-    boresight : ndarray of shape (3,), radians; roll, pitch, yaw
+        On which side the site lies.
+    mounting : Mounting
+        The true one; times come out with its latency missing, ranges with its offset missing.
     generator : numpy Generator or None
         None for a scanner without noise and without width of beam.
     """
-    time, angle = profiler.pulses(*recorded, starboard)
-    knots, position, attitude = states
-    # Only the samples around the pass: the kernel walks through them pulse by pulse.
-    first = max(int(np.searchsorted(knots, time[0])) - 1, 0)
-    last = int(np.searchsorted(knots, time[-1])) + 1
-    half_width = 0.0 if generator is None else profiler.divergence / 2
-    true_points, measured = np.empty((len(time), 3)), np.empty((len(time), 3))
-    label = np.empty(len(time), dtype=np.int16)
-    _scan(
-        time, angle, knots[first:last], np.hstack([position, attitude])[first:last],
-        rotation_matrix(*boresight), lever_arm, profiler.max_range, half_width,
-        scene.rectangles, scene.cylinders, true_points, measured, label,
-    )  # fmt: skip
-    hit = label >= 0
-    time, angle, label = time[hit], angle[hit], label[hit]
-    distance, edge_distance, cosine = measured[hit].T
-    brightness = 60000 * scene.reflectances[label] * cosine
+    hits = _met(scanner, scene, states, recorded, starboard, mounting, generator is not None)
+    angle, distance, label = hits.angle, hits.distance, hits.label
+    elevation: Array | float = np.array(scanner.elevations)[hits.beam]
+    brightness = 60000 * scene.reflectances[label] * hits.cosine
     if generator is not None:
-        gap = np.abs(edge_distance - distance)
+        gap = np.abs(hits.edge_distance - distance)
         mixed = (gap > SMALLEST_MIX) & (gap < PULSE_LENGTH)
-        share = generator.uniform(0, 1, len(time))
-        distance = np.where(mixed, distance + share * (edge_distance - distance), distance)
+        share = generator.uniform(0, 1, len(angle))
+        distance = np.where(mixed, distance + share * (hits.edge_distance - distance), distance)
         label = np.where(mixed, np.int16(-1), label)
-        distance = distance + profiler.range_sigma * generator.standard_normal(len(time))
-        angle = angle + profiler.angle_sigma * generator.standard_normal(len(time))
-        brightness = brightness * (1 + 0.05 * generator.standard_normal(len(time)))
-    points_lidar = np.stack(
-        [np.zeros(len(time)), distance * np.cos(angle), distance * np.sin(angle)], axis=1
-    )
+        sigma = scanner.range_sigma / hits.cosine**scanner.incidence_growth
+        distance = distance + sigma * generator.standard_normal(len(angle))
+        angle = angle + scanner.angle_sigma * generator.standard_normal(len(angle))
+        brightness = brightness * (1 + 0.05 * generator.standard_normal(len(angle)))
+        if len(scanner.elevations) > 1:
+            error = scanner.angle_sigma * generator.standard_normal(len(angle))
+            elevation = elevation + error
+    reading = distance - mounting.range_offset
+    points_lidar = reading[:, None] * scanner.directions(angle, elevation)
     intensity = np.clip(np.round(brightness), 0, 65535).astype(np.uint16)
-    return Echoes(time, points_lidar, true_points[hit], intensity, label)
+    recorded_too = np.flatnonzero(reading > scanner.min_range)
+    return Echoes(
+        hits.time[recorded_too], points_lidar[recorded_too], hits.true_points_local[recorded_too],
+        intensity[recorded_too], label[recorded_too],
+    )  # fmt: skip
+
+
+def _met(
+    scanner: Scanner,
+    scene: Scene,
+    states: tuple[Array, Array, Array],
+    recorded: tuple[float, float],
+    starboard: bool,
+    mounting: Mounting,
+    wide: bool,
+) -> _Hits:
+    """What the pulses meet, and with ``wide`` what the rim of their beams meets."""
+    time, angle, beam = scanner.pulses(*recorded, starboard)
+    elevation = np.array(scanner.elevations)
+    rotation_body_lidar = mounting.rotation_body_lidar
+    if mounting.scan_angle_offset:
+        turn = rotation_matrix(mounting.scan_angle_offset, 0.0, 0.0)
+        rotation_body_lidar = rotation_body_lidar @ turn
+    knots, position, attitude = states
+    poses = np.hstack([position, attitude])
+
+    def sent(chosen: slice | NDArray[np.intp], side: Array | float) -> tuple[Array, Array]:
+        """Origins and directions of these pulses, aside of the beam's middle by an angle."""
+        at = time[chosen] + mounting.latency
+        # Only the samples around: the kernel walks through them pulse by pulse.
+        first = max(int(np.searchsorted(knots, at[0])) - 1, 0)
+        last = int(np.searchsorted(knots, at[-1])) + 1
+        origins, directions = np.empty((len(at), 3)), np.empty((len(at), 3))
+        _send(
+            at, angle[chosen] + side, elevation[beam[chosen]], scanner.axis == "x",
+            knots[first:last], poses[first:last], rotation_body_lidar, mounting.lever_arm,
+            origins, directions,
+        )  # fmt: skip
+        return origins, directions
+
+    parts = []
+    for start in range(0, len(time), CHUNK):
+        chunk = slice(start, min(start + CHUNK, len(time)))
+        origins, directions = sent(chunk, 0.0)
+        ranges, labels, cosines = scene.intersect(origins, directions, scanner.max_range)
+        hit = np.flatnonzero((labels >= 0) & (cosines >= np.cos(scanner.grazing)))
+        distance, label = ranges[hit], labels[hit]
+        true_points = origins[hit] + distance[:, None] * directions[hit]
+        met, edge_distance = start + hit, distance
+        if wide and scanner.divergence > 0 and len(hit):
+            # One more ray on the rim of the beam, on either side in turn
+            half = scanner.divergence / 2
+            rim = sent(met, np.where(met % 2 == 0, half, -half))
+            edge, edge_label, _ = scene.intersect(*rim, scanner.max_range)
+            edge_distance = np.where((edge_label >= 0) & (edge_label != label), edge, distance)
+        parts.append(
+            _Hits(time[met], angle[met], beam[met], distance, edge_distance, cosines[hit],
+                  true_points, label)
+        )  # fmt: skip
+    return _Hits.joined(parts)
 
 
 @njit(nogil=True, cache=True)
-def _scan(  # type: ignore[no-untyped-def]
-    time, angle, knots, states, rotation_body_lidar, lever_arm, max_range, half_width,
-    rectangles, cylinders, true_points, measured, label,
+def _send(  # type: ignore[no-untyped-def]
+    time, angle, elevation, about_x, knots, states, rotation_body_lidar, lever_arm,
+    origins, directions,
 ):  # fmt: skip
-    rotation, heights = np.empty((3, 3)), np.empty(len(rectangles))
+    rotation = np.empty((3, 3))
     k = 0
     for i in range(len(time)):
         while k < len(knots) - 2 and time[i] > knots[k + 1]:
@@ -174,29 +283,16 @@ def _scan(  # type: ignore[no-untyped-def]
         )  # fmt: skip
         rotation[2, 0], rotation[2, 1], rotation[2, 2] = -sp, cp * sr, cp * cr
         ox, oy, oz = _turn(rotation, lever_arm[0], lever_arm[1], lever_arm[2])
-        ox += low[0] + u * (high[0] - low[0])
-        oy += low[1] + u * (high[1] - low[1])
-        oz += low[2] + u * (high[2] - low[2])
-        heights_above(ox, oy, oz, rectangles, heights)
-        dx, dy, dz = _beam(rotation, rotation_body_lidar, angle[i])
-        distance, label[i], cosine = nearest_hit(
-            ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, heights
-        )
-        if label[i] < 0:
-            continue
-        true_points[i, 0] = ox + distance * dx
-        true_points[i, 1] = oy + distance * dy
-        true_points[i, 2] = oz + distance * dz
-        measured[i, 0], measured[i, 1], measured[i, 2] = distance, distance, cosine
-        if half_width > 0:
-            # One more ray on the rim of the beam, on either side in turn
-            side = half_width if i % 2 == 0 else -half_width
-            dx, dy, dz = _beam(rotation, rotation_body_lidar, angle[i] + side)
-            edge, edge_label, _ = nearest_hit(
-                ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, heights
-            )
-            if edge_label >= 0 and edge_label != label[i]:
-                measured[i, 1] = edge
+        origins[i, 0] = ox + (low[0] + u * (high[0] - low[0]))
+        origins[i, 1] = oy + (low[1] + u * (high[1] - low[1]))
+        origins[i, 2] = oz + (low[2] + u * (high[2] - low[2]))
+        ce, se = _cos_sin(elevation[i])
+        ca, sa = _cos_sin(angle[i])
+        if about_x:
+            bx, by, bz = _turn(rotation_body_lidar, se, ce * ca, ce * sa)
+        else:
+            bx, by, bz = _turn(rotation_body_lidar, ce * ca, ce * sa, se)
+        directions[i] = _turn(rotation, bx, by, bz)
 
 
 @njit(nogil=True, cache=True)
@@ -211,9 +307,3 @@ def _turn(rotation, x, y, z):  # type: ignore[no-untyped-def]
         rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z,
         rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z,
     )
-
-
-@njit(nogil=True, cache=True)
-def _beam(rotation_local_body, rotation_body_lidar, angle):  # type: ignore[no-untyped-def]
-    bx, by, bz = _turn(rotation_body_lidar, 0.0, np.cos(angle), np.sin(angle))
-    return _turn(rotation_local_body, bx, by, bz)

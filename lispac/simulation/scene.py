@@ -1,12 +1,13 @@
-"""What the beams meet: rectangles and upright cylinders, each met in closed form."""
+"""What the beams meet: rectangles, upright cylinders and spheres, each met in closed form."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from lispac.simulation.casting import cast
 
 Array = NDArray[np.float64]
 UP = (0.0, 0.0, 1.0)
@@ -81,7 +82,34 @@ class Cylinder:
         return np.asarray(np.hypot(offset[:, 0], offset[:, 1]) - self.radius)
 
 
-Surface = Rectangle | Cylinder
+@dataclass(frozen=True, eq=False)
+class Sphere:
+    """A ball, seen from outside and from inside.
+
+    Attributes
+    ----------
+    name : str
+    centre : ndarray of shape (3,), metres, local
+    radius : float, metres
+    reflectance : float, in [0, 1]
+    """
+
+    name: str
+    centre: Array
+    radius: float
+    reflectance: float = 0.4
+
+    @property
+    def row(self) -> Array:
+        """Centre and radius: 4 numbers."""
+        return np.array([*self.centre, self.radius])
+
+    def distance(self, points_local: Array) -> Array:
+        """Signed distance of points to the ball, shape (n,), metres; positive outside."""
+        return np.asarray(np.linalg.norm(points_local - self.centre, axis=1) - self.radius)
+
+
+Surface = Rectangle | Cylinder | Sphere
 
 
 def upright(
@@ -155,10 +183,9 @@ class Scene:
 
     @classmethod
     def of(cls, surfaces: Sequence[Surface]) -> "Scene":
-        """Rectangles first, so that one index counts through both kernels' arrays."""
-        rectangles = [s for s in surfaces if isinstance(s, Rectangle)]
-        cylinders = [s for s in surfaces if isinstance(s, Cylinder)]
-        return cls((*rectangles, *cylinders))
+        """Kind by kind, so that one index counts through the arrays of the kernel."""
+        return cls(tuple(s for kind in (Rectangle, Cylinder, Sphere) for s in surfaces
+                         if isinstance(s, kind)))  # fmt: skip
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -176,14 +203,21 @@ class Scene:
     @cached_property
     def rectangles(self) -> Array:
         """Rows of the rectangles, shape (k, 12)."""
-        rows = [s.row for s in self.surfaces if isinstance(s, Rectangle)]
-        return np.array(rows).reshape(-1, 12)
+        return self._rows(Rectangle, 12)
 
     @cached_property
     def cylinders(self) -> Array:
         """Rows of the cylinders, shape (m, 5)."""
-        rows = [s.row for s in self.surfaces if isinstance(s, Cylinder)]
-        return np.array(rows).reshape(-1, 5)
+        return self._rows(Cylinder, 5)
+
+    @cached_property
+    def spheres(self) -> Array:
+        """Rows of the spheres, shape (m, 4)."""
+        return self._rows(Sphere, 4)
+
+    def _rows(self, kind: type[Surface], columns: int) -> Array:
+        rows = [surface.row for surface in self.surfaces if isinstance(surface, kind)]
+        return np.array(rows).reshape(-1, columns)
 
     def intersect(
         self, origins: Array, directions: Array, max_range: float = np.inf
@@ -204,72 +238,8 @@ class Scene:
         """
         ranges, cosines = np.empty(len(origins)), np.empty(len(origins))
         labels = np.empty(len(origins), dtype=np.int16)
-        _intersect(
+        cast(
             np.ascontiguousarray(origins), np.ascontiguousarray(directions), max_range,
-            self.rectangles, self.cylinders, ranges, labels, cosines,
+            self.rectangles, self.cylinders, self.spheres, ranges, labels, cosines,
         )  # fmt: skip
         return ranges, labels, cosines
-
-
-@njit(nogil=True, cache=True, error_model="numpy")
-def heights_above(ox, oy, oz, rectangles, heights):  # type: ignore[no-untyped-def]
-    """How far the plane of each rectangle lies along its normal from an origin, into ``heights``.
-
-    All rays that leave from there share it.
-    """
-    for i in range(len(rectangles)):
-        heights[i] = (
-            rectangles[i, 3] * (rectangles[i, 0] - ox)
-            + rectangles[i, 4] * (rectangles[i, 1] - oy)
-            + rectangles[i, 5] * (rectangles[i, 2] - oz)
-        )
-
-
-@njit(nogil=True, cache=True, error_model="numpy")
-def nearest_hit(ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, heights):  # type: ignore[no-untyped-def]
-    """Range, surface index (-1 none) and cosine of incidence of one ray."""
-    best, label, cosine = max_range, -1, 0.0
-    for i in range(len(rectangles)):
-        slope = rectangles[i, 3] * dx + rectangles[i, 4] * dy + rectangles[i, 5] * dz
-        # Most are behind the ray or farther than what was met: a product tells it, a quotient takes
-        # ten times as long. What is near the limit is left to the quotient.
-        height = heights[i] if slope > 0.0 else -heights[i]
-        if height <= 0.0 or height > 1.001 * best * abs(slope):
-            continue
-        t = heights[i] / slope
-        if not 0.0 < t < best:
-            continue
-        x = ox + t * dx - rectangles[i, 0]
-        y = oy + t * dy - rectangles[i, 1]
-        z = oz + t * dz - rectangles[i, 2]
-        if abs(rectangles[i, 6] * x + rectangles[i, 7] * y + rectangles[i, 8] * z) > 1.0:
-            continue
-        if abs(rectangles[i, 9] * x + rectangles[i, 10] * y + rectangles[i, 11] * z) > 1.0:
-            continue
-        best, label, cosine = t, i, abs(slope)
-    a = dx * dx + dy * dy
-    for i in range(len(cylinders)):
-        radius = cylinders[i, 4]
-        x, y = ox - cylinders[i, 0], oy - cylinders[i, 1]
-        b = x * dx + y * dy
-        discriminant = b * b - a * (x * x + y * y - radius * radius)
-        if a == 0.0 or discriminant <= 0.0:
-            continue
-        root = np.sqrt(discriminant)
-        for t in ((-b - root) / a, (-b + root) / a):
-            if 0.0 < t < best and cylinders[i, 2] <= oz + t * dz <= cylinders[i, 3]:
-                best, label, cosine = t, len(rectangles) + i, root / radius
-    if label < 0:
-        best = np.inf
-    return best, label, cosine
-
-
-@njit(nogil=True, cache=True)
-def _intersect(origins, directions, max_range, rectangles, cylinders, ranges, labels, cosines):  # type: ignore[no-untyped-def]
-    heights = np.empty(len(rectangles))
-    for i in range(len(origins)):
-        o, d = origins[i], directions[i]
-        heights_above(o[0], o[1], o[2], rectangles, heights)
-        ranges[i], labels[i], cosines[i] = nearest_hit(
-            o[0], o[1], o[2], d[0], d[1], d[2], max_range, rectangles, cylinders, heights
-        )

@@ -12,9 +12,10 @@ from lispac.geometry.rotations import angles_of, rotation_matrix
 from lispac.progress import Progress, no_progress
 from lispac.simulation.port import ORIGIN, TARGETS, VALIDATION, port_scene, six_passes
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
-from lispac.simulation.scanner import Echoes, Profiler, scan
+from lispac.simulation.scanner import Echoes, Scanner, scan
 from lispac.simulation.scene import Rectangle, Scene
 from lispac.simulation.vessel import RATE, Motion, sail
+from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
@@ -141,8 +142,8 @@ def port_survey(
     """
     sea, errors, *scanners = np.random.default_rng(seed).spawn(8)
     scene, passes = port_scene(), six_passes()
-    profiler = Profiler(points_per_second)
-    lever_arm, boresight = np.array(LEVER_ARM), np.radians(boresight_deg)
+    scanner = Scanner(points_per_second)
+    mounting = Mounting(np.array(LEVER_ARM), np.radians(boresight_deg))
     motion = sail(passes, POS_HEIGHT, sea)
     trajectory = _report(motion, HYDROGRAPHIC_INS, errors if pos_errors else None)
     states = (trajectory.time, motion.position, motion.attitude)
@@ -151,7 +152,7 @@ def port_survey(
         recorded = (START + motion.recorded[i][0], START + motion.recorded[i][1])
         generator = scanners[i] if noise else None
         side = passes[i].starboard
-        return scan(profiler, scene, states, recorded, side, lever_arm, boresight, generator)
+        return scan(scanner, scene, states, recorded, side, mounting, generator)
 
     lines = []
     with ThreadPoolExecutor(min(os.cpu_count() or 1, len(passes))) as pool:
@@ -171,8 +172,8 @@ def port_survey(
             progress((i + 1) / len(passes), f"Scanned line {i + 1} of {len(passes)}")
     return SimulatedSurvey(
         ORIGIN,
-        lever_arm,
-        boresight,
+        mounting.lever_arm,
+        mounting.boresight,
         trajectory,
         tuple(lines),
         _centres(scene, TARGETS),
