@@ -1,4 +1,4 @@
-"""What the beams meet: rectangles, upright cylinders and spheres, each met in closed form."""
+"""What the beams meet: rectangles, upright cylinders and spheres, and meshes of triangles."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.simulation.casting import cast
+from lispac.simulation.meshes import Mesh, MeshCaster
 
 Array = NDArray[np.float64]
 UP = (0.0, 0.0, 1.0)
@@ -109,7 +110,7 @@ class Sphere:
         return np.asarray(np.linalg.norm(points_local - self.centre, axis=1) - self.radius)
 
 
-Surface = Rectangle | Cylinder | Sphere
+Surface = Rectangle | Cylinder | Sphere | Mesh
 
 
 def upright(
@@ -184,7 +185,7 @@ class Scene:
     @classmethod
     def of(cls, surfaces: Sequence[Surface]) -> "Scene":
         """Kind by kind, so that one index counts through the arrays of the kernel."""
-        return cls(tuple(s for kind in (Rectangle, Cylinder, Sphere) for s in surfaces
+        return cls(tuple(s for kind in (Rectangle, Cylinder, Sphere, Mesh) for s in surfaces
                          if isinstance(s, kind)))  # fmt: skip
 
     @property
@@ -215,7 +216,13 @@ class Scene:
         """Rows of the spheres, shape (m, 4)."""
         return self._rows(Sphere, 4)
 
-    def _rows(self, kind: type[Surface], columns: int) -> Array:
+    @cached_property
+    def meshes(self) -> MeshCaster | None:
+        """The meshes, where there are any."""
+        found = [surface for surface in self.surfaces if isinstance(surface, Mesh)]
+        return MeshCaster.of(found) if found else None
+
+    def _rows(self, kind: type[Rectangle] | type[Cylinder] | type[Sphere], columns: int) -> Array:
         rows = [surface.row for surface in self.surfaces if isinstance(surface, kind)]
         return np.array(rows).reshape(-1, columns)
 
@@ -242,4 +249,10 @@ class Scene:
             np.ascontiguousarray(origins), np.ascontiguousarray(directions), max_range,
             self.rectangles, self.cylinders, self.spheres, ranges, labels, cosines,
         )  # fmt: skip
+        if self.meshes is not None:
+            far, number, cosine = self.meshes.intersect(origins, directions, max_range)
+            nearer = far < ranges
+            behind = len(self.rectangles) + len(self.cylinders) + len(self.spheres)
+            ranges[nearer], cosines[nearer] = far[nearer], cosine[nearer]
+            labels[nearer] = behind + number[nearer]
         return ranges, labels, cosines

@@ -1,0 +1,129 @@
+"""Meshes in a scene: ranged as exactly as surfaces with a formula, hiding and being hidden."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io.mesh_file import read_mesh
+from lispac.simulation.meshes import Mesh, MeshCaster
+from lispac.simulation.scene import Rectangle, Scene, Sphere, tilted
+
+FAR_OFF = np.array([4_000.0, -7_000.0, 60.0])
+"""Where single precision steps by 0.5 mm."""
+
+
+def as_mesh(rectangle: Rectangle, pieces: int = 6) -> Mesh:
+    """The same rectangle in triangles."""
+    along = np.cross(rectangle.normal, rectangle.across)
+    u, v = (
+        np.linspace(-side / 2, side / 2, pieces + 1) for side in (rectangle.width, rectangle.height)
+    )
+    grid = np.stack(np.meshgrid(u, v, indexing="ij"), axis=-1).reshape(-1, 2)
+    vertices = rectangle.centre + grid[:, :1] * rectangle.across + grid[:, 1:] * along
+    first = np.add.outer(np.arange(pieces) * (pieces + 1), np.arange(pieces)).ravel()
+    right, up, both = first + pieces + 1, first + 1, first + pieces + 2
+    triangles = np.concatenate([np.stack([first, right, both], 1), np.stack([first, both, up], 1)])
+    return Mesh(rectangle.name, vertices, triangles, rectangle.reflectance)
+
+
+def rays(target: np.ndarray, count: int, seed: int = 5) -> tuple[np.ndarray, np.ndarray]:
+    """Rays from about 15 to 80 m off towards the neighbourhood of a place."""
+    generator = np.random.default_rng(seed)
+    away = generator.standard_normal((count, 3))
+    away /= np.linalg.norm(away, axis=1, keepdims=True)
+    origins = target + away * generator.uniform(15, 80, (count, 1))
+    directions = target + generator.uniform(-1.5, 1.5, (count, 3)) - origins
+    return origins, directions / np.linalg.norm(directions, axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("middle", [np.zeros(3), FAR_OFF], ids=["near", "far"])
+def test_a_mesh_is_ranged_as_the_rectangle_it_is_made_of(middle: np.ndarray) -> None:
+    board = tilted("board", tuple(middle), 2.0, 2.0, 70, 30)
+    origins, directions = rays(middle, 40_000)
+    exact, label, cosine = Scene.of([board]).intersect(origins, directions)
+    ranges, mesh_label, mesh_cosine = Scene.of([as_mesh(board)]).intersect(origins, directions)
+    both = (label == 0) & (mesh_label == 0)
+    # Single precision decides at the rim alone: how many beams may fall there by chance
+    assert np.count_nonzero(label != mesh_label) < 5
+    assert np.count_nonzero(both) > 5_000
+    # A grazing beam turns the vertices' own rounding into range: 1e-12 m over the cosine
+    error = np.abs(ranges[both] - exact[both])
+    assert (error * cosine[both]).max() < 1e-11
+    assert error[cosine[both] > 0.05].max() < 1e-9
+    np.testing.assert_allclose(mesh_cosine[both], cosine[both], atol=1e-9)
+
+
+def test_single_precision_alone_would_not_do() -> None:
+    """What Open3D itself says is off by more than the 1e-6 m that are promised."""
+    board = tilted("board", (0.0, 60.0, 5.0), 2.0, 2.0, 90, 30)
+    origins, directions = rays(board.centre, 40_000)
+    exact, label, cosine = Scene.of([board]).intersect(origins, directions)
+    caster = MeshCaster.of([as_mesh(board)])
+    single = caster.scene.cast_rays(
+        np.hstack([origins - caster.middle, directions]).astype(np.float32)
+    )["t_hit"].numpy()
+    good = (label == 0) & np.isfinite(single) & (cosine > 0.2)
+    assert 1e-6 < np.abs(single[good] - exact[good]).max() < 1e-4
+
+
+def test_the_nearest_of_mesh_and_formula_wins() -> None:
+    near, far = (
+        tilted(name, (0.0, west, 0.0), 4.0, 4.0, 90, 0) for name, west in (("a", 5), ("b", 9))
+    )
+    origins, directions = np.zeros((3, 3)), np.array([[0, 1, 0], [0.2, 1, 0], [0, -1, 0]], float)
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    ball = Sphere("ball", np.array([0.0, 7.0, 0.0]), 0.5)
+    for surfaces, names in (
+        ([as_mesh(near), far, ball], ["a", "a", None]),
+        ([near, as_mesh(far), ball], ["a", "a", None]),
+        ([as_mesh(far), ball], ["ball", "b", None]),
+        ([as_mesh(far), as_mesh(near)], ["a", "a", None]),
+    ):  # fmt: skip
+        scene = Scene.of(surfaces)
+        ranges, labels, _ = scene.intersect(origins, directions)
+        assert [scene.names[k] if k >= 0 else None for k in labels] == names
+        assert np.isinf(ranges[2])
+    assert Scene.of([as_mesh(far)]).intersect(origins, directions, 8.0)[1].max() == -1
+
+
+def test_distance_to_a_mesh() -> None:
+    board = tilted("board", (1.0, 6.0, 2.0), 3.0, 2.0, 90, 20)
+    points = board.centre + np.array([[0.3, 0, 0.1], [-0.5, 0.02, 0.2], [0, -0.04, 0]])
+    np.testing.assert_allclose(
+        np.abs(as_mesh(board).distance(points)), np.abs(board.distance(points)), atol=1e-9
+    )
+
+
+@pytest.mark.parametrize("ending", [".ply", ".obj", ".stl"])
+def test_mesh_files(ending: str, tmp_path: Path) -> None:
+    import open3d
+
+    board = as_mesh(tilted("board", (1.0, 6.0, 2.0), 3.0, 2.0, 90, 20))
+    written = open3d.geometry.TriangleMesh(
+        open3d.utility.Vector3dVector(board.vertices),
+        open3d.utility.Vector3iVector(board.triangles.astype(np.int32)),
+    )
+    written.compute_triangle_normals()
+    path = tmp_path / f"board{ending}"
+    open3d.io.write_triangle_mesh(str(path), written)
+    mesh = read_mesh(path, "board", 0.5)
+    corners, expected = mesh.vertices[mesh.triangles], board.vertices[board.triangles]
+    np.testing.assert_allclose(corners, expected, atol=1e-5)
+    assert (mesh.name, mesh.reflectance) == ("board", 0.5)
+
+
+def test_what_is_no_mesh_is_refused(tmp_path: Path) -> None:
+    cloud = tmp_path / "cloud.ply"
+    cloud.write_text(
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+        "property float z\nend_header\n0 0 0\n"
+    )
+    other = tmp_path / "scene.dae"
+    other.write_text("x")
+    for path, said in (
+        (cloud, "no triangles"), (other, "ends in"), (tmp_path / "none.stl", "no such"),
+    ):  # fmt: skip
+        with pytest.raises(InputError, match=said):
+            read_mesh(path, "m", 0.4)
