@@ -77,6 +77,13 @@ class PosErrorModel:
         ]
         return np.stack(position, axis=1) * (1.0, -1.0, 1.0), np.stack(attitude, axis=1)
 
+    def variance(self, count: int, interval: float) -> Array:
+        """What the POS takes its errors for, shape (count, 6), metres and radians squared.
+
+        North, east, up, roll, pitch, heading.
+        """
+        return np.tile(np.square([*self.sigma_position, *self.sigma_attitude]), (count, 1))
+
 
 HYDROGRAPHIC_INS = PosErrorModel(
     sigma_position=(0.012, 0.012, 0.020),

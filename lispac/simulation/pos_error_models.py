@@ -1,0 +1,217 @@
+"""More ways in which a POS errs: white noise, drift while GNSS is out, jumps; and all together.
+
+A model draws errors and says the variance that the POS itself would state for them. Times count
+from the first sample of the trajectory.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Three = tuple[float, float, float]
+TO_LOCAL = np.array([1.0, -1.0, 1.0])
+"""North, east, up to north, west, up."""
+
+
+class PosErrors(Protocol):
+    """What a model of POS errors does."""
+
+    def draw(
+        self, count: int, interval: float, generator: np.random.Generator
+    ) -> tuple[Array, Array]:
+        """Errors over a survey.
+
+        Returns
+        -------
+        position : ndarray of shape (count, 3), metres, local (north, west, up)
+        attitude : ndarray of shape (count, 3), radians; roll, pitch, heading
+        """
+
+    def variance(self, count: int, interval: float) -> Array:
+        """What the POS takes its errors for, shape (count, 6), metres and radians squared.
+
+        North, east, up, roll, pitch, heading.
+        """
+
+
+@dataclass(frozen=True)
+class WhiteNoise:
+    """Errors without memory.
+
+    Attributes
+    ----------
+    sigma_position : tuple of float, metres; north, east, up
+    sigma_attitude : tuple of float, radians; roll, pitch, heading
+    """
+
+    sigma_position: Three
+    sigma_attitude: Three
+
+    def draw(
+        self, count: int, interval: float, generator: np.random.Generator
+    ) -> tuple[Array, Array]:
+        """As `PosErrors.draw`."""
+        sigma = np.array([*self.sigma_position, *self.sigma_attitude])
+        errors = sigma * generator.standard_normal((count, 6))
+        return errors[:, :3] * TO_LOCAL, errors[:, 3:]
+
+    def variance(self, count: int, interval: float) -> Array:
+        """As `PosErrors.variance`."""
+        return np.tile(np.square([*self.sigma_position, *self.sigma_attitude]), (count, 1))
+
+
+@dataclass(frozen=True)
+class GnssOutage:
+    """Inertial drift while GNSS is out.
+
+    Accelerations are white: velocity is a random walk, position its integral, and sigma grows with
+    the power 3/2 of time. Attitude is a random walk. Smoothed, as in a trajectory processed to and
+    fro, position and velocity are known again at the end: the largest sigma of the position is then
+    an eighth of the free one and stands in the middle.
+
+    Attributes
+    ----------
+    start, duration : float, seconds
+    sigma_position : tuple of float, metres; north, east, up
+    sigma_attitude : tuple of float, radians; roll, pitch, heading
+        Where it would have got to at the end, without smoothing.
+    smoothed : bool
+    """
+
+    start: float
+    duration: float
+    sigma_position: Three
+    sigma_attitude: Three
+    smoothed: bool = True
+
+    def draw(
+        self, count: int, interval: float, generator: np.random.Generator
+    ) -> tuple[Array, Array]:
+        """As `PosErrors.draw`."""
+        t = np.arange(count) * interval - self.start
+        inside = np.flatnonzero((t > 0) & (t <= self.duration))
+        drift = np.zeros((count, 6))
+        if len(inside):
+            # The end of the outage is a knot too: there it is known again.
+            steps = np.diff(np.concatenate([[0.0], t[inside], [self.duration]]))
+            position, velocity = _integrated_walk(steps, generator)
+            walk = np.cumsum(
+                np.sqrt(steps)[:, None] * generator.standard_normal((len(steps), 3)), 0
+            )
+            if self.smoothed:
+                position, walk = self._held(position, velocity, walk, np.cumsum(steps))
+            drift[inside, :3] = position[:-1] * np.sqrt(3 / self.duration**3) * self.sigma_position
+            drift[inside, 3:] = walk[:-1] / np.sqrt(self.duration) * self.sigma_attitude
+        return drift[:, :3] * TO_LOCAL, drift[:, 3:]
+
+    def _held(self, position: Array, velocity: Array, walk: Array, t: Array) -> tuple[Array, Array]:
+        """The same given that position, velocity and attitude are without error at the end."""
+        whole = self.duration
+        at_end = np.array([[whole**3 / 3, whole**2 / 2], [whole**2 / 2, whole]])
+        with_end = np.stack([t**2 * (3 * whole - t) / 6, t**2 / 2], axis=1)
+        gain = with_end @ np.linalg.inv(at_end)
+        return (
+            position - gain @ np.stack([position[-1], velocity[-1]]),
+            walk - (t / whole)[:, None] * walk[-1],
+        )
+
+    def variance(self, count: int, interval: float) -> Array:
+        """As `PosErrors.variance`."""
+        t = np.arange(count) * interval - self.start
+        u = np.where((t > 0) & (t <= self.duration), t / self.duration, 0.0)[:, None]
+        position, attitude = u**3, u
+        if self.smoothed:
+            position, attitude = u**3 * (1 - u) ** 3, u * (1 - u)
+        return np.hstack(
+            [position * np.square(self.sigma_position), attitude * np.square(self.sigma_attitude)]
+        )
+
+
+def _integrated_walk(steps: Array, generator: np.random.Generator) -> tuple[Array, Array]:
+    """Random walks of unit density and their integrals, exact at the knots, shape (n, 3)."""
+    first, second = generator.standard_normal((2, len(steps), 3))
+    h = steps[:, None]
+    kick = np.sqrt(h) * first
+    velocity = np.cumsum(kick, axis=0)
+    # The integral within a step: half of its kick, and what is independent of it
+    within = h * kick / 2 + np.sqrt(h**3 / 12) * second
+    before = velocity - kick
+    return np.cumsum(h * before + within, axis=0), velocity
+
+
+@dataclass(frozen=True)
+class Jumps:
+    """Errors that change at once and then stay, as a wrong GNSS fix makes them.
+
+    Each jump draws a new level; before the first there is none. The POS does not know of them.
+
+    Attributes
+    ----------
+    sigma_position : tuple of float, metres; north, east, up
+    sigma_attitude : tuple of float, radians; roll, pitch, heading
+    at : tuple of float, seconds
+        When it jumps.
+    per_hour : float
+        How often it jumps besides, at random.
+    """
+
+    sigma_position: Three
+    sigma_attitude: Three
+    at: tuple[float, ...] = ()
+    per_hour: float = 0.0
+
+    def draw(
+        self, count: int, interval: float, generator: np.random.Generator
+    ) -> tuple[Array, Array]:
+        """As `PosErrors.draw`."""
+        span = count * interval
+        more = generator.poisson(self.per_hour * span / 3600)
+        times = np.sort(np.concatenate([self.at, generator.uniform(0, span, more)]))
+        sigma = np.array([*self.sigma_position, *self.sigma_attitude])
+        levels = np.vstack([np.zeros(6), sigma * generator.standard_normal((len(times), 6))])
+        errors = levels[np.searchsorted(times, np.arange(count) * interval, side="right")]
+        return errors[:, :3] * TO_LOCAL, errors[:, 3:]
+
+    def variance(self, count: int, interval: float) -> Array:
+        """As `PosErrors.variance`."""
+        return np.zeros((count, 6))
+
+
+@dataclass(frozen=True)
+class Together:
+    """Several models, independent of each other.
+
+    Attributes
+    ----------
+    parts : tuple of PosErrors
+    """
+
+    parts: tuple[PosErrors, ...]
+
+    def draw(
+        self, count: int, interval: float, generator: np.random.Generator
+    ) -> tuple[Array, Array]:
+        """As `PosErrors.draw`."""
+        streams = generator.spawn(len(self.parts))
+        position, attitude = np.zeros((count, 3)), np.zeros((count, 3))
+        for part, stream in zip(self.parts, streams, strict=True):
+            more_position, more_attitude = part.draw(count, interval, stream)
+            position += more_position
+            attitude += more_attitude
+        return position, attitude
+
+    def variance(self, count: int, interval: float) -> Array:
+        """As `PosErrors.variance`."""
+        total = np.zeros((count, 6))
+        for part in self.parts:
+            total += part.variance(count, interval)
+        return total
+
+
+def together(parts: Sequence[PosErrors]) -> PosErrors:
+    """One model of several; a single one stays as it is."""
+    return parts[0] if len(parts) == 1 else Together(tuple(parts))
