@@ -4,9 +4,8 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
-import lispac
-from lispac.errors import InputError
 from lispac.report.values import ReportContent
+from lispac.resources import resource
 
 NAME = "lispac-report"
 SCHEMA_VERSION = 2
@@ -21,13 +20,7 @@ def json_text(content: ReportContent) -> str:
 
 def schema_text() -> str:
     """The JSON schema (draft 2020-12) that every report in JSON follows."""
-    package = Path(lispac.__file__).parent
-    # A wheel has the resources in the package, a checkout beside it.
-    for folder in (package, package.parent):
-        path = folder / "resources" / SCHEMA_FILE
-        if path.is_file():
-            return path.read_text(encoding="utf-8")
-    raise InputError(f"{SCHEMA_FILE} is missing from this installation; install it again.")
+    return resource(SCHEMA_FILE).read_text(encoding="utf-8")
 
 
 def write_json(content: ReportContent, path: Path) -> None:

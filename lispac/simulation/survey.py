@@ -1,4 +1,4 @@
-"""The built-in survey: a vessel, its POS and its profiler in a small port, from one seed."""
+"""A whole survey from one seed: a voyage past a scene, a POS and a scanner that err."""
 
 import os
 from concurrent.futures import ThreadPoolExecutor
@@ -11,15 +11,16 @@ from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
 from lispac.progress import Progress, no_progress
 from lispac.simulation.port import ORIGIN, TARGETS, VALIDATION, port_scene, six_passes
-from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
+from lispac.simulation.pos_error_models import PosErrors
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan
 from lispac.simulation.scene import Rectangle, Scene
-from lispac.simulation.vessel import RATE, Motion, sail
+from lispac.simulation.vessel import Motion
+from lispac.simulation.voyage import Replayed, Sailed, Voyage
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-START = 2 * 86400 + 15 * 3600.0  # GPS seconds of week: a Tuesday afternoon
 POS_HEIGHT = 1.1  # metres above the water
 LEVER_ARM = (-0.242, 0.061, 2.173)  # metres, body
 BORESIGHT_DEG = (0.27, -1.14, 0.36)  # roll, pitch, yaw
@@ -47,9 +48,9 @@ class SimulatedLine:
     heading_deg: float
     time: Array
     points_lidar: Array
+    true_points_local: Array
     intensity: NDArray[np.uint16]
     label: NDArray[np.int16]
-    true_points_local: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,8 +64,11 @@ class SimulatedTrajectory:
     height : ndarray of shape (n,), metres above the ellipsoid
     roll, pitch, heading : ndarray of shape (n,), radians
         Against North-West-Up at the vessel, in the program's convention; heading in (-pi, pi].
-    sigma_position : ndarray of shape (3,), metres; north, east, up
-    sigma_attitude : ndarray of shape (3,), radians; roll, pitch, heading
+    sigma_position : ndarray of shape (n, 3), metres; north, east, up
+    sigma_attitude : ndarray of shape (n, 3), radians; roll, pitch, heading
+        What the POS takes its errors for.
+    interval : float, seconds
+        Between two states.
     true_position_local : ndarray of shape (n, 3), metres, local
     true_attitude : ndarray of shape (n, 3), radians
         Roll, pitch, heading against the axes of the local frame, without jumps.
@@ -79,8 +83,37 @@ class SimulatedTrajectory:
     heading: Array
     sigma_position: Array
     sigma_attitude: Array
+    interval: float
     true_position_local: Array
     true_attitude: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Setup:
+    """All that a survey follows from, besides its seed.
+
+    Attributes
+    ----------
+    origin : tuple of float
+        Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
+    scene : Scene
+    targets, validation : tuple of str
+        Names of the rectangles of the scene that are sought.
+    voyage : Voyage
+    pos : PosErrors
+    scanner : Scanner
+    mounting : Mounting
+        The true one.
+    """
+
+    origin: tuple[float, float, float]
+    scene: Scene
+    targets: tuple[str, ...]
+    validation: tuple[str, ...]
+    voyage: Voyage
+    pos: PosErrors
+    scanner: Scanner
+    mounting: Mounting
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,21 +124,29 @@ class SimulatedSurvey:
     ----------
     origin : tuple of float
         Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
-    lever_arm : ndarray of shape (3,), metres, body
-    boresight : ndarray of shape (3,), radians
-        True roll, pitch, yaw.
+    mounting : Mounting
+        The true one.
     targets, validation : dict of name to ndarray of shape (3,), metres, local
         Centre of each plane: a seed.
     """
 
     origin: tuple[float, float, float]
-    lever_arm: Array
-    boresight: Array
+    mounting: Mounting
     trajectory: SimulatedTrajectory
     lines: tuple[SimulatedLine, ...]
     targets: dict[str, Array]
     validation: dict[str, Array]
     scene: Scene
+
+    @property
+    def lever_arm(self) -> Array:
+        """The true one, shape (3,), metres, body."""
+        return self.mounting.lever_arm
+
+    @property
+    def boresight(self) -> Array:
+        """True roll, pitch, yaw, shape (3,), radians."""
+        return self.mounting.boresight
 
     @property
     def surface_names(self) -> tuple[str, ...]:
@@ -122,10 +163,7 @@ def port_survey(
     pos_errors: bool = True,
     progress: Progress = no_progress,
 ) -> SimulatedSurvey:
-    """Simulate the six passes of the port survey.
-
-    The same arguments give the same arrays. The vessel's motion depends on the seed alone, so
-    surveys with and without noise or POS errors can be compared point by point.
+    """Simulate the six passes of the built-in survey of a small port.
 
     Parameters
     ----------
@@ -134,52 +172,70 @@ def port_survey(
         takes a fifth of them.
     boresight_deg : tuple of float
         True roll, pitch, yaw.
+    seed, noise, pos_errors, progress
+        As for `simulated`.
+    """
+    setup = Setup(
+        ORIGIN, port_scene(), TARGETS, VALIDATION, Sailed(six_passes(), POS_HEIGHT),
+        HYDROGRAPHIC_INS, Scanner(points_per_second),
+        Mounting(np.array(LEVER_ARM), np.radians(boresight_deg)),
+    )  # fmt: skip
+    return simulated(setup, seed=seed, noise=noise, pos_errors=pos_errors, progress=progress)
+
+
+def simulated(
+    setup: Setup,
+    *,
+    seed: int,
+    noise: bool = True,
+    pos_errors: bool = True,
+    progress: Progress = no_progress,
+) -> SimulatedSurvey:
+    """Simulate a survey.
+
+    The same arguments give the same arrays. The vessel's motion depends on the seed alone, so
+    surveys with and without noise or POS errors can be compared point by point.
+
+    Parameters
+    ----------
     noise : bool
         Whether the scanner has range and angle noise and mixed echoes at edges.
     pos_errors : bool
         Whether the POS errs. Without noise and POS errors, georeferencing with the true
         mounting puts every point onto its surface.
+
+    Raises
+    ------
+    InputError
+        Where a recorded trajectory does not cover its lines.
     """
-    sea, errors, *scanners = np.random.default_rng(seed).spawn(8)
-    scene, passes = port_scene(), six_passes()
-    scanner = Scanner(points_per_second)
-    mounting = Mounting(np.array(LEVER_ARM), np.radians(boresight_deg))
-    motion = sail(passes, POS_HEIGHT, sea)
-    trajectory = _report(motion, HYDROGRAPHIC_INS, errors if pos_errors else None)
+    voyage, scene = setup.voyage, setup.scene
+    if isinstance(voyage, Replayed):
+        voyage.require_inside(setup.mounting.latency)
+    legs = voyage.legs
+    sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + len(legs))
+    motion = voyage.motion(sea)
+    trajectory = _report(setup, motion, errors if pos_errors else None)
     states = (trajectory.time, motion.position, motion.attitude)
+    if scene.meshes is not None:
+        progress(0.0, "Meshes are ready")  # made once, before the threads
 
     def record(i: int) -> Echoes:
-        recorded = (START + motion.recorded[i][0], START + motion.recorded[i][1])
+        start, stop = motion.recorded[i]
+        recorded = (voyage.start + start, voyage.start + stop)
         generator = scanners[i] if noise else None
-        side = passes[i].starboard
-        return scan(scanner, scene, states, recorded, side, mounting, generator)
+        side = legs[i].starboard
+        return scan(setup.scanner, scene, states, recorded, side, setup.mounting, generator)
 
     lines = []
-    with ThreadPoolExecutor(min(os.cpu_count() or 1, len(passes))) as pool:
-        for i, echoes in enumerate(pool.map(record, range(len(passes)))):
-            heading_deg = float(np.degrees(passes[i].heading))
-            lines.append(
-                SimulatedLine(
-                    f"L{i + 1}_{heading_deg:03.0f}",
-                    heading_deg,
-                    echoes.time,
-                    echoes.points_lidar,
-                    echoes.intensity,
-                    echoes.label,
-                    echoes.true_points_local,
-                )
-            )
-            progress((i + 1) / len(passes), f"Scanned line {i + 1} of {len(passes)}")
+    with ThreadPoolExecutor(min(os.cpu_count() or 1, len(legs))) as pool:
+        for i, echoes in enumerate(pool.map(record, range(len(legs)))):
+            lines.append(SimulatedLine(legs[i].name, legs[i].heading_deg, *vars(echoes).values()))
+            progress((i + 1) / len(legs), f"Scanned line {i + 1} of {len(legs)}")
     return SimulatedSurvey(
-        ORIGIN,
-        mounting.lever_arm,
-        mounting.boresight,
-        trajectory,
-        tuple(lines),
-        _centres(scene, TARGETS),
-        _centres(scene, VALIDATION),
-        scene,
-    )
+        setup.origin, setup.mounting, trajectory, tuple(lines),
+        _centres(scene, setup.targets), _centres(scene, setup.validation), scene,
+    )  # fmt: skip
 
 
 def _centres(scene: Scene, names: tuple[str, ...]) -> dict[str, Array]:
@@ -187,30 +243,42 @@ def _centres(scene: Scene, names: tuple[str, ...]) -> dict[str, Array]:
     return {name: s.centre.copy() for name, s in surfaces.items() if isinstance(s, Rectangle)}
 
 
+def _at(time: Array, even: Array, values: Array) -> Array:
+    """Columns of evenly spaced values at any times, shape (n, k)."""
+    if len(time) == len(even):
+        return values
+    return np.stack([np.interp(time, even, column) for column in values.T], axis=1)
+
+
 def _report(
-    motion: Motion, model: PosErrorModel, generator: np.random.Generator | None
+    setup: Setup, motion: Motion, generator: np.random.Generator | None
 ) -> SimulatedTrajectory:
     """Turn true states into what the POS says: geodetic, against the level at the vessel."""
-    count = len(motion.time)
-    position_error, attitude_error = np.zeros((count, 3)), np.zeros((count, 3))
+    time, interval = motion.time, motion.interval
+    # A recorded trajectory may have gaps: its errors are those of a whole one at its times.
+    even = np.arange(round((time[-1] - time[0]) / interval) + 1) * interval
+    position_error, attitude_error = np.zeros((2, len(time), 3))
     if generator is not None:
-        position_error, attitude_error = model.draw(count, 1 / RATE, generator)
-    frame = LocalFrame(*ORIGIN)
+        errors = setup.pos.draw(len(even), interval, generator)
+        position_error, attitude_error = (_at(time - time[0], even, each) for each in errors)
+    sigma = np.sqrt(_at(time - time[0], even, setup.pos.variance(len(even), interval)))
+    frame = LocalFrame(*setup.origin)
     latitude, longitude, _ = frame.to_geodetic(motion.position)
     rotation_level_local = np.swapaxes(frame.rotation_local_level(latitude, longitude), -1, -2)
     attitude = angles_of(rotation_level_local @ rotation_matrix(*motion.attitude.T))
     roll, pitch, heading = (attitude + attitude_error).T
     latitude, longitude, height = frame.to_geodetic(motion.position + position_error)
     return SimulatedTrajectory(
-        START + motion.time,
+        setup.voyage.start + motion.time,
         latitude,
         longitude,
         height,
         roll,
         pitch,
         np.pi - (np.pi - heading) % (2 * np.pi),
-        np.array(model.sigma_position),
-        np.array(model.sigma_attitude),
+        sigma[:, :3],
+        sigma[:, 3:],
+        interval,
         motion.position,
         motion.attitude,
     )

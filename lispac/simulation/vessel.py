@@ -11,16 +11,47 @@ from scipy.special import erf
 Array = NDArray[np.float64]
 
 RATE = 200.0  # trajectory samples per second
-FAR_SPEED, NEAR_SPEED = 2.2, 0.6  # m/s: a helmsman slows down in front of the boards
-NEAR_TIME = 4.5  # s, half-width of the slow stretch
-RAMP = 6.0  # s to come up to speed before a pass and to stop after it
-TRANSIT = 48.0  # s from one stop to the start of the next run-up, turning on the way
-WAIT = 15.0  # s of standing still at both ends of the survey
-# Standard deviations of the motion on top of the course
-ROLL, PITCH, YAW = np.radians([0.9, 0.35, 0.3])
-HEAVE, DRIFT = 0.05, 0.03  # metres
-PERIODS = (4.0, 9.0)  # s
 SINES = 4
+
+
+@dataclass(frozen=True)
+class Handling:
+    """How a vessel is sailed and how the sea moves it.
+
+    Attributes
+    ----------
+    speed, speed_abeam : float, m/s
+        On the run, and in front of the boards, where a helmsman slows down.
+    slow_time : float, seconds
+        Half-width of the slow stretch.
+    ramp : float, seconds
+        To come up to speed before a pass, and to stop after it.
+    transit : float, seconds
+        From one stop to the start of the next run-up, turning on the way.
+    wait : float, seconds
+        Of standing still at both ends of the survey.
+    roll, pitch, yaw : float, radians, 1 sigma
+    heave, drift : float, metres, 1 sigma
+    periods : pair of float, seconds
+        Shortest and longest of the sea.
+    """
+
+    speed: float = 2.2
+    speed_abeam: float = 0.6
+    slow_time: float = 4.5
+    ramp: float = 6.0
+    transit: float = 48.0
+    wait: float = 15.0
+    roll: float = np.radians(0.9)
+    pitch: float = np.radians(0.35)
+    yaw: float = np.radians(0.3)
+    heave: float = 0.05
+    drift: float = 0.03
+    periods: tuple[float, float] = (4.0, 9.0)
+
+
+LAUNCH = Handling()
+"""The small vessel of the built-in survey."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +66,7 @@ class Pass:
     run_in, run_out : float, metres along the course
     starboard : bool
         Whether the boards pass to starboard.
+    handling : Handling
     """
 
     heading: float
@@ -42,36 +74,47 @@ class Pass:
     run_in: float
     run_out: float
     starboard: bool
+    handling: Handling = LAUNCH
 
     @cached_property
     def times(self) -> tuple[float, float]:
         """Start and stop of recording relative to abeam, on the trajectory's samples, seconds."""
-        slow = (FAR_SPEED - NEAR_SPEED) * NEAR_TIME * np.sqrt(np.pi) / 2
-        before, after = ((run + slow) / FAR_SPEED for run in (self.run_in, self.run_out))
+        before, after = (
+            (run + self._lost) / self.handling.speed for run in (self.run_in, self.run_out)
+        )
         return -float(np.ceil(before * RATE)) / RATE, float(np.ceil(after * RATE)) / RATE
 
+    @property
+    def _lost(self) -> float:
+        """Way that is not made for going slowly, on either side of abeam."""
+        own = self.handling
+        return float((own.speed - own.speed_abeam) * own.slow_time * np.sqrt(np.pi) / 2)
+
     def _speed(self, time: float) -> float:
-        return float(FAR_SPEED - (FAR_SPEED - NEAR_SPEED) * np.exp(-((time / NEAR_TIME) ** 2)))
+        own = self.handling
+        slow = np.exp(-((time / own.slow_time) ** 2))
+        return float(own.speed - (own.speed - own.speed_abeam) * slow)
 
     def _along(self, time: Array) -> Array:
-        slow = (FAR_SPEED - NEAR_SPEED) * NEAR_TIME * np.sqrt(np.pi) / 2
-        return np.asarray(FAR_SPEED * time - slow * erf(time / NEAR_TIME))
+        own = self.handling
+        return np.asarray(own.speed * time - self._lost * erf(time / own.slow_time))
 
     def course(self) -> Array:
         """Positions from standstill over the recorded stretch to standstill, shape (n, 2)."""
         start, stop = self.times
-        time = np.arange(round((start - RAMP) * RATE), round((stop + RAMP) * RATE) + 1) / RATE
+        ramp = self.handling.ramp
+        time = np.arange(round((start - ramp) * RATE), round((stop + ramp) * RATE) + 1) / RATE
         along = self._along(np.clip(time, start, stop))
-        along -= self._speed(start) * _ramp_length(np.clip(start - time, 0, RAMP))
-        along += self._speed(stop) * _ramp_length(np.clip(time - stop, 0, RAMP))
+        along -= self._speed(start) * _ramp_length(np.clip(start - time, 0, ramp), ramp)
+        along += self._speed(stop) * _ramp_length(np.clip(time - stop, 0, ramp), ramp)
         direction = np.array([np.cos(self.heading), -np.sin(self.heading)])
         return np.asarray(self.abeam + along[:, None] * direction)
 
 
-def _ramp_length(time: Array) -> Array:
-    """Way made in ``time`` at unit speed that fades out smoothly over `RAMP` seconds."""
-    u = time / RAMP
-    return np.asarray(RAMP * (u - u**3 + u**4 / 2))
+def _ramp_length(time: Array, ramp: float) -> Array:
+    """Way made in ``time`` at unit speed that fades out smoothly over ``ramp`` seconds."""
+    u = time / ramp
+    return np.asarray(ramp * (u - u**3 + u**4 / 2))
 
 
 def _blend(count: int) -> Array:
@@ -92,12 +135,15 @@ class Motion:
         Roll, pitch, heading against the axes of the local frame, without jumps.
     recorded : tuple of pairs of float, seconds
         Start and stop of recording of each pass.
+    interval : float, seconds
+        Between two samples.
     """
 
     time: Array
     position: Array
     attitude: Array
     recorded: tuple[tuple[float, float], ...]
+    interval: float = 1 / RATE
 
 
 def sail(passes: Sequence[Pass], height: float, generator: np.random.Generator) -> Motion:
@@ -108,11 +154,14 @@ def sail(passes: Sequence[Pass], height: float, generator: np.random.Generator) 
 
     Parameters
     ----------
+    passes : sequence of Pass
+        All of them handled alike.
     height : float, metres
         Mean height of the POS in the local frame.
     """
-    wait = round(WAIT * RATE)
-    blend = _blend(round(TRANSIT * RATE))
+    own = passes[0].handling
+    wait = round(own.wait * RATE)
+    blend = _blend(round(own.transit * RATE))
     courses = [each.course() for each in passes]
     heading = passes[0].heading
     stretches = [np.repeat(courses[0][:1], wait, axis=0)]
@@ -125,7 +174,7 @@ def sail(passes: Sequence[Pass], height: float, generator: np.random.Generator) 
             turn = -((heading - each.heading + np.pi) % (2 * np.pi) - np.pi)
             headings.append(heading + blend * turn)
             heading += turn
-        start = sum(map(len, stretches)) / RATE + RAMP
+        start = sum(map(len, stretches)) / RATE + own.ramp
         recorded.append((start, start + each.times[1] - each.times[0]))
         stretches.append(course)
         headings.append(np.full(len(course), heading))
@@ -135,9 +184,11 @@ def sail(passes: Sequence[Pass], height: float, generator: np.random.Generator) 
     level = np.concatenate(stretches)
     time = np.arange(len(level)) / RATE
     drift_n, drift_w, heave, roll, pitch, yaw = (
-        _sea(time, sigma, stream)
+        _sea(time, sigma, own.periods, stream)
         for sigma, stream in zip(
-            (DRIFT, DRIFT, HEAVE, ROLL, PITCH, YAW), generator.spawn(6), strict=True
+            (own.drift, own.drift, own.heave, own.roll, own.pitch, own.yaw),
+            generator.spawn(6),
+            strict=True,
         )
     )
     position = np.stack([level[:, 0] + drift_n, level[:, 1] + drift_w, height + heave], axis=1)
@@ -145,9 +196,11 @@ def sail(passes: Sequence[Pass], height: float, generator: np.random.Generator) 
     return Motion(time, position, attitude, tuple(recorded))
 
 
-def _sea(time: Array, sigma: float, generator: np.random.Generator) -> Array:
+def _sea(
+    time: Array, sigma: float, range_of: tuple[float, float], generator: np.random.Generator
+) -> Array:
     """A smooth motion: a few sines with random periods and phases."""
-    periods = generator.uniform(*PERIODS, SINES)
+    periods = generator.uniform(*range_of, SINES)
     phases = generator.uniform(0, 2 * np.pi, SINES)
     weights = generator.uniform(0.5, 1.0, SINES)
     weights *= sigma * np.sqrt(2) / np.linalg.norm(weights)

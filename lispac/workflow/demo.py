@@ -1,22 +1,23 @@
 """The built-in survey, written to files and calibrated like any other."""
 
-import shutil
 from pathlib import Path
 
 import numpy as np
 
-from lispac.errors import ProjectError
-from lispac.io.files import written_whole
-from lispac.io.las import write_points
-from lispac.io.project_file import FILE_NAME
-from lispac.io.sbet import write_sbet, write_smrmsg
 from lispac.progress import Progress, no_progress, part
-from lispac.project import LineSource, Project, Role, Settings, Triple
-from lispac.simulation.survey import POINTS_PER_SECOND, SimulatedSurvey, port_survey
-from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.project import Project, Role, Settings, Triple
+from lispac.simulation.survey import POINTS_PER_SECOND, port_survey
 from lispac.workflow.calibration import estimate
 from lispac.workflow.picking import pick
 from lispac.workflow.projects import create_project, save_project
+from lispac.workflow.simulate import (
+    RAW,
+    clear,
+    require_replaceable,
+    triple,
+    write_lines,
+    write_trajectory,
+)
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
@@ -24,7 +25,7 @@ LIDAR_SIGMA = 0.0017
 """Metres: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005 deg at 15 m),
 seen along the normals of the two boards and averaged over the six lines."""
 
-RAW, MARKER = "raw", "demo"
+MARKER = "demo"
 
 
 def make_demo(
@@ -48,24 +49,11 @@ def make_demo(
         Where the folder holds anything but a demo.
     """
     folder = Path(folder).absolute()
-    raw = folder / RAW
-    if folder.exists() and not folder.is_dir():
-        raise ProjectError(f"{folder}: this is a file; choose a folder for the demo.")
-    if folder.exists() and any(folder.iterdir()) and not (raw / MARKER).is_file():
-        raise ProjectError(f"{folder}: this folder holds other files; choose a new one.")
+    require_replaceable(folder, MARKER)
     survey = port_survey(points_per_second=points_per_second, progress=part(progress, 0.0, 0.7))
-    with written_whole(raw / MARKER) as marker:
-        marker.write_text("Built-in survey; remade by every run of the demo.\n")
-    (folder / FILE_NAME).unlink(missing_ok=True)
-    shutil.rmtree(folder / "sightings", ignore_errors=True)
-    trajectory, accuracy = raw / "trajectory.sbet", raw / "smrmsg.out"
-    _write_trajectory(survey, trajectory, accuracy)
-    lines = []
-    for k, line in enumerate(survey.lines):
-        progress(0.7 + 0.3 * k / len(survey.lines), f"Writing {line.name}")
-        path = raw / f"{line.name}.laz"
-        write_points(path, line.points_lidar, line.time, line.intensity.astype(float))
-        lines.append(LineSource(line.name, path))
+    clear(folder, MARKER, "Built-in survey; remade by every run of the demo.\n")
+    trajectory, accuracy = write_trajectory(survey, folder / RAW)
+    lines = write_lines(survey, folder / RAW, progress=part(progress, 0.7, 1.0))
     latitude, longitude, height = survey.origin
     return create_project(
         folder,
@@ -73,12 +61,12 @@ def make_demo(
         lines=lines,
         accuracy=accuracy,
         settings=Settings(
-            lever_arm=_triple(survey.lever_arm),
+            lever_arm=triple(survey.lever_arm),
             origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
             lidar_sigma=LIDAR_SIGMA,
             pos_errors="correlated",  # as the errors put in are
         ),
-        truth_deg=_triple(np.degrees(survey.boresight)),
+        truth_deg=triple(np.degrees(survey.boresight)),
     )
 
 
@@ -97,7 +85,7 @@ def demo_seeds() -> dict[str, tuple[Role, Triple]]:
         for name in names:
             surface = scene[name]
             if isinstance(surface, Rectangle):
-                seeds[name] = (role, _triple(surface.centre))
+                seeds[name] = (role, triple(surface.centre))
     return seeds
 
 
@@ -120,28 +108,3 @@ def calibrate_demo(project: Project, *, progress: Progress = no_progress) -> tup
     save_project(project)
     progress(1.0, "Demo done")
     return project, survey
-
-
-def _write_trajectory(survey: SimulatedSurvey, sbet: Path, smrmsg: Path) -> None:
-    states = survey.trajectory
-    attitude = np.stack([states.roll, states.pitch, states.heading], axis=1)
-    write_sbet(
-        sbet,
-        Trajectory(states.time, states.latitude, states.longitude, states.height, attitude),
-    )
-    # POSPac writes smrmsg once a second.
-    time = np.append(states.time[::200], states.time[-1])
-    time = time[np.append(True, np.diff(time) > 0)]
-    write_smrmsg(
-        smrmsg,
-        TrajectoryAccuracy(
-            time,
-            np.tile(states.sigma_position, (len(time), 1)),
-            np.tile(states.sigma_attitude, (len(time), 1)),
-        ),
-    )
-
-
-def _triple(values: np.ndarray) -> Triple:
-    first, second, third = (float(value) for value in values)
-    return first, second, third

@@ -1,0 +1,43 @@
+"""A scanner from TOML."""
+
+from pathlib import Path
+from typing import cast
+
+import numpy as np
+
+from lispac.io.toml_table import Table
+from lispac.simulation.scanner import Axis, Scanner
+
+
+def read_scanner(path: Path) -> tuple[str, Scanner]:
+    """Read a scanner: its title and what it does.
+
+    Raises
+    ------
+    InputError
+        With the file, the key and what to do.
+    """
+    with Table.read(path, "scanner") as table:
+        title = table.text("title")
+        axis = cast(Axis, table.choice("axis", ("x", "z"), "x"))
+        first, last = np.radians(table.numbers("window_deg", 2, least=-360, most=360))
+        if not 0 < last - first <= 2 * np.pi + 1e-12:
+            raise table.refuse("window_deg", "has to grow, by 360 deg at most")
+        elevations = table.numbers("elevations_deg", None, (0.0,), least=-90, most=90)
+        if not elevations:
+            raise table.refuse("elevations_deg", "is empty; give the elevation of every beam")
+        nearest = table.number("min_range_m", 0.0, least=0)
+        return title, Scanner(
+            pulses_per_second=table.number("pulses_per_second", over=0, most=1e7),
+            turns_per_second=table.number("turns_per_second", over=0, most=1000),
+            window=(float(first), float(last)),
+            max_range=table.number("max_range_m", over=nearest),
+            range_sigma=table.number("range_sigma_m", least=0),
+            angle_sigma=float(np.radians(table.number("angle_sigma_deg", least=0))),
+            divergence=table.number("divergence_mrad", least=0, most=100) / 1000,
+            elevations=tuple(float(each) for each in np.radians(elevations)),
+            axis=axis,
+            min_range=nearest,
+            incidence_growth=table.number("incidence_growth", 0.0, least=0, most=5),
+            grazing=float(np.radians(table.number("grazing_deg", 90.0, over=0, most=90))),
+        )

@@ -1,0 +1,197 @@
+"""A scene from TOML: surfaces, which of them are sought, and the lines sailed past them."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import ProjectError
+from lispac.io.mesh_file import read_mesh
+from lispac.io.toml_table import Table
+from lispac.picks import require_name
+from lispac.simulation.scene import (
+    Cylinder,
+    Rectangle,
+    Scene,
+    Sphere,
+    Surface,
+    box,
+    tilted,
+    upright,
+)
+from lispac.simulation.vessel import Pass
+from lispac.simulation.voyage import Stretch
+
+KINDS = ("board", "wall", "box", "cylinder", "sphere", "mesh")
+ROLES = ("target", "validation")
+
+
+@dataclass(frozen=True, eq=False)
+class SceneFile:
+    """What a scene file says.
+
+    Attributes
+    ----------
+    title : str
+    vessel, scanner : str
+        Names or files of those it is meant for.
+    origin : tuple of float or None
+        Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame; None
+        for the mean of a recorded trajectory.
+    scene : Scene
+    targets, validation : tuple of str
+        Names of surfaces.
+    passes : tuple of Pass
+        Courses to be sailed, or none where a recorded trajectory is replayed.
+    stretches : tuple of Stretch
+        What of a recorded trajectory becomes lines.
+    trajectory : Path or None
+        The recorded trajectory.
+    pulses_per_second : float or None
+        Of the scanner, where the scene wants another rate than the scanner's own.
+    """
+
+    title: str
+    vessel: str
+    scanner: str
+    origin: tuple[float, float, float] | None
+    scene: Scene
+    targets: tuple[str, ...]
+    validation: tuple[str, ...]
+    passes: tuple[Pass, ...]
+    stretches: tuple[Stretch, ...]
+    trajectory: Path | None
+    pulses_per_second: float | None
+
+
+def read_scene(path: Path) -> SceneFile:
+    """Read a scene.
+
+    Raises
+    ------
+    InputError
+        With the file, the key and what to do.
+    """
+    with Table.read(path, "scene") as table:
+        surfaces: list[Surface] = []
+        roles: dict[str, list[str]] = {role: [] for role in ROLES}
+        for each in table.tables("surfaces"):
+            name = each.text("name")
+            role = each.choice("role", ROLES, None)
+            if role is not None:
+                _require_seekable(each, name, surfaces)
+                roles[role].append(name)
+            surfaces += _surfaces(each, name, sought=role is not None)
+        if not surfaces:
+            raise table.refuse("surfaces", "is missing; write [[surfaces]] above each surface")
+        passes, stretches = _lines(table)
+        trajectory = table.text("trajectory", None)
+        return SceneFile(
+            table.text("title"), table.text("vessel"), table.text("scanner"), _origin(table),
+            Scene.of(surfaces), tuple(roles["target"]), tuple(roles["validation"]), passes,
+            stretches, None if trajectory is None else Path(path).parent / trajectory,
+            table.number("pulses_per_second", None, over=0, most=1e7),
+        )  # fmt: skip
+
+
+def _origin(table: Table) -> tuple[float, float, float] | None:
+    if "origin" not in table:
+        return None
+    with table.table("origin") as origin:
+        latitude = origin.number("latitude_deg", least=-90, most=90)
+        longitude = origin.number("longitude_deg", least=-360, most=360)
+        height = origin.number("height_m", least=-1000, most=10_000)
+        return float(np.radians(latitude)), float(np.radians(longitude)), height
+
+
+def _require_seekable(table: Table, name: str, surfaces: list[Surface]) -> None:
+    try:
+        require_name(name)
+    except ProjectError as error:
+        raise table.refuse("name", f"cannot be used for a target: {error}".rstrip(".")) from error
+    if any(surface.name == name for surface in surfaces):
+        raise table.refuse("name", f"{name} stands twice; give each target a name of its own")
+
+
+def _surfaces(table: Table, name: str, *, sought: bool) -> list[Surface]:
+    kind = table.choice("kind", KINDS)
+    if sought and kind not in ("board", "wall"):
+        raise table.refuse("role", f"cannot be given to a {kind}; seek boards and walls only")
+    reflectance = table.number("reflectance", 0.4, least=0, most=1)
+    if kind == "board":
+        return [_board(table, name, reflectance)]
+    if kind == "wall":
+        bottom = table.number("bottom_m")
+        return [
+            upright(
+                name, (table.number("north_m"), table.number("west_m")), bottom,
+                table.number("top_m", over=bottom), table.number("width_m", over=0),
+                table.number("facing_deg"), reflectance,
+            )
+        ]  # fmt: skip
+    if kind == "box":
+        bottom = table.number("bottom_m")
+        north, west = table.numbers("north_m", 2), table.numbers("west_m", 2)
+        return [
+            *box(
+                name, (north[0], north[1]), (west[0], west[1]), bottom,
+                table.number("top_m", over=bottom), reflectance,
+            )
+        ]  # fmt: skip
+    if kind == "cylinder":
+        bottom = table.number("bottom_m")
+        return [
+            Cylinder(
+                name, table.number("north_m"), table.number("west_m"), bottom,
+                table.number("top_m", over=bottom), table.number("radius_m", over=0), reflectance,
+            )
+        ]  # fmt: skip
+    if kind == "sphere":
+        centre = np.array(table.three("centre_m"))
+        return [Sphere(name, centre, table.number("radius_m", over=0), reflectance)]
+    return [read_mesh(table.path.parent / table.text("file"), name, reflectance)]
+
+
+def _board(table: Table, name: str, reflectance: float) -> Rectangle:
+    return tilted(
+        name, table.three("centre_m"), table.number("width_m", over=0),
+        table.number("height_m", over=0), table.number("facing_deg"),
+        table.number("elevation_deg", 0.0, least=-90, most=90), reflectance,
+    )  # fmt: skip
+
+
+def _lines(table: Table) -> tuple[tuple[Pass, ...], tuple[Stretch, ...]]:
+    """Passes or stretches: a line with ``start_s`` is one of a recorded trajectory."""
+    passes: list[Pass] = []
+    stretches: list[Stretch] = []
+    with table.table("pattern") as pattern:
+        about = pattern.numbers("about_m", 2, (0.0, 0.0))
+        distance = pattern.number("distance_m", None, least=0)
+    for line in table.tables("lines"):
+        if "start_s" in line:
+            start = line.number("start_s")
+            side = line.choice("side", ("port", "starboard"))
+            stop = line.number("stop_s", over=start)
+            stretches.append(Stretch(start, stop, side == "starboard"))
+            continue
+        if distance is None:
+            raise table.refuse("pattern.distance_m", "is missing; say how far off the lines pass")
+        heading, bearing = line.number("heading_deg"), line.number("bearing_deg")
+        off = (bearing - heading) % 360
+        if off in (0, 180):
+            raise line.refuse("bearing_deg", "lies along the heading; the site has to lie abeam")
+        to = np.radians(bearing)
+        passes.append(
+            Pass(
+                float(np.radians(heading)),
+                (float(about[0] - distance * np.cos(to)), float(about[1] + distance * np.sin(to))),
+                line.number("run_in_m", least=0), line.number("run_out_m", least=0), off < 180,
+            )
+        )  # fmt: skip
+    if passes and stretches:
+        raise table.refuse("lines", "mixes headings with start_s; give one of the two in all")
+    if not passes and not stretches:
+        raise table.refuse("lines", "is missing; write [[lines]] above each line")
+    if any(each.run_in + each.run_out < 1 for each in passes):
+        raise table.refuse("lines", "holds a line of less than 1 m; give run_in_m and run_out_m")
+    return tuple(passes), tuple(stretches)

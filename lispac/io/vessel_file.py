@@ -1,0 +1,149 @@
+"""A vessel from TOML: what it carries where, how it moves, how its POS errs."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from lispac.io.toml_table import Table
+from lispac.project import Triple
+from lispac.simulation.pos_error_models import (
+    GnssOutage,
+    Jumps,
+    PosErrors,
+    WhiteNoise,
+    together,
+)
+from lispac.simulation.pos_errors import PosErrorModel
+from lispac.simulation.vessel import LAUNCH, Handling
+from lispac.survey.georeferencing import Mounting
+
+KINDS = ("gauss-markov", "white", "outage", "jumps")
+
+
+@dataclass(frozen=True)
+class MountingErrors:
+    """What the mounting really is, against what the surveyor has written down.
+
+    Attributes
+    ----------
+    boresight_deg : three of float
+        True roll, pitch, yaw; the surveyor starts from zero.
+    lever_arm : three of float, metres, body
+        Added to the lever arm written down.
+    range_offset : float, metres
+    scan_angle_offset_deg : float
+    latency : float, seconds
+    """
+
+    boresight_deg: Triple = (0.0, 0.0, 0.0)
+    lever_arm: Triple = (0.0, 0.0, 0.0)
+    range_offset: float = 0.0
+    scan_angle_offset_deg: float = 0.0
+    latency: float = 0.0
+
+    def mounting(self, lever_arm: Triple) -> Mounting:
+        """The true mounting where ``lever_arm`` is the one written down."""
+        return Mounting(
+            np.array(lever_arm) + np.array(self.lever_arm),
+            np.radians(self.boresight_deg),
+            self.range_offset,
+            float(np.radians(self.scan_angle_offset_deg)),
+            self.latency,
+        )
+
+
+@dataclass(frozen=True)
+class Vessel:
+    """A vessel with its POS.
+
+    Attributes
+    ----------
+    title : str
+    lever_arm : three of float, metres, body
+        As the surveyor has it.
+    pos_height : float, metres
+        Of the POS above the zero of the scene.
+    handling : Handling
+    errors : MountingErrors
+    pos : PosErrors
+    """
+
+    title: str
+    lever_arm: Triple
+    pos_height: float
+    handling: Handling
+    errors: MountingErrors
+    pos: PosErrors
+
+
+def read_vessel(path: Path) -> Vessel:
+    """Read a vessel.
+
+    Raises
+    ------
+    InputError
+        With the file, the key and what to do.
+    """
+    with Table.read(path, "vessel") as table:
+        parts = [_pos(part) for part in table.tables("pos")]
+        if not parts:
+            raise table.refuse("pos", "is missing; write [[pos]] above each of its errors")
+        with table.table("errors") as errors:
+            found = mounting_errors(errors)
+        return Vessel(
+            table.text("title"), table.three("lever_arm_m"), table.number("pos_height_m"),
+            _handling(table), found, together(parts),
+        )  # fmt: skip
+
+
+def mounting_errors(table: Table) -> MountingErrors:
+    """The table of errors of the mounting."""
+    return MountingErrors(
+        table.three("boresight_deg", (0.0, 0.0, 0.0)),
+        table.three("lever_arm_m", (0.0, 0.0, 0.0)),
+        table.number("range_offset_m", 0.0, least=-10, most=10),
+        table.number("scan_angle_offset_deg", 0.0, least=-180, most=180),
+        table.number("latency_s", 0.0, least=-10, most=10),
+    )
+
+
+def _handling(table: Table) -> Handling:
+    with table.table("handling") as sailed, table.table("motion") as sea:
+        speed = sailed.number("speed_m_s", over=0, most=50)
+        shortest = sea.number("shortest_s", LAUNCH.periods[0], over=0)
+        return Handling(
+            speed=speed,
+            speed_abeam=sailed.number("speed_abeam_m_s", speed, over=0, most=speed),
+            slow_time=sailed.number("slow_s", LAUNCH.slow_time, over=0),
+            ramp=sailed.number("ramp_s", LAUNCH.ramp, over=0),
+            transit=sailed.number("transit_s", LAUNCH.transit, over=0),
+            wait=sailed.number("wait_s", LAUNCH.wait, over=0),
+            roll=float(np.radians(sea.number("roll_deg", least=0, most=45))),
+            pitch=float(np.radians(sea.number("pitch_deg", least=0, most=45))),
+            yaw=float(np.radians(sea.number("yaw_deg", least=0, most=45))),
+            heave=sea.number("heave_m", least=0),
+            drift=sea.number("drift_m", least=0),
+            periods=(shortest, sea.number("longest_s", LAUNCH.periods[1], least=shortest)),
+        )
+
+
+def _pos(table: Table) -> PosErrors:
+    kind = table.choice("kind", KINDS)
+    position = table.three("position_m", least=0)
+    roll, pitch, heading = np.radians(table.three("attitude_deg", least=0))
+    attitude = (float(roll), float(pitch), float(heading))
+    if kind == "gauss-markov":
+        return PosErrorModel(
+            position, attitude, table.number("position_s", over=0),
+            table.number("attitude_s", over=0),
+        )  # fmt: skip
+    if kind == "white":
+        return WhiteNoise(position, attitude)
+    if kind == "outage":
+        return GnssOutage(
+            table.number("start_s", least=0), table.number("duration_s", over=0), position,
+            attitude, table.flag("smoothed", True),
+        )  # fmt: skip
+    at = table.numbers("at_s", None, (), least=0)
+    return Jumps(position, attitude, at, table.number("per_hour", 0.0, least=0))

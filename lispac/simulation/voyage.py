@@ -1,0 +1,155 @@
+"""What a vessel does during a survey: passes sailed along courses, or a recorded trajectory."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.simulation.vessel import Motion, Pass, sail
+from lispac.survey.trajectory import LocalTrajectory
+
+START = 2 * 86400 + 15 * 3600.0  # GPS seconds of week: a Tuesday afternoon
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A line to be recorded.
+
+    Attributes
+    ----------
+    name : str
+    heading_deg : float
+    starboard : bool
+        Whether the site lies to starboard.
+    """
+
+    name: str
+    heading_deg: float
+    starboard: bool
+
+    @classmethod
+    def numbered(cls, number: int, heading_deg: float, starboard: bool) -> "Leg":
+        """Named after its place and heading."""
+        return cls(f"L{number}_{round(heading_deg) % 360:03d}", heading_deg, starboard)
+
+
+class Voyage(Protocol):
+    """True motion and what is recorded of it."""
+
+    @property
+    def start(self) -> float:
+        """GPS seconds of week at time 0 of the motion."""
+
+    @property
+    def legs(self) -> tuple[Leg, ...]:
+        """The lines, in the order of the recorded stretches."""
+
+    def motion(self, generator: np.random.Generator) -> Motion:
+        """True states."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sailed:
+    """Passes sailed one after the other (see `lispac.simulation.vessel.sail`).
+
+    Attributes
+    ----------
+    passes : tuple of Pass
+    height : float, metres
+        Of the POS in the local frame.
+    """
+
+    passes: tuple[Pass, ...]
+    height: float
+
+    @property
+    def start(self) -> float:
+        """GPS seconds of week."""
+        return START
+
+    @property
+    def legs(self) -> tuple[Leg, ...]:
+        """One a pass."""
+        return tuple(
+            Leg.numbered(k + 1, float(np.degrees(each.heading)), each.starboard)
+            for k, each in enumerate(self.passes)
+        )
+
+    def motion(self, generator: np.random.Generator) -> Motion:
+        """Courses and the sea on top of them."""
+        return sail(self.passes, self.height, generator)
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A part of a trajectory that is recorded as a line.
+
+    Attributes
+    ----------
+    start, stop : float, seconds
+        In the time of the trajectory.
+    starboard : bool
+        Whether the site lies to starboard.
+    """
+
+    start: float
+    stop: float
+    starboard: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Replayed:
+    """A recorded trajectory taken for the truth.
+
+    Attributes
+    ----------
+    trajectory : LocalTrajectory
+    stretches : tuple of Stretch
+    """
+
+    trajectory: LocalTrajectory
+    stretches: tuple[Stretch, ...]
+
+    @property
+    def start(self) -> float:
+        """The trajectory keeps its own time."""
+        return 0.0
+
+    @property
+    def legs(self) -> tuple[Leg, ...]:
+        """One a stretch, named after its median heading."""
+        headings = []
+        for each in self.stretches:
+            time = self.trajectory.time
+            own = (time >= each.start) & (time <= each.stop)
+            headings.append(float(np.degrees(np.median(self.trajectory.attitude[own, 2]))) % 360)
+        return tuple(
+            Leg.numbered(k + 1, heading, each.starboard)
+            for k, (heading, each) in enumerate(zip(headings, self.stretches, strict=True))
+        )
+
+    def motion(self, generator: np.random.Generator) -> Motion:
+        """The states as they were recorded; nothing is drawn."""
+        known = self.trajectory
+        interval = float(np.median(np.diff(known.time)))
+        recorded = tuple((each.start, each.stop) for each in self.stretches)
+        return Motion(known.time, known.position, known.attitude, recorded, interval)
+
+    def require_inside(self, latency: float) -> None:
+        """Refuse stretches that the trajectory does not cover.
+
+        Raises
+        ------
+        InputError
+        """
+        time = self.trajectory.time
+        for k, each in enumerate(self.stretches):
+            ends = np.array([each.start, each.stop]) + latency
+            inside = time[(time > ends[0]) & (time < ends[1])]
+            if not self.trajectory.covers(np.concatenate([ends, inside])).all() or not len(inside):
+                raise InputError(
+                    f"Line {k + 1} is to be recorded from {ends[0]:.3f} to {ends[1]:.3f} s, where "
+                    f"the trajectory ({time[0]:.3f} to {time[-1]:.3f} s) has no states or a gap: "
+                    "give start_s and stop_s inside it, in its own time."
+                )

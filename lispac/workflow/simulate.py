@@ -1,0 +1,196 @@
+"""Simulated surveys as projects: the files a surveyor would have, and the truth beside them."""
+
+import json
+import shutil
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError, ProjectError
+from lispac.io.files import written_whole
+from lispac.io.las import write_points
+from lispac.io.project_file import FILE_NAME
+from lispac.io.sbet import write_sbet, write_smrmsg
+from lispac.io.text_export import write_table
+from lispac.progress import Progress, no_progress, part
+from lispac.project import LineSource, Project, Settings, Triple
+from lispac.simulation.pos_error_models import Together
+from lispac.simulation.pos_errors import PosErrorModel
+from lispac.simulation.survey import SimulatedSurvey, simulated
+from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.workflow.projects import create_project
+from lispac.workflow.simulated_setup import Simulation
+
+RAW, TRUTH, MARKER = "raw", "truth", "simulated"
+TARGETS = "targets.csv"
+"""List of coordinates that `lispac pick --seeds` reads."""
+
+
+def simulate(
+    folder: Path,
+    simulation: Simulation,
+    *,
+    seed: int,
+    noise: bool = True,
+    pos_errors: bool = True,
+    progress: Progress = no_progress,
+) -> tuple[Project, dict[str, int]]:
+    """Simulate a survey and write it as a new project: raw files, nothing picked.
+
+    An earlier simulation in the folder is replaced, once the new one is made.
+
+    Returns
+    -------
+    project : Project
+    points : dict of str to int
+        How many there are in each line.
+
+    Raises
+    ------
+    ProjectError
+        Where the folder holds anything but a simulation.
+    InputError
+        Where nothing was seen by a line, or a file cannot be written.
+    """
+    folder = Path(folder).absolute()
+    require_replaceable(folder, MARKER)
+    survey = simulated(
+        simulation.setup, seed=seed, noise=noise, pos_errors=pos_errors,
+        progress=part(progress, 0.0, 0.6),
+    )  # fmt: skip
+    for line in survey.lines:
+        if not len(line.time):
+            raise InputError(
+                f"Line {line.name} sees nothing of the scene: bring its course nearer, or widen "
+                "the scanner's window."
+            )
+    clear(folder, MARKER, "Simulated survey; remade by every run of the simulation into it.\n")
+    shutil.rmtree(folder / TRUTH, ignore_errors=True)
+    lines = write_lines(survey, folder / RAW, progress=part(progress, 0.6, 0.95))
+    trajectory, accuracy = write_trajectory(survey, folder / RAW)
+    _write_truth(survey, simulation, folder, seed)
+    project = create_project(
+        folder, trajectory=trajectory, lines=lines, accuracy=accuracy,
+        settings=_settings(simulation), truth_deg=triple(np.degrees(survey.boresight)),
+    )  # fmt: skip
+    progress(1.0, "Simulated")
+    return project, {line.name: len(line.time) for line in survey.lines}
+
+
+def require_replaceable(folder: Path, marker: str) -> None:
+    """Refuse a folder that holds anything but an earlier survey of this kind.
+
+    Raises
+    ------
+    ProjectError
+    """
+    if folder.exists() and not folder.is_dir():
+        raise ProjectError(f"{folder}: this is a file; choose a folder for the {marker} survey.")
+    if folder.exists() and any(folder.iterdir()) and not (folder / RAW / marker).is_file():
+        raise ProjectError(f"{folder}: this folder holds other files; choose a new one.")
+
+
+def clear(folder: Path, marker: str, text: str) -> None:
+    """Take away what an earlier survey of this kind left, and mark the folder as one."""
+    with written_whole(folder / RAW / marker) as path:
+        path.write_text(text)
+    (folder / FILE_NAME).unlink(missing_ok=True)
+    shutil.rmtree(folder / "sightings", ignore_errors=True)
+
+
+def write_lines(
+    survey: SimulatedSurvey, raw: Path, *, progress: Progress = no_progress
+) -> list[LineSource]:
+    """Write each line in the scanner frame, with time and intensity."""
+    lines = []
+    for k, line in enumerate(survey.lines):
+        progress(k / len(survey.lines), f"Writing {line.name}")
+        path = raw / f"{line.name}.laz"
+        write_points(path, line.points_lidar, line.time, line.intensity.astype(float))
+        lines.append(LineSource(line.name, path))
+    return lines
+
+
+def write_trajectory(survey: SimulatedSurvey, raw: Path) -> tuple[Path, Path]:
+    """Write SBET and smrmsg, and give their paths."""
+    sbet, smrmsg = raw / "trajectory.sbet", raw / "smrmsg.out"
+    states = survey.trajectory
+    attitude = np.stack([states.roll, states.pitch, states.heading], axis=1)
+    write_sbet(
+        sbet,
+        Trajectory(states.time, states.latitude, states.longitude, states.height, attitude),
+    )
+    # POSPac writes smrmsg once a second.
+    last = len(states.time) - 1
+    once = np.append(np.arange(0, last, max(round(1 / states.interval), 1)), last)
+    write_smrmsg(
+        smrmsg,
+        TrajectoryAccuracy(
+            states.time[once], states.sigma_position[once], states.sigma_attitude[once]
+        ),
+    )
+    return sbet, smrmsg
+
+
+def triple(values: np.ndarray) -> Triple:
+    """Three plain numbers."""
+    first, second, third = (float(value) for value in values)
+    return first, second, third
+
+
+def _settings(simulation: Simulation) -> Settings:
+    """What the surveyor states: lever arm as written down, no boresight, data sheets."""
+    latitude, longitude, height = simulation.setup.origin
+    scanner = simulation.setup.scanner
+    beam = (scanner.range_sigma, float(np.degrees(scanner.angle_sigma)))
+    settings = Settings(
+        lever_arm=simulation.lever_arm,
+        origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
+        lidar_sigma=max(scanner.range_sigma, 0.001),
+        lidar_beam_sigma=beam if min(beam) > 0 else None,
+    )
+    pos = simulation.setup.pos
+    for each in pos.parts if isinstance(pos, Together) else (pos,):
+        if isinstance(each, PosErrorModel):
+            position, attitude = each.time_position, each.time_attitude
+            return replace(settings, position_time=position, attitude_time=attitude)
+    return settings
+
+
+def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, seed: int) -> None:
+    """True mounting, label of every point, and where a user would click."""
+    latitude, longitude, height = survey.origin
+    values = dict(zip(CALIBRATION, survey.mounting.values, strict=True))
+    truth = {
+        "seed": seed,
+        **{kind: {"title": title, "file": simulation.files[kind].name}
+           for kind, title in simulation.titles.items()},
+        "scanner_settings": asdict(simulation.setup.scanner),
+        "origin_deg_m": [np.degrees(latitude), np.degrees(longitude), height],
+        "mounting": {
+            "boresight_deg": [np.degrees(values[name]) for name in CALIBRATION[:3]],
+            "lever_arm_m": [values[name] for name in CALIBRATION[3:6]],
+            "range_offset_m": values["range_offset"],
+            "scan_angle_offset_deg": np.degrees(values["scan_angle_offset"]),
+            "latency_s": values["latency"],
+        },
+        "lever_arm_written_down_m": simulation.lever_arm,
+    }  # fmt: skip
+    with written_whole(folder / TRUTH / "truth.json") as path:
+        path.write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
+    with written_whole(folder / TRUTH / "labels.npz") as path:
+        labels = {line.name: line.label for line in survey.lines}
+        np.savez_compressed(path, surfaces=np.array(survey.surface_names), **labels)  # type: ignore[arg-type]
+    rows = [
+        (name, *seed_local, role)
+        for role, seeds in (("target", survey.targets), ("validation", survey.validation))
+        for name, seed_local in seeds.items()
+    ]
+    if rows:
+        columns = [np.array(column) for column in zip(*rows, strict=True)]
+        with written_whole(folder / TARGETS) as path:
+            write_table(
+                path, ("name", "x", "y", "z", "role"), columns, ("s", ".4f", ".4f", ".4f", "s")
+            )

@@ -1,0 +1,148 @@
+"""From the names of a scene, a vessel and a scanner to all that a simulation needs."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.sbet import read_sbet
+from lispac.io.scanner_file import read_scanner
+from lispac.io.scene_file import SceneFile, read_scene
+from lispac.io.toml_table import Table
+from lispac.io.vessel_file import Vessel, read_vessel
+from lispac.project import Triple
+from lispac.resources import resource
+from lispac.simulation.survey import Setup
+from lispac.simulation.voyage import Replayed, Sailed, Voyage
+from lispac.survey.trajectory import LocalTrajectory
+
+KINDS = ("scene", "vessel", "scanner")
+FARTHEST = 20_000.0
+"""Metres: a scene whose origin is farther from the trajectory lies elsewhere."""
+
+
+@dataclass(frozen=True, eq=False)
+class Simulation:
+    """A survey to be simulated, and what the surveyor would know of it.
+
+    Attributes
+    ----------
+    setup : Setup
+    lever_arm : three of float, metres, body
+        As the surveyor has it; the true one is in the setup.
+    titles : dict of str to str
+        What scene, vessel and scanner are.
+    files : dict of str to Path
+        Where they are written down.
+    """
+
+    setup: Setup
+    lever_arm: Triple
+    titles: Mapping[str, str]
+    files: Mapping[str, Path]
+
+
+def supplied(kind: str) -> dict[str, str]:
+    """Names and titles of the scenes, vessels or scanners that come with the program."""
+    found = {}
+    for path in sorted(resource(f"{kind}s").glob("*.toml")):
+        with Table.read(path, kind) as table:
+            found[path.stem] = table.text("title")
+            table.leave_rest()
+    return found
+
+
+def simulation(
+    scene: str,
+    *,
+    vessel: str | None = None,
+    scanner: str | None = None,
+    trajectory: Path | None = None,
+    points_per_second: float | None = None,
+    errors: Mapping[str, Any] | None = None,
+) -> Simulation:
+    """Put scene, vessel and scanner together.
+
+    Parameters
+    ----------
+    scene, vessel, scanner : str
+        A name that comes with the program, or a file; vessel and scanner as the scene says where
+        they are not given.
+    trajectory : Path, optional
+        SBET that is taken for the truth, instead of the scene's own.
+    points_per_second : float, optional
+        Pulses per second of the scanner, instead of its own or the scene's.
+    errors : mapping, optional
+        Fields of `MountingErrors` that replace those of the vessel.
+
+    Raises
+    ------
+    InputError
+    """
+    files = {"scene": _file("scene", scene, None)}
+    described = read_scene(files["scene"])
+    beside = files["scene"].parent
+    files["vessel"] = _file("vessel", vessel or described.vessel, None if vessel else beside)
+    files["scanner"] = _file("scanner", scanner or described.scanner, None if scanner else beside)
+    carried = read_vessel(files["vessel"])
+    scanner_title, instrument = read_scanner(files["scanner"])
+    rate = points_per_second or described.pulses_per_second
+    if rate is not None:
+        instrument = replace(instrument, pulses_per_second=rate)
+    origin, voyage = _voyage(described, carried, trajectory, files["scene"])
+    setup = Setup(
+        origin, described.scene, described.targets, described.validation, voyage, carried.pos,
+        instrument, replace(carried.errors, **(errors or {})).mounting(carried.lever_arm),
+    )  # fmt: skip
+    titles = {"scene": described.title, "vessel": carried.title, "scanner": scanner_title}
+    return Simulation(setup, carried.lever_arm, titles, files)
+
+
+def _file(kind: str, word: str, beside: Path | None) -> Path:
+    """The file of a name or path; paths in a scene count from where it lies."""
+    path = Path(word)
+    if path.suffix.lower() != ".toml":
+        known = supplied(kind)
+        if word in known:
+            return resource(f"{kind}s") / f"{word}.toml"
+        raise InputError(
+            f"There is no {kind} named {word}: give one of {', '.join(known)}, or a file that "
+            "ends in .toml."
+        )
+    return path if beside is None else beside / path
+
+
+def _voyage(
+    described: SceneFile, carried: Vessel, trajectory: Path | None, file: Path
+) -> tuple[tuple[float, float, float], Voyage]:
+    recorded = trajectory or described.trajectory
+    if recorded is None:
+        if not described.passes:
+            raise InputError(
+                f"{file}: its lines have start_s, so a recorded trajectory is needed; give "
+                "--trajectory, or trajectory in the scene."
+            )
+        if described.origin is None:
+            raise InputError(f"{file}: [origin] is missing; say where the scene lies.")
+        passes = tuple(replace(each, handling=carried.handling) for each in described.passes)
+        return described.origin, Sailed(passes, carried.pos_height)
+    if not described.stretches:
+        raise InputError(
+            f"{file}: its lines are headings to be sailed, so {recorded} cannot be replayed; give "
+            "each of its [[lines]] start_s, stop_s and side instead, in the trajectory's time."
+        )
+    states = read_sbet(recorded)
+    mean = states.mean_frame()
+    origin = described.origin or (mean.latitude, mean.longitude, mean.height)
+    frame = replace(mean, latitude=origin[0], longitude=origin[1], height=origin[2])
+    local = LocalTrajectory.of(states, frame)
+    farthest = float(np.linalg.norm(local.position, axis=1).min())
+    if farthest > FARTHEST:
+        raise InputError(
+            f"{file}: the origin of the scene lies {farthest / 1000:.0f} km from {recorded}; "
+            "correct [origin], or leave it out for the mean of the trajectory."
+        )
+    return origin, Replayed(local, described.stretches)

@@ -1,0 +1,185 @@
+"""Scenes, vessels and scanners from TOML: those supplied are sound, and mistakes are told."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io.scanner_file import read_scanner
+from lispac.io.scene_file import read_scene
+from lispac.io.vessel_file import read_vessel
+from lispac.resources import resource
+from lispac.simulation.pos_error_models import GnssOutage, Jumps, Together, WhiteNoise
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.simulation.scanner import Scanner
+from lispac.simulation.scene import Cylinder, Rectangle
+from lispac.simulation.survey import (
+    BORESIGHT_DEG,
+    LEVER_ARM,
+    POINTS_PER_SECOND,
+    POS_HEIGHT,
+    SimulatedSurvey,
+    simulated,
+)
+from lispac.simulation.vessel import LAUNCH
+from lispac.workflow.simulated_setup import KINDS, simulation, supplied
+
+SCENE = """
+title = "A board"
+vessel = "launch"
+scanner = "profiler"
+[origin]
+latitude_deg = 46
+longitude_deg = -71
+height_m = 0
+[pattern]
+distance_m = 10
+[[lines]]
+heading_deg = 0
+bearing_deg = 90
+run_in_m = 5
+run_out_m = 5
+[[surfaces]]
+kind = "board"
+name = "T1"
+role = "target"
+centre_m = [0, -10, 5]
+width_m = 1
+height_m = 1
+facing_deg = 270
+"""
+VESSEL = resource("vessels") / "launch.toml"
+SCANNER = resource("scanners") / "profiler.toml"
+
+
+def edited(folder: Path, text: str, old: str, new: str) -> Path:
+    assert old in text, "the test changes nothing"
+    path = folder / "edited.toml"
+    path.write_text(text.replace(old, new, 1))
+    return path
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_everything_supplied_is_sound(kind: str) -> None:
+    titles = supplied(kind)
+    assert len(titles) >= 3
+    assert len(set(titles.values())) == len(titles)
+    for name in titles:
+        path = resource(f"{kind}s") / f"{name}.toml"
+        {"scene": read_scene, "vessel": read_vessel, "scanner": read_scanner}[kind](path)
+    for name in titles if kind == "scene" else ():
+        assert len(simulation(name).setup.targets) >= 2
+
+
+def test_the_port_is_that_of_the_built_in_survey(port: SimulatedSurvey) -> None:
+    """To the last bit: scene, vessel and scanner from their files against those in the code."""
+    made = simulated(simulation("port").setup, seed=2019)
+    for ours, theirs in zip(made.scene.surfaces, port.scene.surfaces, strict=True):
+        assert (ours.name, ours.reflectance) == (theirs.name, theirs.reflectance)
+        assert isinstance(ours, Rectangle | Cylinder)
+        np.testing.assert_array_equal(ours.row, theirs.row)
+    for mine, built_in in (
+        (made.trajectory, port.trajectory),
+        *zip(made.lines, port.lines, strict=True),
+    ):
+        for name, values in vars(built_in).items():
+            np.testing.assert_array_equal(getattr(mine, name), values, err_msg=name)
+    for own, theirs in ((made.targets, port.targets), (made.validation, port.validation)):
+        assert own.keys() == theirs.keys()
+        for name in own:
+            np.testing.assert_array_equal(own[name], theirs[name])
+    assert made.origin == port.origin
+    np.testing.assert_array_equal(made.mounting.values, port.mounting.values)
+
+
+def test_the_launch_and_the_profiler_are_those_of_the_built_in_survey() -> None:
+    vessel = read_vessel(VESSEL)
+    assert vessel.handling == LAUNCH
+    assert vessel.pos == HYDROGRAPHIC_INS
+    assert (vessel.lever_arm, vessel.pos_height) == (LEVER_ARM, POS_HEIGHT)
+    assert vessel.errors.boresight_deg == BORESIGHT_DEG
+    assert read_scanner(SCANNER)[1] == Scanner(POINTS_PER_SECOND)
+
+
+def test_a_pos_with_many_errors() -> None:
+    pos = read_vessel(resource("vessels") / "launch-outage.toml").pos
+    assert isinstance(pos, Together)
+    assert [type(part) for part in pos.parts] == [
+        type(HYDROGRAPHIC_INS), WhiteNoise, GnssOutage, Jumps,
+    ]  # fmt: skip
+    assert pos.parts[2] == GnssOutage(
+        100.0, 60.0, (0.4, 0.4, 0.2), tuple(np.radians([0.005, 0.005, 0.01]))
+    )
+
+
+def test_scanners_have_their_beams() -> None:
+    beams = {name: read_scanner(resource("scanners") / f"{name}.toml")[1] for name in (
+        "velodyne-hdl-32e", "ouster-os1-128", "hesai-pandar-xt32", "zf-9012",
+    )}  # fmt: skip
+    assert [len(each.elevations) for each in beams.values()] == [32, 128, 32, 1]
+    low, high = np.degrees([min(beams["velodyne-hdl-32e"].elevations),
+                            max(beams["velodyne-hdl-32e"].elevations)])  # fmt: skip
+    assert (low, high) == pytest.approx((-30.67, 10.67))
+    assert np.diff(np.sort(np.degrees(beams["velodyne-hdl-32e"].elevations))) == pytest.approx(
+        1.333, abs=0.01
+    )
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("width_m = 1", "width = 1", "width is not known here; it has to be named width_m"),
+        ("facing_deg = 270", "facing_deg = 270\nelevation = 3", "did you mean elevation_deg"),
+        ("width_m = 1", "width_m = -1", r"surfaces\[1\].width_m holds -1; give more than 0"),
+        ("width_m = 1", 'width_m = "wide"', "is not a number"),
+        ("width_m = 1", "width_m = nan", "is not finite"),
+        ("[0, -10, 5]", "[0, -10]", "give 3 numbers in brackets"),
+        ('"board"', '"bord"', "give one of board, wall"),
+        ('role = "target"', 'role = "goal"', "give one of target, validation"),
+        ('name = "T1"', "", r"surfaces\[1\].name is missing; add it"),
+        ("run_out_m = 5", "run_out_m = 5\nspeed = 3", "speed is not known here"),
+        ("bearing_deg = 90", "bearing_deg = 180", "lies along the heading"),
+        ("distance_m = 10", "", "pattern.distance_m is missing"),
+        ("latitude_deg = 46", "latitude_deg = 460", "origin.latitude_deg holds 460"),
+        ("title =", "title", "not sound TOML"),
+        ('kind = "board"', 'kind = "sphere"\nradius_m = 0.1', "cannot be given to a sphere"),
+        ('scanner = "profiler"', 'scanner = "profiler"\ncolour = 1', "colour is not known here"),
+    ],
+)  # fmt: skip
+def test_mistakes_in_a_scene_are_told(old: str, new: str, said: str, tmp_path: Path) -> None:
+    path = edited(tmp_path, SCENE, old, new)
+    with pytest.raises(InputError, match=said) as told:
+        read_scene(path)
+    assert str(told.value).startswith(f"{path}: ")
+    assert str(told.value).count("\n") == 0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('"gauss-markov"', '"brownian"', "give one of gauss-markov, white"),
+        ("position_s = 300", "", "position_s is missing; add it"),
+        ("attitude_s = 600", "attitude_s = 0", "give more than 0"),
+        ("speed_abeam_m_s = 0.6", "speed_abeam_m_s = 6", "give at most 2.2"),
+        ("[[pos]]", "[[gps]]", "pos is missing"),
+        ("boresight_deg =", "boresight =", "it has to be named|did you mean boresight_deg"),
+    ],
+)
+def test_mistakes_in_a_vessel_are_told(old: str, new: str, said: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=said):
+        read_vessel(edited(tmp_path, VESSEL.read_text(), old, new))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("window_deg = [-1, 67]", "window_deg = [67, -1]", "has to grow"),
+        ('axis = "x"', 'axis = "y"', "give one of x, z"),
+        ("divergence_mrad", "divergence_deg", "it has to be named divergence_mrad"),
+        ("max_range_m = 90", "max_range_m = 90\nelevations_deg = []", "elevation of every beam"),
+    ],
+)
+def test_mistakes_in_a_scanner_are_told(old: str, new: str, said: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=said):
+        read_scanner(edited(tmp_path, SCANNER.read_text(), old, new))
