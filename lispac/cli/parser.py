@@ -4,7 +4,13 @@ import argparse
 from pathlib import Path
 
 from lispac import __version__
-from lispac.cli import design_options, estimate_options, pick_options, report_options
+from lispac.cli import (
+    design_options,
+    estimate_options,
+    pick_options,
+    report_options,
+    simulate_options,
+)
 from lispac.cli.values import (
     Commands,
     command,
@@ -29,6 +35,7 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"lispac {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _demo(commands)
+    simulate_options.add(commands)
     _look(commands)
     _new(commands)
     _import(commands)

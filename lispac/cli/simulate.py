@@ -1,0 +1,73 @@
+"""``lispac simulate``: a survey of a scene with known truth."""
+
+from argparse import Namespace
+from typing import Any
+
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.workflow import simulate as simulated
+from lispac.workflow.simulated_setup import KINDS, simulation, supplied
+
+
+def simulate(arguments: Namespace) -> None:
+    """Simulate and write, or list what there is."""
+    if arguments.list:
+        _list(arguments)
+        return
+    if arguments.scene is None or arguments.output is None:
+        raise UsageError("simulate: give SCENE and --output DIR, or --list.")
+    errors: dict[str, Any] = {
+        "boresight_deg": arguments.boresight,
+        "lever_arm": arguments.lever_error,
+        "range_offset": arguments.range_offset,
+        "scan_angle_offset_deg": arguments.scan_angle_offset,
+        "latency": arguments.latency,
+    }
+    chosen = simulation(
+        arguments.scene,
+        vessel=arguments.vessel,
+        scanner=arguments.scanner,
+        trajectory=arguments.trajectory,
+        points_per_second=arguments.points_per_second,
+        errors={name: value for name, value in errors.items() if value is not None},
+    )
+    with ConsoleProgress() as progress:
+        project, points = simulated.simulate(
+            arguments.output,
+            chosen,
+            seed=arguments.seed,
+            noise=not arguments.no_noise,
+            pos_errors=not arguments.no_pos_errors,
+            progress=progress,
+        )
+    truth = project.folder / simulated.TRUTH / "truth.json"
+    targets = project.folder / simulated.TARGETS
+    if arguments.json:
+        print_json(
+            {
+                "project": str(project.folder),
+                "points": points,
+                "truth": str(truth),
+                "seeds": str(targets) if targets.is_file() else None,
+                **{kind: chosen.titles[kind] for kind in KINDS},
+            }
+        )
+        return
+    for kind in KINDS:
+        print(f"{kind:10s} {chosen.titles[kind]}")
+    for name, count in points.items():
+        print(f"{name:20s} {count:12,} points")
+    print("truth      " + "".join(f"{angle:+12.4f}" for angle in project.truth_deg or ()))
+    print(f"project    {project.folder}")
+    if targets.is_file():
+        print(f"seeds      {targets} (for lispac pick --seeds)")
+
+
+def _list(arguments: Namespace) -> None:
+    known = {f"{kind}s": supplied(kind) for kind in KINDS}
+    if arguments.json:
+        print_json(known)
+        return
+    for kind, titles in known.items():
+        print(kind)
+        for name, title in titles.items():
+            print(f"  {name:20s} {title}")

@@ -1,0 +1,251 @@
+"""``lispac simulate``: files that the rest of the program works with, and the truth beside them."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.main import main
+from lispac.geometry.frames import LocalFrame
+from lispac.io.las import read_scan
+from lispac.io.sbet import read_sbet, read_smrmsg
+from lispac.resources import resource
+from lispac.survey.georeferencing import Mounting, georeference
+from lispac.survey.trajectory import LocalTrajectory, Trajectory
+from lispac.workflow.projects import open_project
+from lispac.workflow.simulated_setup import simulation
+
+BORESIGHT_DEG = (0.8, -0.5, 1.1)
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    try:
+        code = main([str(word) for word in words])
+    except SystemExit as stop:
+        code = int(stop.code or 0)
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def done(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+    code, out, err = run(capsys, *words)
+    assert code == 0, err
+    return out
+
+
+def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+    code, _, err = run(capsys, *words)
+    assert code == 1
+    assert err.count("\n") == 1
+    return err
+
+
+def truth_of(folder: Path) -> dict:
+    return json.loads((folder / "truth" / "truth.json").read_text())
+
+
+def true_mounting(folder: Path) -> Mounting:
+    found = truth_of(folder)["mounting"]
+    return Mounting(
+        np.array(found["lever_arm_m"]), np.radians(found["boresight_deg"]),
+        found["range_offset_m"], np.radians(found["scan_angle_offset_deg"]), found["latency_s"],
+    )  # fmt: skip
+
+
+def test_from_simulation_to_boresight(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "marine"
+    shown = json.loads(done(
+        capsys, "simulate", "marine", "--output", folder, "--seed", 7,
+        "--points-per-second", 60_000, "--boresight", *BORESIGHT_DEG, "--json",
+    ))  # fmt: skip
+    assert len(shown["points"]) == 6
+    assert min(shown["points"].values()) > 20_000
+    assert "4 of 4 seeds" in done(capsys, "pick", folder, "--seeds", shown["seeds"])
+    done(capsys, "estimate", folder)
+    project = open_project(folder)
+    assert project.result is not None
+    assert project.truth_deg == pytest.approx(BORESIGHT_DEG)
+    error = project.result.mounting.boresight - np.radians(BORESIGHT_DEG)
+    for name, off, sigma in zip(ANGLES, error, project.result.sigma, strict=True):
+        assert abs(off) < 3 * sigma, name
+    assert np.degrees(project.result.sigma).max() < 0.05
+    assert {target.role for target in project.targets} == {"target", "validation"}
+
+
+def test_files_and_truth_close_with_all_errors(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """From the files alone, the true mounting puts every labelled point on its surface."""
+    folder = tmp_path / "exact"
+    done(
+        capsys, "simulate", "marine", "--output", folder, "--points-per-second", 20_000,
+        "--no-noise", "--no-pos-errors", "--boresight", *BORESIGHT_DEG,
+        "--lever-error", 0.1, -0.2, 0.3,
+        "--range-offset", -0.05, "--scan-angle-offset", 0.4, "--latency", 0.02,
+    )  # fmt: skip
+    mounting, project = true_mounting(folder), open_project(folder)
+    written_down = np.array(simulation("marine").lever_arm)
+    np.testing.assert_allclose(project.settings.lever_arm, written_down)
+    np.testing.assert_allclose(mounting.lever_arm - written_down, [0.1, -0.2, 0.3])
+    assert (mounting.range_offset, mounting.latency) == (-0.05, 0.02)
+    assert np.degrees(mounting.scan_angle_offset) == pytest.approx(0.4)
+    setup = simulation("marine").setup
+    trajectory = LocalTrajectory.of(read_sbet(project.trajectory), LocalFrame(*setup.origin))
+    labels = np.load(folder / "truth" / "labels.npz")
+    assert tuple(labels["surfaces"]) == setup.scene.names
+    prior = project.mounting("prior")
+    for line in project.lines:
+        scan, label = read_scan(line.path), labels[line.name]
+        assert len(scan) == len(label)
+        right, wrong = (
+            georeference(scan.points_lidar, scan.time, trajectory, each)
+            for each in (mounting, prior)
+        )
+        for k in np.unique(label):
+            own = label == k
+            off = setup.scene.surfaces[k].distance(right[own])
+            assert np.abs(off).max() < 1.5e-4, "coordinates are stored to 0.1 mm"
+        assert np.linalg.norm(right - wrong, axis=1).min() > 0.1
+    for row in (folder / "targets.csv").read_text().splitlines()[1:]:
+        name, *place, role = row.split(",")
+        assert role == ("validation" if name[0] == "V" else "target")
+        assert abs(setup.scene[name].distance(np.array([place], float))[0]) < 1e-4
+
+
+REPLAYED = """
+title = "A wall beside a recorded trajectory"
+vessel = "launch"
+scanner = "{scanner}"
+trajectory = "true.sbet"
+[origin]
+latitude_deg = 46.8
+longitude_deg = -71.2
+height_m = -27.0
+[[lines]]
+start_s = {start}
+stop_s = {stop}
+side = "starboard"
+[[surfaces]]
+kind = "board"
+name = "wall"
+centre_m = [0, -15, 6]
+width_m = 30
+height_m = 12
+facing_deg = 270
+"""
+
+
+def recorded(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[Trajectory, float]:
+    """A trajectory that another simulation was sailed along, and when its first line began."""
+    done(
+        capsys, "simulate", "marine", "--output", folder / "first", "--points-per-second", 5_000,
+        "--no-pos-errors",
+    )  # fmt: skip
+    project = open_project(folder / "first")
+    (folder / "true.sbet").write_bytes(project.trajectory.read_bytes())
+    return read_sbet(project.trajectory), float(read_scan(project.lines[0].path).time[0])
+
+
+def test_a_recorded_trajectory_is_replayed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    states, start = recorded(tmp_path, capsys)
+    text = REPLAYED.format(scanner="velodyne-hdl-32e", start=start, stop=start + 4.0)
+    (tmp_path / "wall.toml").write_text(text)
+    folder = tmp_path / "replayed"
+    options = ("--points-per-second", 20_000, "--output", folder)
+    done(capsys, "simulate", tmp_path / "wall.toml", *options, "--no-pos-errors", "--no-noise")
+    project = open_project(folder)
+    again = read_sbet(project.trajectory)
+    np.testing.assert_array_equal(again.time, states.time)
+    np.testing.assert_allclose(again.height, states.height, atol=2e-9)
+    np.testing.assert_allclose(again.attitude, states.attitude, atol=1e-11)
+    setup = simulation(str(tmp_path / "wall.toml")).setup
+    trajectory = LocalTrajectory.of(again, setup.voyage.trajectory.frame)
+    (line,) = project.lines
+    assert line.name == "L1_000"
+    scan = read_scan(line.path)
+    assert start <= scan.first_time < scan.last_time < start + 4.0
+    points = georeference(scan.points_lidar, scan.time, trajectory, true_mounting(folder))
+    assert len(points) > 1000
+    assert np.abs(setup.scene["wall"].distance(points)).max() < 1.5e-4
+    done(capsys, "simulate", tmp_path / "wall.toml", *options)
+    erring = read_sbet(project.trajectory)
+    off = np.abs(erring.height - states.height)
+    assert 0.001 < off.max() < 0.2
+    sigma = read_smrmsg(project.accuracy)
+    np.testing.assert_allclose(sigma.position, np.tile([0.012, 0.012, 0.020], (len(sigma.time), 1)))
+
+
+def test_what_cannot_be_replayed_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _, start = recorded(tmp_path, capsys)
+    scene = tmp_path / "wall.toml"
+    for text, said in (
+        (REPLAYED.format(scanner="profiler", start=10, stop=20), "give start_s and stop_s inside"),
+        (
+            REPLAYED.format(scanner="profiler", start=start, stop=start + 1).replace("46.8", "40"),
+            "km from",
+        ),
+        (
+            REPLAYED.format(scanner="profiler", start=start, stop=start + 1).replace("true", "no"),
+            "no such",
+        ),
+    ):
+        scene.write_text(text)
+        assert said in refused(capsys, "simulate", scene, "--output", tmp_path / "no")
+        assert not (tmp_path / "no").exists()
+    said = refused(
+        capsys, "simulate", "marine", "--trajectory", tmp_path / "true.sbet", "--output",
+        tmp_path / "no",
+    )  # fmt: skip
+    assert "start_s, stop_s and side" in said
+
+
+def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = refused(capsys, "simulate", "prot", "--output", tmp_path / "a")
+    assert "no scene named prot" in said
+    assert "marine, port, terrestrial" in said
+    said = refused(capsys, "simulate", "port", "--vessel", "barge", "--output", tmp_path / "a")
+    assert "no vessel named barge" in said
+    full = tmp_path / "full"
+    full.mkdir()
+    (full / "thesis.doc").write_text("mine")
+    assert "holds other files" in refused(capsys, "simulate", "marine", "--output", full)
+    assert [path.name for path in full.iterdir()] == ["thesis.doc"]
+    assert run(capsys, "simulate", "--output", tmp_path / "a")[0] == 2
+    blind = tmp_path / "blind.toml"
+    text = (resource("scenes") / "marine.toml").read_text()
+    blind.write_text(text.replace("distance_m = 15", "distance_m = 400"))
+    assert "sees nothing" in refused(capsys, "simulate", blind, "--output", tmp_path / "a")
+    assert not (tmp_path / "a").exists()
+
+
+def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
+    shown = done(capsys, "simulate", "--list")
+    for name in ("port", "terrestrial", "marine", "launch", "van", "zf-9012", "velodyne-hdl-32e"):
+        assert f"  {name} " in shown
+    assert set(json.loads(done(capsys, "simulate", "--list", "--json"))) == {
+        "scenes", "vessels", "scanners",
+    }  # fmt: skip
+
+
+def test_the_same_seed_gives_the_same_files(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def files(name: str, seed: int) -> dict[str, bytes]:
+        done(
+            capsys, "simulate", "marine", "--output", tmp_path / name, "--seed", seed,
+            "--points-per-second", 5_000,
+        )  # fmt: skip
+        raw = tmp_path / name / "raw"
+        return {path.name: path.read_bytes() for path in raw.iterdir()}
+
+    first = files("a", 3)
+    assert files("a", 3) == first, "made anew in the same folder"
+    other = files("b", 4)
+    assert other.keys() == first.keys()
+    assert other["trajectory.sbet"] != first["trajectory.sbet"]
