@@ -36,9 +36,9 @@ def range_to_plane(plane: Array, beams_lidar: Array, poses: Poses, mounting: Mou
     """
     origins, directions = rays(beams_lidar, poses, mounting)
     normal, d = plane[..., :3], plane[..., 3]
-    slope = np.sum(normal * directions, axis=-1)
+    slope = _dot(normal, directions)
     with np.errstate(divide="ignore", invalid="ignore"):
-        distance = -(np.sum(normal * origins, axis=-1) + d) / slope
+        distance = -(_dot(normal, origins) + d) / slope
     return np.where(distance > 0, distance - mounting.range_offset, np.inf)
 
 
@@ -61,7 +61,7 @@ def range_to_sphere(
     """
     origins, directions = rays(beams_lidar, poses, mounting)
     offset = origins - centre
-    along = np.sum(offset * directions, axis=-1)
+    along = _dot(offset, directions)
     aside = np.linalg.norm(np.cross(offset, directions), axis=-1)
     half = np.sqrt(np.maximum(radius**2 - aside**2, 0.0))
     near, far = -along - half, -along + half
@@ -84,3 +84,8 @@ def rays(beams_lidar: Array, poses: Poses, mounting: Mounting) -> tuple[Array, A
     directions = np.einsum("nij,nj->ni", rotation_local_body, beams_body)
     origins = poses.position + rotation_local_body @ mounting.lever_arm
     return origins, directions
+
+
+def _dot(first: Array, second: Array) -> Array:
+    """Products of rows, shape (n,)."""
+    return np.einsum("...i,...i->...", first, second)
