@@ -28,6 +28,18 @@ def as_mesh(rectangle: Rectangle, pieces: int = 6) -> Mesh:
     return Mesh(rectangle.name, vertices, triangles, rectangle.reflectance)
 
 
+def write_mesh(path: Path, mesh: Mesh) -> None:
+    """As another program would."""
+    import open3d
+
+    written = open3d.geometry.TriangleMesh(
+        open3d.utility.Vector3dVector(mesh.vertices),
+        open3d.utility.Vector3iVector(mesh.triangles.astype(np.int32)),
+    )
+    written.compute_triangle_normals()
+    open3d.io.write_triangle_mesh(str(path), written)
+
+
 def rays(target: np.ndarray, count: int, seed: int = 5) -> tuple[np.ndarray, np.ndarray]:
     """Rays from about 15 to 80 m off towards the neighbourhood of a place."""
     generator = np.random.default_rng(seed)
@@ -98,16 +110,9 @@ def test_distance_to_a_mesh() -> None:
 
 @pytest.mark.parametrize("ending", [".ply", ".obj", ".stl"])
 def test_mesh_files(ending: str, tmp_path: Path) -> None:
-    import open3d
-
     board = as_mesh(tilted("board", (1.0, 6.0, 2.0), 3.0, 2.0, 90, 20))
-    written = open3d.geometry.TriangleMesh(
-        open3d.utility.Vector3dVector(board.vertices),
-        open3d.utility.Vector3iVector(board.triangles.astype(np.int32)),
-    )
-    written.compute_triangle_normals()
     path = tmp_path / f"board{ending}"
-    open3d.io.write_triangle_mesh(str(path), written)
+    write_mesh(path, board)
     mesh = read_mesh(path, "board", 0.5)
     corners, expected = mesh.vertices[mesh.triangles], board.vertices[board.triangles]
     np.testing.assert_allclose(corners, expected, atol=1e-5)

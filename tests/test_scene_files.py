@@ -13,7 +13,7 @@ from lispac.resources import resource
 from lispac.simulation.pos_error_models import GnssOutage, Jumps, Together, WhiteNoise
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Scanner
-from lispac.simulation.scene import Cylinder, Rectangle
+from lispac.simulation.scene import Cylinder, Rectangle, tilted
 from lispac.simulation.survey import (
     BORESIGHT_DEG,
     LEVER_ARM,
@@ -24,6 +24,7 @@ from lispac.simulation.survey import (
 )
 from lispac.simulation.vessel import LAUNCH
 from lispac.workflow.simulated_setup import KINDS, simulation, supplied
+from tests.test_meshes import as_mesh, write_mesh
 
 SCENE = """
 title = "A board"
@@ -124,6 +125,23 @@ def test_scanners_have_their_beams() -> None:
     assert np.diff(np.sort(np.degrees(beams["velodyne-hdl-32e"].elevations))) == pytest.approx(
         1.333, abs=0.01
     )
+
+
+def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> None:
+    write_mesh(tmp_path / "hut.stl", as_mesh(tilted("hut", (0.0, -8.0, 5.0), 3.0, 3.0, 270, 0)))
+    path = edited(
+        tmp_path, SCENE, "[[surfaces]]",
+        '[[surfaces]]\nkind = "mesh"\nname = "hut"\nfile = "hut.stl"\n[[surfaces]]',
+    )  # fmt: skip
+    scene = read_scene(path).scene
+    assert scene.names == ("T1", "hut")
+    _, labels, _ = scene.intersect(
+        np.array([[0.0, 0.0, 5.0], [0.0, -9.0, 5.0]]), np.tile([0.1, -1.0, 0.02], (2, 1))
+    )
+    assert labels.tolist() == [1, 0]
+    (tmp_path / "hut.stl").unlink()
+    with pytest.raises(InputError, match="no such mesh file"):
+        read_scene(path)
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,8 @@ from lispac.errors import InputError
 from lispac.simulation.vessel import Motion, Pass, sail
 from lispac.survey.trajectory import LocalTrajectory
 
+FINEST = 0.005
+"""Seconds between two errors of the POS; a recorded trajectory may hold bursts of states."""
 START = 2 * 86400 + 15 * 3600.0  # GPS seconds of week: a Tuesday afternoon
 
 
@@ -132,7 +134,7 @@ class Replayed:
     def motion(self, generator: np.random.Generator) -> Motion:
         """The states as they were recorded; nothing is drawn."""
         known = self.trajectory
-        interval = float(np.median(np.diff(known.time)))
+        interval = max(float(np.median(np.diff(known.time))), FINEST)
         recorded = tuple((each.start, each.stop) for each in self.stretches)
         return Motion(known.time, known.position, known.attitude, recorded, interval)
 
