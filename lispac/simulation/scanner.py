@@ -93,15 +93,23 @@ class Scanner:
         beam : ndarray of shape (n,)
             Index into the elevations.
         """
-        turn = 2 * np.pi * self.turns_per_second  # rad/s
+        angle, delay, beam = self.turn(starboard)
+        turns = np.arange(self.turns(start, stop))
+        time = start + turns[:, None] / self.turns_per_second + delay
+        return time.ravel(), np.tile(angle, len(turns)), np.tile(beam, len(turns))
+
+    def turn(self, starboard: bool) -> tuple[Array, Array, NDArray[np.intp]]:
+        """Angle, seconds from the first pulse, and beam of the pulses of one turn."""
+        speed = 2 * np.pi * self.turns_per_second  # rad/s
         first, last = self.window
         if starboard:
             first, last = (np.pi - last, np.pi - first) if self.axis == "x" else (-last, -first)
-        angle = np.arange(first, last, turn / self.pulses_per_second)
-        turns = np.arange(max(int((stop - start) * self.turns_per_second), 1))
-        time = start + turns[:, None] / self.turns_per_second + (angle - first) / turn
-        beam = np.arange(len(angle)) % len(self.elevations)
-        return time.ravel(), np.tile(angle, len(turns)), np.tile(beam, len(turns))
+        angle = np.arange(first, last, speed / self.pulses_per_second)
+        return angle, (angle - first) / speed, np.arange(len(angle)) % len(self.elevations)
+
+    def turns(self, start: float, stop: float) -> int:
+        """How many whole turns a stretch of time holds; one at least."""
+        return max(int((stop - start) * self.turns_per_second), 1)
 
     def directions(self, angle: Array, elevation: Array | float) -> Array:
         """Unit vectors along beams, shape (n, 3), LiDAR frame."""
@@ -214,7 +222,6 @@ def _met(
     wide: bool,
 ) -> _Hits:
     """What the pulses meet, and with ``wide`` what the rim of their beams meets."""
-    time, angle, beam = scanner.pulses(*recorded, starboard)
     elevation = np.array(scanner.elevations)
     rotation_body_lidar = mounting.rotation_body_lidar
     if mounting.scan_angle_offset:
@@ -223,37 +230,43 @@ def _met(
     knots, position, attitude = states
     poses = np.hstack([position, attitude])
 
-    def sent(chosen: slice | NDArray[np.intp], side: Array | float) -> tuple[Array, Array]:
-        """Origins and directions of these pulses, aside of the beam's middle by an angle."""
-        at = time[chosen] + mounting.latency
+    def sent(time: Array, angle: Array, beam: NDArray[np.intp]) -> tuple[Array, Array]:
+        """Origins and directions of these pulses."""
+        at = time + mounting.latency
         # Only the samples around: the kernel walks through them pulse by pulse.
         first = max(int(np.searchsorted(knots, at[0])) - 1, 0)
         last = int(np.searchsorted(knots, at[-1])) + 1
         origins, directions = np.empty((len(at), 3)), np.empty((len(at), 3))
         _send(
-            at, angle[chosen] + side, elevation[beam[chosen]], scanner.axis == "x",
-            knots[first:last], poses[first:last], rotation_body_lidar, mounting.lever_arm,
-            origins, directions,
+            at, angle, elevation[beam], scanner.axis == "x", knots[first:last], poses[first:last],
+            rotation_body_lidar, mounting.lever_arm, origins, directions,
         )  # fmt: skip
         return origins, directions
 
     parts = []
-    for start in range(0, len(time), CHUNK):
-        chunk = slice(start, min(start + CHUNK, len(time)))
-        origins, directions = sent(chunk, 0.0)
+    angles, delay, beams = scanner.turn(starboard)
+    count = scanner.turns(*recorded)
+    together = max(CHUNK // len(angles), 1)
+    for begin in range(0, count, together):
+        # Never all pulses of a line: a scanner of many beams sends a hundred million in a minute.
+        turns = np.arange(begin, min(begin + together, count))
+        time = (recorded[0] + turns[:, None] / scanner.turns_per_second + delay).ravel()
+        angle, beam = np.tile(angles, len(turns)), np.tile(beams, len(turns))
+        origins, directions = sent(time, angle, beam)
         ranges, labels, cosines = scene.intersect(origins, directions, scanner.max_range)
         hit = np.flatnonzero((labels >= 0) & (cosines >= np.cos(scanner.grazing)))
         distance, label = ranges[hit], labels[hit]
         true_points = origins[hit] + distance[:, None] * directions[hit]
-        met, edge_distance = start + hit, distance
+        edge_distance = distance
         if wide and scanner.divergence > 0 and len(hit):
             # One more ray on the rim of the beam, on either side in turn
             half = scanner.divergence / 2
-            rim = sent(met, np.where(met % 2 == 0, half, -half))
+            side = np.where((begin * len(angles) + hit) % 2 == 0, half, -half)
+            rim = sent(time[hit], angle[hit] + side, beam[hit])
             edge, edge_label, _ = scene.intersect(*rim, scanner.max_range)
             edge_distance = np.where((edge_label >= 0) & (edge_label != label), edge, distance)
         parts.append(
-            _Hits(time[met], angle[met], beam[met], distance, edge_distance, cosines[hit],
+            _Hits(time[hit], angle[hit], beam[hit], distance, edge_distance, cosines[hit],
                   true_points, label)
         )  # fmt: skip
     return _Hits.joined(parts)
