@@ -161,7 +161,7 @@ def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> Non
         ("distance_m = 10", "", "pattern.distance_m is missing"),
         ("latitude_deg = 46", "latitude_deg = 460", "origin.latitude_deg holds 460"),
         ("title =", "title", "not sound TOML"),
-        ('kind = "board"', 'kind = "sphere"\nradius_m = 0.1', "cannot be given to a sphere"),
+        ('kind = "board"', 'kind = "cylinder"\nradius_m = 0.1', "cannot be given to a cylinder"),
         ('scanner = "profiler"', 'scanner = "profiler"\ncolour = 1', "colour is not known here"),
     ],
 )  # fmt: skip

@@ -114,6 +114,39 @@ def test_files_and_truth_close_with_all_errors(
         assert abs(setup.scene[name].distance(np.array([place], float))[0]) < 1e-4
 
 
+BALL = """
+[[surfaces]]
+kind = "sphere"
+name = "B{k}"
+role = "target"
+centre_m = [{north}, -12.5, {up}]
+radius_m = 0.25
+reflectance = 0.85
+"""
+
+
+def test_balls_take_part_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene, folder = tmp_path / "balls.toml", tmp_path / "balls"
+    text = (resource("scenes") / "marine.toml").read_text()
+    for k, (north, up) in enumerate(((-2.5, 6.0), (3.0, 7.5), (0.2, 10.5))):
+        text += BALL.format(k=k + 1, north=north, up=up)
+    scene.write_text(text)
+    shown = json.loads(done(
+        capsys, "simulate", scene, "--output", folder, "--points-per-second", 100_000, "--json"
+    ))  # fmt: skip
+    done(capsys, "pick", folder, "--seeds", shown["seeds"])
+    done(
+        capsys, "pick", folder, "--seeds", shown["ball_seeds"], "--shape", "sphere",
+        "--sphere-radius", 0.25,
+    )  # fmt: skip
+    done(capsys, "estimate", folder)
+    project = open_project(folder)
+    assert project.result is not None
+    assert sum(target.sphere for target in project.result.targets) == 3
+    error = np.degrees(project.result.mounting.boresight) - project.truth_deg
+    assert (np.abs(error) < 3 * np.degrees(project.result.sigma)).all()
+
+
 REPLAYED = """
 title = "A wall beside a recorded trajectory"
 vessel = "launch"

@@ -40,7 +40,7 @@ def simulate(arguments: Namespace) -> None:
             progress=progress,
         )
     truth = project.folder / simulated.TRUTH / "truth.json"
-    targets = project.folder / simulated.TARGETS
+    targets, balls = (project.folder / name for name in (simulated.TARGETS, simulated.BALLS))
     if arguments.json:
         print_json(
             {
@@ -48,6 +48,7 @@ def simulate(arguments: Namespace) -> None:
                 "points": points,
                 "truth": str(truth),
                 "seeds": str(targets) if targets.is_file() else None,
+                "ball_seeds": str(balls) if balls.is_file() else None,
                 **{kind: chosen.titles[kind] for kind in KINDS},
             }
         )
@@ -60,6 +61,8 @@ def simulate(arguments: Namespace) -> None:
     print(f"project    {project.folder}")
     if targets.is_file():
         print(f"seeds      {targets} (for lispac pick --seeds)")
+    if balls.is_file():
+        print(f"balls      {balls} (for lispac pick --shape sphere --seeds)")
 
 
 def _list(arguments: Namespace) -> None:

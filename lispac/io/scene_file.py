@@ -115,8 +115,8 @@ def _require_seekable(table: Table, name: str, surfaces: list[Surface]) -> None:
 
 def _surfaces(table: Table, name: str, *, sought: bool) -> list[Surface]:
     kind = table.choice("kind", KINDS)
-    if sought and kind not in ("board", "wall"):
-        raise table.refuse("role", f"cannot be given to a {kind}; seek boards and walls only")
+    if sought and kind not in ("board", "wall", "sphere"):
+        raise table.refuse("role", f"cannot be given to a {kind}; seek boards, walls and spheres")
     reflectance = table.number("reflectance", 0.4, least=0, most=1)
     if kind == "board":
         return [_board(table, name, reflectance)]

@@ -14,7 +14,7 @@ from lispac.simulation.port import ORIGIN, TARGETS, VALIDATION, port_scene, six_
 from lispac.simulation.pos_error_models import PosErrors
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan
-from lispac.simulation.scene import Rectangle, Scene
+from lispac.simulation.scene import Rectangle, Scene, Sphere
 from lispac.simulation.vessel import Motion
 from lispac.simulation.voyage import Replayed, Sailed, Voyage
 from lispac.survey.georeferencing import Mounting
@@ -98,7 +98,7 @@ class Setup:
         Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
     scene : Scene
     targets, validation : tuple of str
-        Names of the rectangles of the scene that are sought.
+        Names of the rectangles and balls of the scene that are sought.
     voyage : Voyage
     pos : PosErrors
     scanner : Scanner
@@ -127,7 +127,7 @@ class SimulatedSurvey:
     mounting : Mounting
         The true one.
     targets, validation : dict of name to ndarray of shape (3,), metres, local
-        Centre of each plane: a seed.
+        A seed on each: the middle of a plane, the point of a ball that faces the vessel.
     """
 
     origin: tuple[float, float, float]
@@ -234,13 +234,21 @@ def simulated(
             progress((i + 1) / len(legs), f"Scanned line {i + 1} of {len(legs)}")
     return SimulatedSurvey(
         setup.origin, setup.mounting, trajectory, tuple(lines),
-        _centres(scene, setup.targets), _centres(scene, setup.validation), scene,
+        _seeds(setup, setup.targets, motion), _seeds(setup, setup.validation, motion), scene,
     )  # fmt: skip
 
 
-def _centres(scene: Scene, names: tuple[str, ...]) -> dict[str, Array]:
-    surfaces = {name: scene[name] for name in names}
-    return {name: s.centre.copy() for name, s in surfaces.items() if isinstance(s, Rectangle)}
+def _seeds(setup: Setup, names: tuple[str, ...], motion: Motion) -> dict[str, Array]:
+    """Middles of rectangles, and of balls the point that faces the vessel's mean place."""
+    seeds = {}
+    for name in names:
+        surface = setup.scene[name]
+        if isinstance(surface, Rectangle):
+            seeds[name] = surface.centre.copy()
+        elif isinstance(surface, Sphere):
+            towards = motion.position.mean(axis=0) - surface.centre
+            seeds[name] = surface.centre + surface.radius * towards / np.linalg.norm(towards)
+    return seeds
 
 
 def _at(time: Array, even: Array, values: Array) -> Array:

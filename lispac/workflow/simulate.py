@@ -17,6 +17,7 @@ from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Settings, Triple
 from lispac.simulation.pos_error_models import Together
 from lispac.simulation.pos_errors import PosErrorModel
+from lispac.simulation.scene import Sphere
 from lispac.simulation.survey import SimulatedSurvey, simulated
 from lispac.survey.georeferencing import CALIBRATION
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
@@ -26,6 +27,8 @@ from lispac.workflow.simulated_setup import Simulation
 RAW, TRUTH, MARKER = "raw", "truth", "simulated"
 TARGETS = "targets.csv"
 """List of coordinates that `lispac pick --seeds` reads."""
+BALLS = "balls.csv"
+"""The same of balls, for ``--shape sphere``."""
 
 
 def simulate(
@@ -183,14 +186,16 @@ def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, 
     with written_whole(folder / TRUTH / "labels.npz") as path:
         labels = {line.name: line.label for line in survey.lines}
         np.savez_compressed(path, surfaces=np.array(survey.surface_names), **labels)  # type: ignore[arg-type]
-    rows = [
-        (name, *seed_local, role)
-        for role, seeds in (("target", survey.targets), ("validation", survey.validation))
-        for name, seed_local in seeds.items()
-    ]
-    if rows:
-        columns = [np.array(column) for column in zip(*rows, strict=True)]
-        with written_whole(folder / TARGETS) as path:
-            write_table(
-                path, ("name", "x", "y", "z", "role"), columns, ("s", ".4f", ".4f", ".4f", "s")
-            )
+    for file, spheres in ((TARGETS, False), (BALLS, True)):
+        rows = [
+            (name, *seed_local, role)
+            for role, seeds in (("target", survey.targets), ("validation", survey.validation))
+            for name, seed_local in seeds.items()
+            if isinstance(survey.scene[name], Sphere) == spheres
+        ]
+        (folder / file).unlink(missing_ok=True)
+        if rows:
+            columns = [np.array(column) for column in zip(*rows, strict=True)]
+            with written_whole(folder / file) as path:
+                names, formats = ("name", "x", "y", "z", "role"), ("s", ".4f", ".4f", ".4f", "s")
+                write_table(path, names, columns, formats)
