@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
+from lispac.installed import resource
 from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import read_scene
 from lispac.io.vessel_file import read_vessel
-from lispac.resources import resource
 from lispac.simulation.pos_error_models import GnssOutage, Jumps, Together, WhiteNoise
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Scanner
@@ -162,6 +162,10 @@ def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> Non
         ("latitude_deg = 46", "latitude_deg = 460", "origin.latitude_deg holds 460"),
         ("title =", "title", "not sound TOML"),
         ('kind = "board"', 'kind = "cylinder"\nradius_m = 0.1', "cannot be given to a cylinder"),
+        (
+            'kind = "board"\nname = "T1"\nrole = "target"',
+            'kind = "sphere"\nradius_m = 1\nname = "V1"\nrole = "validation"', "only be a target",
+        ),
         ('scanner = "profiler"', 'scanner = "profiler"\ncolour = 1', "colour is not known here"),
     ],
 )  # fmt: skip

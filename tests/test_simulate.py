@@ -9,9 +9,9 @@ import pytest
 from lispac.adjustment.result import ANGLES
 from lispac.cli.main import main
 from lispac.geometry.frames import LocalFrame
+from lispac.installed import resource
 from lispac.io.las import read_scan
 from lispac.io.sbet import read_sbet, read_smrmsg
-from lispac.resources import resource
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow.projects import open_project
@@ -244,6 +244,23 @@ def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert "marine, port, terrestrial" in said
     said = refused(capsys, "simulate", "port", "--vessel", "barge", "--output", tmp_path / "a")
     assert "no vessel named barge" in said
+    for option, value, told in (
+        ("--latency", 100, "latency is beyond 10 s"), ("--range-offset", -50, "beyond 10 m"),
+        ("--scan-angle-offset", 400, "beyond 180 deg"),
+    ):  # fmt: skip
+        said = refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
+        assert told in said
+    hurried = tmp_path / "hurried.toml"
+    hurried.write_text(
+        (resource("vessels") / "van.toml")
+        .read_text()
+        .replace("ramp_s = 4", "ramp_s = 1\nwait_s = 1")
+    )
+    said = refused(
+        capsys, "simulate", "marine", "--vessel", hurried, "--latency", -5, "--output",
+        tmp_path / "a", "--points-per-second", 5_000,
+    )  # fmt: skip
+    assert "lead out of the trajectory" in said
     full = tmp_path / "full"
     full.mkdir()
     (full / "thesis.doc").write_text("mine")

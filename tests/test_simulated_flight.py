@@ -10,7 +10,7 @@ import pytest
 from lispac.adjustment.result import ANGLES
 from lispac.cli.main import main
 from lispac.geometry.frames import LocalFrame
-from lispac.resources import resource
+from lispac.installed import resource
 from lispac.simulation.pos_error_models import WhiteNoise
 from lispac.simulation.scene import tilted
 from lispac.simulation.survey import simulated

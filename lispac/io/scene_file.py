@@ -117,6 +117,8 @@ def _surfaces(table: Table, name: str, *, sought: bool) -> list[Surface]:
     kind = table.choice("kind", KINDS)
     if sought and kind not in ("board", "wall", "sphere"):
         raise table.refuse("role", f"cannot be given to a {kind}; seek boards, walls and spheres")
+    if sought and kind == "sphere" and table.choice("role", ROLES) == "validation":
+        raise table.refuse("role", "is validation; a ball can only be a target")
     reflectance = table.number("reflectance", 0.4, least=0, most=1)
     if kind == "board":
         return [_board(table, name, reflectance)]

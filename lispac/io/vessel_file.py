@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.errors import InputError
 from lispac.io.toml_table import Table
 from lispac.project import Triple
 from lispac.simulation.pos_error_models import (
@@ -43,7 +44,22 @@ class MountingErrors:
     latency: float = 0.0
 
     def mounting(self, lever_arm: Triple) -> Mounting:
-        """The true mounting where ``lever_arm`` is the one written down."""
+        """The true mounting where ``lever_arm`` is the one written down.
+
+        Raises
+        ------
+        InputError
+            Where an error is beyond what any mounting has.
+        """
+        for name, values, most, unit in (
+            ("boresight", self.boresight_deg, 180.0, "deg"),
+            ("scan-angle offset", (self.scan_angle_offset_deg,), 180.0, "deg"),
+            ("error of the lever arm", self.lever_arm, 100.0, "m"),
+            ("range offset", (self.range_offset,), 10.0, "m"),
+            ("latency", (self.latency,), 10.0, "s"),
+        ):
+            if max(abs(value) for value in values) > most:
+                raise InputError(f"The {name} is beyond {most:g} {unit}; give a smaller one.")
         return Mounting(
             np.array(lever_arm) + np.array(self.lever_arm),
             np.radians(self.boresight_deg),
@@ -102,9 +118,9 @@ def mounting_errors(table: Table) -> MountingErrors:
     return MountingErrors(
         table.three("boresight_deg", (0.0, 0.0, 0.0)),
         table.three("lever_arm_m", (0.0, 0.0, 0.0)),
-        table.number("range_offset_m", 0.0, least=-10, most=10),
-        table.number("scan_angle_offset_deg", 0.0, least=-180, most=180),
-        table.number("latency_s", 0.0, least=-10, most=10),
+        table.number("range_offset_m", 0.0),
+        table.number("scan_angle_offset_deg", 0.0),
+        table.number("latency_s", 0.0),
     )
 
 

@@ -4,8 +4,8 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
+from lispac.installed import resource
 from lispac.report.values import ReportContent
-from lispac.resources import resource
 
 NAME = "lispac-report"
 SCHEMA_VERSION = 2

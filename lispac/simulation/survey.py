@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
 from lispac.progress import Progress, no_progress
@@ -207,7 +208,7 @@ def simulated(
     Raises
     ------
     InputError
-        Where a recorded trajectory does not cover its lines.
+        Where the trajectory does not cover the lines.
     """
     voyage, scene = setup.voyage, setup.scene
     if isinstance(voyage, Replayed):
@@ -215,6 +216,7 @@ def simulated(
     legs = voyage.legs
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + len(legs))
     motion = voyage.motion(sea)
+    _require_covered(motion, setup.mounting.latency)
     trajectory = _report(setup, motion, errors if pos_errors else None)
     states = (trajectory.time, motion.position, motion.attitude)
     if scene.meshes is not None:
@@ -236,6 +238,16 @@ def simulated(
         setup.origin, setup.mounting, trajectory, tuple(lines),
         _seeds(setup, setup.targets, motion), _seeds(setup, setup.validation, motion), scene,
     )  # fmt: skip
+
+
+def _require_covered(motion: Motion, latency: float) -> None:
+    first = min(start for start, _ in motion.recorded) + latency
+    last = max(stop for _, stop in motion.recorded) + latency
+    if first < motion.time[0] or last > motion.time[-1]:
+        raise InputError(
+            f"With a latency of {latency:g} s the lines lead out of the trajectory; give a smaller "
+            "one, or let the vessel wait longer (wait_s)."
+        )
 
 
 def _seeds(setup: Setup, names: tuple[str, ...], motion: Motion) -> dict[str, Array]:

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from lispac.errors import InputError
+from lispac.installed import resource
 from lispac.io.sbet import read_sbet
 from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import SceneFile, read_scene
 from lispac.io.toml_table import Table
 from lispac.io.vessel_file import Vessel, read_vessel
 from lispac.project import Triple
-from lispac.resources import resource
 from lispac.simulation.survey import Setup
 from lispac.simulation.voyage import Replayed, Sailed, Voyage
 from lispac.survey.trajectory import LocalTrajectory
