@@ -132,7 +132,7 @@ def test_balls_take_part_too(tmp_path: Path, capsys: pytest.CaptureFixture[str])
         text += BALL.format(k=k + 1, north=north, up=up)
     scene.write_text(text)
     shown = json.loads(done(
-        capsys, "simulate", scene, "--output", folder, "--points-per-second", 100_000, "--json"
+        capsys, "simulate", scene, "--output", folder, "--points-per-second", 60_000, "--json"
     ))  # fmt: skip
     done(capsys, "pick", folder, "--seeds", shown["seeds"])
     done(
