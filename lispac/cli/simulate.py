@@ -5,7 +5,8 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.workflow import simulate as simulated
-from lispac.workflow.simulated_setup import KINDS, simulation, supplied
+from lispac.workflow.planned import is_plan, simulation_of_plan
+from lispac.workflow.simulated_setup import KINDS, Simulation, simulation, supplied
 
 
 def simulate(arguments: Namespace) -> None:
@@ -22,14 +23,18 @@ def simulate(arguments: Namespace) -> None:
         "scan_angle_offset_deg": arguments.scan_angle_offset,
         "latency": arguments.latency,
     }
-    chosen = simulation(
-        arguments.scene,
-        vessel=arguments.vessel,
-        scanner=arguments.scanner,
-        trajectory=arguments.trajectory,
-        points_per_second=arguments.points_per_second,
-        errors={name: value for name, value in errors.items() if value is not None},
-    )
+    known = {name: value for name, value in errors.items() if value is not None}
+    if is_plan(arguments.scene):
+        chosen = _of_plan(arguments, known)
+    else:
+        chosen = simulation(
+            arguments.scene,
+            vessel=arguments.vessel,
+            scanner=arguments.scanner,
+            trajectory=arguments.trajectory,
+            points_per_second=arguments.points_per_second,
+            errors=known,
+        )
     with ConsoleProgress() as progress:
         project, points = simulated.simulate(
             arguments.output,
@@ -63,6 +68,19 @@ def simulate(arguments: Namespace) -> None:
         print(f"seeds      {targets} (for lispac pick --seeds)")
     if balls.is_file():
         print(f"balls      {balls} (for lispac pick --shape sphere --seeds)")
+
+
+def _of_plan(arguments: Namespace, errors: dict[str, Any]) -> Simulation:
+    if arguments.scanner or arguments.trajectory:
+        raise UsageError(
+            "simulate: a plan has its own scanner and lines; leave out --scanner and --trajectory."
+        )
+    return simulation_of_plan(
+        arguments.scene,
+        vessel=arguments.vessel,
+        points_per_second=arguments.points_per_second,
+        errors=errors,
+    )
 
 
 def _list(arguments: Namespace) -> None:

@@ -12,7 +12,10 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         commands, "simulate", "simulate a survey of a scene and write it as a project, with truth"
     )
     simulate.add_argument(
-        "scene", nargs="?", metavar="SCENE", help="name of a scene (see --list), or a TOML file"
+        "scene",
+        nargs="?",
+        metavar="SCENE",
+        help="name of a scene (see --list), or a TOML file: a scene or a plan",
     )
     simulate.add_argument("--output", type=Path, metavar="DIR", help="project folder to make")
     simulate.add_argument(

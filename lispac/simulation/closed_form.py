@@ -77,12 +77,17 @@ class Board:
         """Unit normal, shape (3,), local."""
         return np.asarray(np.array(self.normal) / np.linalg.norm(self.normal))
 
-    def _placed(self, u: Array, v: Array) -> Array:
-        # A level board has no horizontal edge of its own: north and west will do.
+    @property
+    def across(self) -> Array:
+        """Unit vector along the width, shape (3,), local; level."""
         normal = self.facing
+        # A level board has no horizontal edge of its own: north and west will do.
         across = np.cross([1.0, 0.0, 0.0] if abs(normal[2]) > 0.999 else [0.0, 0.0, 1.0], normal)
-        across /= np.linalg.norm(across)
-        up = np.cross(normal, across)
+        return np.asarray(across / np.linalg.norm(across))
+
+    def _placed(self, u: Array, v: Array) -> Array:
+        across = self.across
+        up = np.cross(self.facing, across)
         return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
 
 

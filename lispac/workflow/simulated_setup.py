@@ -82,11 +82,11 @@ def simulation(
     ------
     InputError
     """
-    files = {"scene": _file("scene", scene, None)}
+    files = {"scene": file_of("scene", scene, None)}
     described = read_scene(files["scene"])
     beside = files["scene"].parent
-    files["vessel"] = _file("vessel", vessel or described.vessel, None if vessel else beside)
-    files["scanner"] = _file("scanner", scanner or described.scanner, None if scanner else beside)
+    files["vessel"] = file_of("vessel", vessel or described.vessel, None if vessel else beside)
+    files["scanner"] = file_of("scanner", scanner or described.scanner, None if scanner else beside)
     carried = read_vessel(files["vessel"])
     scanner_title, instrument = read_scanner(files["scanner"])
     rate = points_per_second or described.pulses_per_second
@@ -101,7 +101,7 @@ def simulation(
     return Simulation(setup, carried.lever_arm, titles, files)
 
 
-def _file(kind: str, word: str, beside: Path | None) -> Path:
+def file_of(kind: str, word: str, beside: Path | None) -> Path:
     """The file of a name or path; paths in a scene count from where it lies."""
     path = Path(word)
     if path.suffix.lower() != ".toml":

@@ -1,0 +1,112 @@
+"""A plan sailed in the simulator: what it promises can be tried before anybody sails it."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lispac.io.plan_file import read_plan
+from lispac.io.vessel_file import Vessel, read_vessel
+from lispac.project import Triple
+from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.plan import Plan
+from lispac.simulation.scene import Rectangle, Scene, Sphere
+from lispac.simulation.survey import Setup
+from lispac.simulation.vessel import Pass
+from lispac.simulation.voyage import Sailed
+from lispac.workflow.simulated_setup import Simulation, file_of
+
+ORIGIN = (float(np.radians(46.8)), float(np.radians(-71.2)), 0.0)
+"""Latitude, longitude (radians) and height (metres) of the middle of the site: a plan has none."""
+
+WHITE = 0.85
+MARGIN = 3.0
+"""Metres recorded before and after the straight part of a line."""
+
+WINDOW = (float(np.radians(-60.0)), float(np.radians(80.0)))
+"""Elevations recorded on the side of the site: a plan knows no window."""
+
+SHORTEST_TURN = 15.0
+"""Seconds from one line to the next at least."""
+
+
+def is_plan(path: Path) -> bool:
+    """Whether a file is a plan and no scene; what cannot be read is neither."""
+    try:
+        keys = tomllib.loads(Path(path).read_text(encoding="utf-8-sig")).keys()
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
+        return False
+    return bool({"boards", "balls"} & keys)
+
+
+def simulation_of_plan(
+    path: Path,
+    *,
+    vessel: str | None = None,
+    points_per_second: float | None = None,
+    errors: Mapping[str, Any] | None = None,
+) -> Simulation:
+    """What the simulator needs to sail a plan: nothing but its targets is there.
+
+    Lever arm, POS and scanner are the plan's; how the vessel moves and by how much the mounting
+    is off are the vessel's.
+
+    Parameters
+    ----------
+    vessel : str, optional
+        A name that comes with the program, or a file; the launch where it is not given.
+    points_per_second : float, optional
+        Pulses per second of the scanner, instead of the plan's.
+    errors : mapping, optional
+        Fields of `MountingErrors` that replace those of the vessel.
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    titled = read_plan(path)
+    plan, file = titled.plan, file_of("vessel", vessel or "launch", None)
+    carried = read_vessel(file)
+    lever: Triple = tuple(float(v) for v in plan.system.mounting.lever_arm)  # type: ignore[assignment]
+    rate = points_per_second or plan.system.scanner.pulses_per_second
+    scanner = replace(plan.system.scanner, pulses_per_second=rate, window=WINDOW)
+    setup = Setup(
+        ORIGIN,
+        Scene.of([_surface(target) for target in plan.targets]),
+        tuple(target.name for target in plan.targets),
+        (),
+        Sailed(_passes(plan, carried), 0.0),
+        plan.system.pos,
+        scanner,
+        replace(carried.errors, **(errors or {})).mounting(lever),
+    )
+    titles = {"scene": titled.title, "vessel": carried.title, "scanner": "as planned"}
+    return Simulation(setup, lever, titles, {"scene": path, "vessel": file, "scanner": path})
+
+
+def _surface(target: Board | Ball) -> Rectangle | Sphere:
+    centre = np.array(target.centre)
+    if isinstance(target, Ball):
+        return Sphere(target.name, centre, target.radius, WHITE)
+    return Rectangle(
+        target.name, centre, target.facing, target.across, target.width, target.height, WHITE
+    )
+
+
+def _passes(plan: Plan, carried: Vessel) -> tuple[Pass, ...]:
+    passes = []
+    for line, course, (start, stop) in zip(plan.lines, plan.courses, plan.runs, strict=True):
+        before, after = MARGIN - start, MARGIN + stop
+        sailing = (before + after) / line.speed + 2 * carried.handling.ramp
+        handling = replace(
+            carried.handling,
+            speed=line.speed,
+            speed_abeam=line.speed,
+            transit=max(plan.interval - sailing, SHORTEST_TURN),
+        )
+        passes.append(Pass(course.heading, course.abeam, before, after, line.starboard, handling))
+    return tuple(passes)

@@ -1,0 +1,56 @@
+"""A plan sailed in the simulator keeps what it promised: foretold, simulated, picked, estimated."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.workflow.planned import is_plan, simulation_of_plan
+from lispac.workflow.projects import open_project
+from tests.test_cli import answer, refused, run
+
+PORT = Path(__file__).parent / "data" / "port-plan.toml"
+
+
+def test_a_plan_keeps_its_promise(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    folder = tmp_path / "sailed"
+    made = answer(
+        capsys, "simulate", PORT, "--output", folder, "--points-per-second", 60_000, "--seed", 4,
+        "--boresight", 0.5, -0.8, 0.4,
+    )  # fmt: skip
+    assert len(made["points"]) == 6
+    assert run(capsys, "pick", folder, "--seeds", made["seeds"])[0] == 0
+    assert run(capsys, "estimate", folder)[0] == 0
+    project = open_project(folder)
+    assert project.result is not None
+    assert project.truth_deg == pytest.approx((0.5, -0.8, 0.4))
+    off = np.degrees(project.result.boresight) - project.truth_deg
+    assert (np.abs(off) < 3.5 * np.degrees(project.result.sigma)).all(), off
+    found = answer(capsys, "replay", folder, "--plan", PORT)
+    assert found["missing_lines"] == []
+    # The plan has two and a half times as many points, which matters little
+    ratio = np.array(found["obtained_sigma_deg"]) / found["as_flat_sigma_deg"]
+    assert ((ratio > 0.9) & (ratio < 1.35)).all(), ratio
+
+
+def test_the_boards_stand_as_planned() -> None:
+    simulation = simulation_of_plan(PORT)
+    setup = simulation.setup
+    assert setup.targets == ("T1", "T2")
+    leaning = setup.scene["T2"]
+    assert leaning.centre == pytest.approx([-1.1, 0.62, 6.4])
+    assert leaning.normal == pytest.approx([0.0, np.sqrt(0.5), np.sqrt(0.5)])
+    assert [leg.starboard for leg in setup.voyage.legs] == [True, False] * 3
+    assert simulation.lever_arm == pytest.approx((-0.242, 0.061, 2.173))
+
+
+def test_what_is_no_plan_is_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    assert is_plan(PORT)
+    assert not is_plan(tmp_path / "none.toml")
+    assert not is_plan(Path("port"))
+    said = run(capsys, "simulate", PORT, "--output", tmp_path / "a", "--scanner", "zf-9012")
+    assert said[0] == 2
+    assert "a plan has its own scanner and lines" in said[2]
+    assert "no vessel named" in refused(
+        capsys, "simulate", PORT, "--output", tmp_path / "a", "--vessel", "raft"
+    )
