@@ -22,7 +22,8 @@ PAGE = (8.27, 11.69)
 WALL = "#8a8f98"
 ASSUMED = (
     "Heights are above the vessel's POS. The distance is from the middle of the site to the line; "
-    "straight from, to: metres along the line before and after the middle is abeam. Keep course "
+    "off wall: the least on the way; straight from, to: metres along the line before and after the "
+    "middle is abeam. Keep course "
     "and speed there. The order of the lines counts. Hang the boards flat and firm: the sigmas "
     "rest on their not moving by a millimetre."
 )
@@ -67,6 +68,7 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     """East to the right, north up; the wall, the targets and the lines with their numbers."""
     middle = np.array(plan.middle[:2])
     aside = 0.02 * max(line.distance for line in plan.lines)  # opposite lines beside each other
+    begins: dict[tuple[float, float], list[int]] = {}
     reach = max(line.distance for line in plan.lines) + 5.0
     ends = middle + np.outer([-reach, reach], wall.right)
     axes.plot(*_east_north(ends), color=WALL, linewidth=3, zorder=1)
@@ -79,12 +81,19 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
             "", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "-|>", "color": BEFORE, "lw": 1.3}
         )
         axes.plot([x0, x1], [y0, y1], linewidth=0)
-        axes.text(x0, y0, f"{k}", fontsize=TEXT, color="white", ha="center", va="center",
-                  bbox={"boxstyle": "circle,pad=0.2", "fc": BEFORE, "ec": "none"})  # fmt: skip
+        begins.setdefault((round(x0, 1), round(y0, 1)), []).append(k)
+    for (x0, y0), numbers in begins.items():
+        axes.text(
+            x0, y0, ", ".join(map(str, numbers)), fontsize=TEXT, color="white", ha="center",
+            va="center", bbox={"boxstyle": "round,pad=0.25", "fc": BEFORE, "ec": "none"},
+        )  # fmt: skip
+    places: dict[tuple[float, float], list[str]] = {}
     for target in plan.targets:
         east, north = -target.centre[1], target.centre[0]
         axes.plot(east, north, "s" if isinstance(target, Board) else "o", color=AFTER, ms=5)
-        axes.annotate(target.name, (east, north), xytext=(5, 4), textcoords="offset points",
+        places.setdefault((round(east, 1), round(north, 1)), []).append(target.name)
+    for place, names in places.items():  # boards above each other are one mark from above
+        axes.annotate(", ".join(names), place, xytext=(5, 4), textcoords="offset points",
                       fontsize=SMALL, color=INK)  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
     axes.grid(True, color=GRID, linewidth=0.6)
@@ -128,7 +137,7 @@ TARGET_HEADS = (
     "faces (deg)",
 )  # fmt: skip
 LINE_HEADS = (
-    "line", "heading (deg)", "distance (m)", "site on", "off wall, least (m)", "speed (m/s)",
+    "line", "heading (deg)", "distance (m)", "site on", "off wall (m)", "speed (m/s)",
     "straight from, to (m)",
 )  # fmt: skip
 

@@ -1,0 +1,98 @@
+"""The page for the field: what is drawn and listed is what the plan says."""
+
+from dataclasses import replace
+from io import BytesIO
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from lispac.report.design_figures import front_figure, scenario_figure
+from lispac.report.field_plan import field_plan
+from lispac.simulation.choices import thesis_plan
+from lispac.simulation.closed_form import Ball
+from lispac.simulation.design import Step
+from lispac.simulation.plan import Line
+from lispac.simulation.scenarios import outcomes, thesis_setting
+from lispac.simulation.site import Site, Wall
+
+
+def words(figure: Figure) -> list[str]:
+    """All that is written on a page."""
+    return [text.get_text() for text in figure.findobj(lambda a: hasattr(a, "get_text"))]
+
+
+@pytest.mark.parametrize("facing", [270.0, 0.0, 130.0])
+def test_lines_are_drawn_along_their_headings(facing: float) -> None:
+    site = Site((0.0, 0.0, 0.0), facing)
+    plan = thesis_plan(site)
+    page = field_plan(plan, site.wall, "Quay")
+    above = page.axes[0]
+    arrows = [text for text in above.texts if getattr(text, "arrow_patch", None) is not None]
+    assert len(arrows) == len(plan.lines)
+    for arrow, line in zip(arrows, plan.lines, strict=True):
+        begin, end = np.array(arrow.xyann), np.array(arrow.xy)
+        east, north = end - begin
+        drawn = np.degrees(np.arctan2(east, north)) % 360
+        assert (drawn - line.heading_deg + 180) % 360 - 180 == pytest.approx(0, abs=1e-6)
+        # On the water, and the wall's middle to the side that is said
+        azimuth = np.radians(facing)
+        assert begin @ [np.sin(azimuth), np.cos(azimuth)] > 0
+        assert (east * -begin[1] - north * -begin[0] < 0) == line.starboard
+
+
+def test_the_tables_say_what_the_plan_says() -> None:
+    wall = Wall((0.0, 0.0, 0.0), 200.0)
+    plan = replace(
+        thesis_plan(Site(wall.middle, 200.0)),
+        targets=(
+            wall.board("left", -3.25, 6.5, 90.0, (1.0, 0.8)),
+            wall.board("nose", 4.0, 2.0, 130.0, (1.0, 0.8), off=0.5),
+            Ball("ball", wall.place(1.0, 0.0, 3.0), 0.145),
+        ),
+        lines=(
+            Line(110.0, 12.5, True, 0.7),
+            Line(110.0, 12.5, True, 0.7),
+            Line(335.0, 30.0, False),
+        ),
+    )
+    said = words(field_plan(plan, wall, "Quai Bickerdike", ["Ask the harbour master first."]))
+    for text in (
+        "Quai Bickerdike", "left", "-3.25", "90, upright", "50, leans forward", "+0.50",
+        "ball, r 0.145", "1.00 x 0.80", "1, 2", "12.5", "starboard", "port", "0.7", "335",
+    ):  # fmt: skip
+        assert text in said, text
+    assert any("Ask the harbour master first." in text for text in said)
+
+
+def test_a_plan_that_determines_nothing_says_so() -> None:
+    site = Site((0.0, 0.0, 0.0), 270.0)
+    plan = thesis_plan(site)
+    said = words(field_plan(plan.with_lines(plan.lines[:1]), site.wall, "One line"))
+    assert "This plan does not determine the boresight." in said
+
+
+def test_the_same_plan_gives_the_same_page() -> None:
+    site = Site((0.0, 0.0, 0.0), 270.0)
+    pages = []
+    for _ in range(2):
+        stream = BytesIO()
+        page = field_plan(thesis_plan(site), site.wall, "Quay")
+        page.savefig(stream, format="pdf", metadata={"CreationDate": None})
+        pages.append(stream.getvalue())
+    assert pages[0] == pages[1]
+
+
+def test_scenarios_and_front_are_drawn() -> None:
+    found = outcomes(thesis_setting(), ("lines",))
+    figure = scenario_figure(found)
+    assert [axes.get_title(loc="left") for axes in figure.axes] == [
+        "POS errors that drift", "every point its own POS error (thesis)",
+    ]  # fmt: skip
+    assert sum(text == "not determined" for text in words(figure)) == 10
+    heights = [bar.get_height() for bar in figure.axes[0].containers[1]]
+    last = next(o for o in found if o.case == "all six" and o.pos_errors == "correlated")
+    assert heights[-1] == pytest.approx(np.degrees(last.sigma[1]))
+    plan = thesis_setting()
+    front = (Step(plan, 39.0, 0.0002), Step(plan.with_lines(plan.lines[:4]), 36.0, 0.0003))
+    assert "1 x 4" in words(front_figure(front, "the largest of the three sigmas"))
