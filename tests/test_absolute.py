@@ -23,13 +23,13 @@ from lispac.report.json_report import json_text
 from lispac.simulation.port import ORIGIN
 from lispac.simulation.survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import coordinate_system
-from lispac.survey.georeferencing import Mounting, georeference
 from lispac.validation.absolute import AbsoluteCheck, LineCheck
 from lispac.workflow.absolute import check_absolute
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.survey import Survey
+from tests.absolute_sample import checked, true_offsets, with_truth
 from tests.report_sample import sample_content, sample_project
 from tests.report_schema import followed
-from tests.static_scans import on_plane, plane_of, tripod_scan
+from tests.static_scans import on_plane, tripod_scan
 from tests.test_cli import answer, refused, run
 
 SHIFTS = (0.0, 0.005, 0.020)
@@ -47,44 +47,7 @@ def sample(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 @pytest.fixture(scope="module")
 def known(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
-    """The built-in survey, its true boresight as the estimated one, known to a hundredth degree."""
-    result = sample.result
-    assert result is not None
-    truth_deg = demo_project.truth_deg
-    assert truth_deg is not None
-    settings = demo_project.settings
-    result = replace(
-        result,
-        mounting=Mounting(np.array(settings.lever_arm), np.radians(truth_deg)),
-        estimated=("roll", "pitch", "yaw"),
-        covariance_all=np.radians(0.01) ** 2 * np.eye(3),
-    )
-    project = replace(demo_project, result=result)
-    return project, load_survey(project)
-
-
-def true_offsets(truth: SimulatedSurvey, survey: Survey, name: str) -> dict[str, float]:
-    """By how much each line lies off a plane by its POS errors, from the simulator's own points."""
-    number, normal = truth.surface_names.index(name), plane_of(name).normal
-    mounting = Mounting(truth.lever_arm, truth.boresight)
-    found = {}
-    for line in truth.lines:
-        own = line.label == number
-        if np.count_nonzero(own) > 500:
-            placed = georeference(
-                line.points_lidar[own], line.time[own], survey.trajectory, mounting
-            )
-            found[line.name] = float(((placed - line.true_points_local[own]) @ normal).mean())
-    return found
-
-
-def checked(
-    known: tuple[Project, Survey], path: Path, points: np.ndarray, **how: object
-) -> AbsoluteCheck:
-    np.savetxt(path, points, fmt="%.5f")
-    project, _ = check_absolute(*known, path, **how)  # type: ignore[arg-type]
-    assert project.absolute is not None
-    return project.absolute
+    return with_truth(demo_project, sample)
 
 
 @pytest.fixture(scope="module")

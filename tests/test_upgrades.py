@@ -12,6 +12,7 @@ from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.upgrades import SCHEMA_VERSION
 from lispac.io.values import decoded, encoded
+from lispac.validation.absolute_words import absolute_words
 from lispac.workflow.projects import open_project
 from tests.report_sample import sample_project
 
@@ -44,6 +45,13 @@ def test_a_project_from_before_a_setting_has_its_usual_value(tmp_path: Path) -> 
     del content["settings"]["accept_one_facing"]
     path.write_text(json.dumps(content))
     assert not read_project(project.folder).settings.accept_one_facing
+
+
+def test_a_check_of_before_says_what_it_does_not_know() -> None:
+    check = read_project(OLDER[5]).absolute
+    assert check is not None
+    assert check.others is None
+    assert any("mean of all surfaces within reach" in said for said in absolute_words(check))
 
 
 def test_every_version_has_its_fixture() -> None:

@@ -5,7 +5,7 @@ from typing import Any
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 6
+SCHEMA_VERSION = 7
 
 
 def upgraded(content: Content) -> Content:
@@ -74,10 +74,21 @@ def _from_5(content: Content) -> Content:
     return content | {"schema_version": 6, "identity": {}}
 
 
+def _from_6(content: Content) -> Content:
+    """Version 7 says where a check against a reference saw a second surface; before, the mean of
+    both was taken, and nobody knows where."""
+    absolute = content.get("absolute")
+    return content | {
+        "schema_version": 7,
+        "absolute": absolute and absolute | {"others": None},
+    }
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _from_1,
     2: _from_2,
     3: _from_3,
     4: _from_4,
     5: _from_5,
+    6: _from_6,
 }

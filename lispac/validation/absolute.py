@@ -31,6 +31,8 @@ BINS = 60
 WITHIN = 0.5
 """Percentiles left on either side of a histogram, which its first and last bin hold."""
 NARROWEST = 1e-6
+OFTEN = 0.1
+"""Share of a line's places that have another surface within reach, below which nothing is said."""
 ALL_LINES = "all lines"
 
 
@@ -134,6 +136,24 @@ class PointCheck:
 
 
 @dataclass(frozen=True)
+class OtherSurface:
+    """What a line has behind or before the surface that was measured, within reach.
+
+    Attributes
+    ----------
+    line : str
+    places : int
+        Where it does.
+    distance : float, metres
+        The usual one from the surface measured.
+    """
+
+    line: str
+    places: int
+    distance: float
+
+
+@dataclass(frozen=True)
 class AbsoluteCheck:
     """Lines against a reference, before and after.
 
@@ -161,6 +181,8 @@ class AbsoluteCheck:
         The first and the last bin also hold what lies beyond.
     points : tuple of PointCheck
         Empty for a scan.
+    others : tuple of OtherSurface or None
+        Lines that often have another surface within reach; None where nobody knows.
     """
 
     reference: str
@@ -177,6 +199,7 @@ class AbsoluteCheck:
     counts_before: tuple[int, ...]
     counts_after: tuple[int, ...]
     points: tuple[PointCheck, ...] = ()
+    others: tuple[OtherSurface, ...] | None = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -253,6 +276,16 @@ def point_checks(
         if means:
             before, after = np.mean(means, axis=0)
             found.append(PointCheck(name, len(means), float(sigma), float(before), float(after)))
+    return tuple(found)
+
+
+def other_surfaces(lines: Sequence[LinePlaces]) -> tuple[OtherSurface, ...]:
+    """Lines that have another surface within reach at many of their places."""
+    found = []
+    for line in lines:
+        beyond = line.measured.beyond[np.isfinite(line.measured.beyond)]
+        if len(beyond) >= OFTEN * len(line.group):
+            found.append(OtherSurface(line.line, len(beyond), float(np.median(beyond))))
     return tuple(found)
 
 

@@ -8,6 +8,11 @@ ALIKE = (
     "places share its POS error. Medians and percentiles are of all places."
 )
 
+OF_BEFORE = (
+    "This check is of an earlier version, which took the mean of all surfaces within reach: where "
+    "a wall stands behind what the reference shows, it is wrong. Repeat it."
+)
+
 
 def absolute_words(check: AbsoluteCheck) -> tuple[str, ...]:
     """Sentences: the mean and what it may be off by, the lines that stand out, and the RMS."""
@@ -22,6 +27,7 @@ def absolute_words(check: AbsoluteCheck) -> tuple[str, ...]:
         f"({_mm(after.rms_expected.reference)}) explains "
         f"{100 * after.reference_share:.0f} %; reference, POS and boresight together let one "
         f"expect {_mm(after.rms_expected.total)}.",
+        *_others(check),
         _shared(check),
         *((ALIKE,) if len(check.lines) > 1 else ()),
     )
@@ -53,6 +59,25 @@ def _single_lines(check: AbsoluteCheck) -> str:
     return (
         f"After the calibration {len(off)} of {len(check.lines)} lines are off by more than their "
         f"own errors explain, positive towards the vessel: {named}."
+    )
+
+
+def _others(check: AbsoluteCheck) -> tuple[str, ...]:
+    """What may have been taken for the surface that the reference shows."""
+    if check.others is None:
+        return (OF_BEFORE,)
+    if not check.others:
+        return ()
+    places = {line.line: line.after.signed.n for line in check.lines}
+    named = ", ".join(
+        f"{other.line} ({other.places:,} of {places[other.line]:,} places, {other.distance:.2f} m "
+        "away)"
+        for other in check.others
+    )
+    return (
+        f"Another surface lies behind or before the one measured, within {check.reach:g} m of the "
+        f"reference: {named}. The nearest to the reference was taken; of a line that is off by "
+        "more than half that distance it would be the wrong one.",
     )
 
 

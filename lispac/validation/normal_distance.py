@@ -80,6 +80,8 @@ def distances_along_normal(
     normal_scale: float | Array,
     diameter: float | Array,
     depth: float | Array,
+    middle: float | Array = 0.0,
+    reference_depth: float | Array | None = None,
 ) -> NormalDistances:
     """Distance from the reference to the compared cloud at each core point.
 
@@ -95,7 +97,12 @@ def distances_along_normal(
     diameter : float or ndarray of shape (k,), metres
         Of the cylinder, or of that of each core.
     depth : float or ndarray of shape (k,), metres
-        How far the cylinder reaches on either side of the core point, or of each.
+        How far the cylinder reaches on either side of its middle, or that of each.
+    middle : float or ndarray of shape (k,), metres
+        How far along the normal from each core that of the compared cloud lies; the reference's
+        lies at the core.
+    reference_depth : float or ndarray of shape (k,), metres
+        Depth for the reference, where it is another.
 
     Raises
     ------
@@ -107,13 +114,17 @@ def distances_along_normal(
     for name, value in (
         ("scale of the normals", normal_scale), ("diameter of the cylinder", diameter),
         ("depth of the cylinder", depth),
+        ("depth of the cylinder", depth if reference_depth is None else reference_depth),
     ):  # fmt: skip
         if not (np.greater(value, 0.0) & np.less(value, np.inf)).all():
             raise InputError(f"The {name} must be positive, and it is {value} m.")
-    scales, diameters, depths = (
+    scales, diameters, depths, middles, own_depths = (
         np.ascontiguousarray(np.broadcast_to(np.asarray(each, dtype=np.float64), len(cores)))
-        for each in (normal_scale, diameter, depth)
-    )
+        for each in (
+            normal_scale, diameter, depth, middle,
+            depth if reference_depth is None else reference_depth,
+        )
+    )  # fmt: skip
     if not len(cores):
         raise NotComparable("There is no place to measure a distance at.")
     # A cell as wide as a query is read whole with few others.
@@ -121,10 +132,11 @@ def distances_along_normal(
         PointGrid(points, max(float(diameters.max()), float(depths.max())) / 2).cells
         for points in (compared, reference)
     ]
-    sides = np.broadcast_to(np.asarray(facing, dtype=np.float64), (len(cores), 3))
-    samples, normals = _samples(
-        np.ascontiguousarray(cores, dtype=np.float64), clouds[0], clouds[1],
-        np.ascontiguousarray(sides), scales / 2, diameters / 2, depths,
+    cores_in_a_row = np.ascontiguousarray(cores, dtype=np.float64)
+    normals = _normals(cores_in_a_row, clouds[1], _sides(facing, len(cores)), scales / 2)
+    samples = _samples(
+        cores_in_a_row, normals, clouds[0], clouds[1], diameters / 2, middles,
+        np.column_stack([depths, own_depths]),
     )  # fmt: skip
     measured = (samples[:, :, 2] >= FEWEST).all(axis=1)
     if not measured.any():
@@ -140,38 +152,67 @@ def distances_along_normal(
     )  # fmt: skip
 
 
+def normals_at(reference: Array, cores: Array, facing: Array, normal_scale: float | Array) -> Array:
+    """Normals of the reference at core points, shape (k, 3); not a number where there is none.
+
+    Parameters
+    ----------
+    reference, cores, facing, normal_scale
+        As for `distances_along_normal`.
+    """
+    scales = np.ascontiguousarray(np.broadcast_to(np.asarray(normal_scale, float), len(cores)))
+    cells = PointGrid(reference, float(scales.max()) / 2).cells
+    cores = np.ascontiguousarray(cores, dtype=np.float64)
+    return _normals(cores, cells, _sides(facing, len(cores)), scales / 2)
+
+
+def _sides(facing: Array, count: int) -> Array:
+    return np.ascontiguousarray(np.broadcast_to(np.asarray(facing, dtype=np.float64), (count, 3)))
+
+
 @njit(nogil=True, cache=True)
-def _samples(
-    cores: Array, compared: Cells, reference: Cells, facing: Array, scales: Array, radii: Array,
-    depths: Array,
-) -> tuple[Array, Array]:  # pragma: no cover - compiled  # fmt: skip
-    """Mean, variance and number (n, 2, 3) of either cloud's points in each core's cylinder, and the
-    normals (n, 3) along which they were taken."""
-    samples, normals_taken = np.zeros((len(cores), 2, 3)), np.zeros((len(cores), 3))
+def _normals(
+    cores: Array, reference: Cells, facing: Array, scales: Array
+) -> Array:  # pragma: no cover - compiled
+    """Normals (n, 3) of the reference on the side of ``facing``; not a number where none."""
+    taken = np.full((len(cores), 3), np.nan)
     for k in range(len(cores)):
-        core, radius, depth = cores[k], radii[k], depths[k]
-        near = gather(reference, core, scales[k])
-        _, normals = planes_of(reference[0], near.reshape((1, -1)), np.array([near.size]))
-        normal = normals[0]
-        if near.size < FEWEST or np.isnan(normal[0]):
+        near = gather(reference, cores[k], scales[k])
+        if near.size < FEWEST:
             continue
+        _, normals = planes_of(reference[0], near.reshape((1, -1)), np.array([near.size]))
         side = 0.0
         for axis in range(3):
-            side += normal[axis] * facing[k, axis]
-        sign = 1.0 if side >= 0.0 else -1.0
+            side += normals[0, axis] * facing[k, axis]
         for axis in range(3):
-            normals_taken[k, axis] = sign * normal[axis]
+            taken[k, axis] = (1.0 if side >= 0.0 else -1.0) * normals[0, axis]
+    return taken
+
+
+@njit(nogil=True, cache=True)
+def _samples(
+    cores: Array, normals: Array, compared: Cells, reference: Cells, radii: Array, middles: Array,
+    depths: Array,
+) -> Array:  # pragma: no cover - compiled  # fmt: skip
+    """Mean, variance and number (n, 2, 3) of either cloud's points in each core's cylinder."""
+    samples = np.zeros((len(cores), 2, 3))
+    for k in range(len(cores)):
+        core, normal, radius = cores[k], normals[k], radii[k]
+        if np.isnan(normal[0]):
+            continue
         for which in range(2):
             cloud = compared if which == 0 else reference
-            found = gather(cloud, core, np.sqrt(depth * depth + radius * radius))
+            middle = middles[k] if which == 0 else 0.0
+            depth = depths[k, which]
+            found = gather(cloud, core + middle * normal, np.sqrt(depth * depth + radius * radius))
             count, mean, squares = 0, 0.0, 0.0
             for i in found:
                 along, beside = 0.0, 0.0
                 for axis in range(3):
                     off = cloud[0][i, axis] - core[axis]
-                    along += sign * off * normal[axis]
+                    along += off * normal[axis]
                     beside += off * off
-                if beside - along * along <= radius * radius and abs(along) <= depth:
+                if beside - along * along <= radius * radius and abs(along - middle) <= depth:
                     count += 1
                     step = along - mean  # Welford 1962: no digits are lost
                     mean += step / count
@@ -179,7 +220,7 @@ def _samples(
             samples[k, which, 0] = mean
             samples[k, which, 1] = squares / max(count - 1, 1)
             samples[k, which, 2] = count
-    return samples, normals_taken
+    return samples
 
 
 def _differences(samples: Array) -> tuple[Array, Array]:

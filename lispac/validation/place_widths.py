@@ -103,10 +103,16 @@ def by_region(places: Array, values: Array, side: float) -> Array:
     side : float, metres
         Of the cubes.
     """
-    cubes = np.floor(places / side).astype(np.int64)
-    _, region, count = np.unique(cubes, axis=0, return_inverse=True, return_counts=True)
-    region = region.reshape(-1)
+    region = regions(places, side)
+    count = np.bincount(region)
     order = np.lexsort((values, region))
     first = np.cumsum(count) - count
     median: Array = values[order[first + count // 2]][region]
     return median
+
+
+def regions(places: Array, side: float) -> Indices:
+    """Number of the cube of that side, metres, that each place lies in, shape (k,)."""
+    cubes = np.floor(places / side).astype(np.int64)
+    _, region = np.unique(cubes, axis=0, return_inverse=True)
+    return region.reshape(-1)

@@ -1,11 +1,12 @@
 """A line against a reference, at the same places before and after the calibration.
 
 On a surface (a static scan, a surveyed plane) as between two lines: cylinders along the reference's
-own normal (M3C2). At a surveyed point there is no surface but the line's: a plane through its
-points about the one nearest to the surveyed point, if the point's foot lies within them.
+own normal (M3C2), at the surface of the line that is nearest. At a surveyed point there is no
+surface but the line's: a plane through its points about the one nearest to the surveyed point, if
+the point's foot lies within them.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numba import njit
@@ -15,8 +16,14 @@ from scipy.special import stdtrit
 from lispac.errors import NotComparable
 from lispac.geometry.neighbours import Cells, PointGrid, gather
 from lispac.geometry.planes import in_plane_axes
-from lispac.validation.normal_distance import NMAD, NormalDistances, distances_along_normal
-from lispac.validation.place_widths import WIDEST, by_region
+from lispac.validation.layers import Layers, inside, nearest_layers, nearest_of
+from lispac.validation.normal_distance import (
+    NMAD,
+    NormalDistances,
+    distances_along_normal,
+    normals_at,
+)
+from lispac.validation.place_widths import WIDEST, regions
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -35,8 +42,8 @@ whose cylinder, of half that radius, just reaches a straight edge."""
 FEWEST_ON_PLANE = 6
 """Points of a line about a surveyed point that make a plane with a confidence."""
 CLOSER, ALIKE = 5.0, 4.0
-"""Robust sigmas about the median that are looked through the second time, and the side in metres of
-the cubes that have a median each."""
+"""Robust sigmas about the median that are looked through, and the side in metres of the cubes that
+have a median each."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,10 +51,19 @@ class Measured:
     """Distances of one line from the reference at the same places, both of the same order.
 
     They are positive where the line lies nearer to the vessel.
+
+    Attributes
+    ----------
+    before, after : NormalDistances
+        At n places.
+    beyond : ndarray of shape (n,), metres
+        From the line's surface, after, to another of its surfaces within reach; not a number where
+        there is none, and at surveyed points.
     """
 
     before: NormalDistances
     after: NormalDistances
+    beyond: Array
 
 
 def flat_places(reference: Array, cores: Array, diameters: Array, roughest: float) -> Bools:
@@ -128,24 +144,58 @@ def on_surface(
         No place has points of both.
     """
 
-    def measured(points: Array, depth: float | Array) -> NormalDistances:
-        return distances_along_normal(
-            points, reference, cores, facing=facing, normal_scale=SMOOTH * diameters,
-            diameter=diameters, depth=depth,
-        )  # fmt: skip
+    normals = normals_at(reference, cores, facing, SMOOTH * diameters)
+    noise = np.maximum(FLAT * diameters, roughest)
 
-    states = []
-    for points in (before, after):
-        rough = measured(points, reach)
-        # Once more, and no farther than the line is there: what stands before a wall is not the
-        # wall, and what a wrong boresight moves by millimetres near by it moves by decimetres afar.
-        middle = by_region(rough.cores, rough.distance, ALIKE)
-        robust = NMAD * float(np.median(np.abs(rough.distance - middle)))
-        depth = np.full(len(cores), reach)
-        noise = np.maximum(FLAT * diameters[rough.at], roughest)
-        depth[rough.at] = np.minimum(reach, np.abs(middle) + CLOSER * robust + noise)
-        states.append(measured(points, depth))
-    return _common(*states)
+    def layers_of(points: Array) -> Layers:
+        return nearest_layers(points, cores, normals, diameters, reach, 2 * noise)
+
+    def measured(points: Array, middle: Array, half: Array) -> NormalDistances:
+        seen = np.flatnonzero(np.isfinite(middle))
+        if not len(seen):
+            raise NotComparable("The line has no surface within reach of the reference.")
+        found = distances_along_normal(
+            points, reference, cores[seen], facing=facing[seen],
+            normal_scale=SMOOTH * diameters[seen], diameter=diameters[seen], depth=half[seen],
+            middle=middle[seen], reference_depth=diameters[seen],
+        )  # fmt: skip
+        return replace(found, at=seen[found.at])
+
+    layers = layers_of(after)
+    middle, half = _windows(cores, layers, noise, reach)
+    of_after = measured(after, middle, half)
+    # With the prior boresight something else may be nearer to the reference than this surface; its
+    # points are known by now.
+    seen = np.isfinite(middle)
+    same = inside(after, cores[seen], normals[seen], diameters[seen], middle[seen], half[seen])
+    of_before = measured(before, *_windows(cores, layers_of(before[same]), noise, reach))
+    return _common(of_before, of_after, layers.beyond)
+
+
+def _windows(cores: Array, layers: Layers, noise: Array, reach: float) -> tuple[Array, Array]:
+    """Where the surface lies along the normal at each core, and half of what is looked through.
+
+    As far as the line scatters there: what a wrong boresight moves by millimetres near by it moves
+    by decimetres afar, so that each neighbourhood has its own place. It is not a number where the
+    line has nothing in all of the neighbourhood.
+    """
+    middle, half = np.full(len(cores), np.nan), np.full(len(cores), np.nan)
+    number, seen = regions(cores, ALIKE), np.isfinite(layers.middle)
+    off: list[Array] = []
+    thick: list[Array] = []
+    for region in np.unique(number[seen]):
+        own = number == region
+        values = layers.middle[own & seen]
+        low, high = nearest_of(values, 2 * float(np.median(noise[own])))
+        chosen = (values >= low) & (values <= high)
+        middle[own] = np.median(values[chosen])
+        off.append(np.abs(values[chosen] - np.median(values[chosen])))
+        thick.append(layers.half[own & seen][chosen])
+    if off:
+        scatter = CLOSER * NMAD * float(np.median(np.concatenate(off)))
+        deep = scatter + float(np.median(np.concatenate(thick)))
+        half[:] = np.minimum(reach, deep + noise)
+    return middle, half
 
 
 def at_points(
@@ -184,7 +234,7 @@ def at_points(
                 _plane_before(about, place, side, diameter=diameter, reach=reach, roughest=roughest)
             )
         states.append(_of_planes(places, found))
-    return _common(*states)
+    return _common(states[0], states[1])
 
 
 def _plane_before(
@@ -250,9 +300,12 @@ def _of_planes(places: Array, found: list[tuple[float, float, Array] | None]) ->
     )
 
 
-def _common(before: NormalDistances, after: NormalDistances) -> Measured:
+def _common(
+    before: NormalDistances, after: NormalDistances, beyond: Array | None = None
+) -> Measured:
     """Both at the places that both have."""
     at = np.intersect1d(before.at, after.at)
     if not len(at):
         raise NotComparable("No place of the reference is seen before and after the calibration.")
-    return Measured(before.only(at), after.only(at))
+    second = np.full(len(at), np.nan) if beyond is None else beyond[at]
+    return Measured(before.only(at), after.only(at), second)

@@ -19,6 +19,7 @@ from lispac.validation.absolute import (
     AbsoluteCheck,
     LinePlaces,
     line_checks,
+    other_surfaces,
     point_checks,
     shared_bins,
 )
@@ -131,6 +132,7 @@ def check_absolute(
     check = AbsoluteCheck(
         path.name, reference.size_bytes, reference.sha256, reference.kind, reference.system,
         reference.sigma, reach, each, together, tuple(unseen), edges, before, after, points,
+        other_surfaces(lines),
     )  # fmt: skip
     progress(1.0, f"Compared {len(lines)} lines with {path.name}")
     return project.with_absolute(check), reference.notes
@@ -250,7 +252,9 @@ def _compared(project: Project, survey: Survey, cloud: _Gathered, where: _Where)
     if count < FEWEST_PLACES[where.reference.kind]:
         raise NotComparable(_too_few(where, count, tried))
     measured = Measured(
-        _joined([each.before for each, _ in found]), _joined([each.after for each, _ in found])
+        _joined([each.before for each, _ in found]),
+        _joined([each.after for each, _ in found]),
+        np.concatenate([each.beyond for each, _ in found]),
     )
     return _placed_by(project, survey, cloud, measured, np.concatenate([g for _, g in found]))
 

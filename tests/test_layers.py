@@ -1,0 +1,90 @@
+"""Of several surfaces, one behind the other, the one that a reference shows is measured."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.project import Project
+from lispac.report.absolute_values import Absolute
+from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.validation.reference_places import on_surface
+from lispac.workflow.absolute import check_absolute
+from lispac.workflow.survey import Survey
+from tests.absolute_sample import true_offsets, with_truth
+from tests.report_sample import sample_project
+from tests.static_scans import on_plane
+
+
+@pytest.fixture(scope="module")
+def truth() -> SimulatedSurvey:
+    return port_survey(points_per_second=50_000.0)
+
+
+@pytest.fixture(scope="module")
+def known(
+    demo_project: Project, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Project, Survey]:
+    return with_truth(demo_project, sample_project(tmp_path_factory.mktemp("sample")))
+
+
+def test_a_wall_behind_a_board_is_not_the_board(
+    known: tuple[Project, Survey], truth: SimulatedSurvey, tmp_path: Path
+) -> None:
+    """T2 leans by 45 deg before the wall, 62 cm off in its middle, and lines see both."""
+    expected = true_offsets(truth, known[1], "T2", 50)
+    path = tmp_path / "board.csv"
+    corners = on_plane("T2", np.array([-0.4, 0.4, 0.4, -0.4]), np.array([-0.4, -0.4, 0.4, 0.4]))
+    rows = [f"B{k},{x[0]},{x[1]},{x[2]},0.002,T2" for k, x in enumerate(corners)]
+    path.write_text("\n".join(["name,north,west,up,sigma,plane", *rows]))
+    project, _ = check_absolute(*known, path)
+    check = project.absolute
+    assert check is not None
+    assert len(check.lines) >= 4
+    for line in check.lines:
+        # Of the board's edge the truth has some points more.
+        assert line.after.signed.mean == pytest.approx(expected[line.line], abs=0.003)
+        assert line.after.distances.p99 < abs(expected[line.line]) + 0.02
+        assert line.before.distances.rms < 0.2
+    assert check.others
+    assert all(0.2 < other.distance < 1.0 for other in check.others)
+    (said,) = (each for each in Absolute.of(check).in_words if "Another surface" in each)
+    assert all(other.line in said for other in check.others)
+
+
+def test_a_line_nearer_to_the_wall_than_to_the_board_before_is_found() -> None:
+    """A board of 1 m, a wall 0.4 m behind it, and before all of it 0.3 m towards the vessel."""
+    rng = np.random.default_rng(2)
+
+    def sheet(off: float, side: float, n: int) -> np.ndarray:
+        return np.column_stack([rng.uniform(-side, side, (n, 2)), rng.normal(off, 0.004, n)])
+
+    scanned = np.concatenate([sheet(0.01, 0.5, 3000), sheet(-0.39, 2.0, 48_000)])
+    reference = sheet(0.0, 0.5, 9000)
+    cores = np.column_stack([*rng.uniform(-0.35, 0.35, (2, 60)), np.zeros(60)])
+    for away in (0.0, 0.3, 0.7, 0.9):
+        found = on_surface(
+            scanned + (0.05, 0.0, away), scanned, reference, cores,
+            facing=np.tile([0.0, 0.0, 1.0], (60, 1)), diameters=np.full(60, 0.15), reach=1.0,
+            roughest=0.01,
+        )  # fmt: skip
+        assert len(found.after.distance) > 50
+        assert np.abs(found.after.distance - 0.01).max() < 0.005
+        assert np.abs(found.before.distance - 0.01 - away).max() < 0.005
+        assert found.beyond == pytest.approx(0.38, abs=0.02)
+
+
+def test_stray_points_before_a_surface_are_no_surface() -> None:
+    """Of a hundred points at a place five hang in the air before it, and at one place thirty."""
+    rng = np.random.default_rng(3)
+    wall = np.column_stack([rng.uniform(-1, 1, (40_000, 2)), rng.normal(-0.2, 0.004, 40_000)])
+    stray = np.column_stack([rng.uniform(-1, 1, (1500, 2)), rng.uniform(-0.1, 0.1, 1500)])
+    bird = rng.normal((0.3, 0.3, 0.0), 0.01, (200, 3))
+    reference = np.column_stack([rng.uniform(-1, 1, (20_000, 2)), np.zeros(20_000)])
+    cores = np.concatenate([reference[:80] * 0.8, [[0.3, 0.3, 0.0]]])
+    points = np.concatenate([wall, stray, bird])
+    found = on_surface(
+        points, points, reference, cores, facing=np.tile([0.0, 0.0, 1.0], (81, 1)),
+        diameters=np.full(81, 0.15), reach=0.5, roughest=0.01,
+    )  # fmt: skip
+    assert np.abs(found.after.distance + 0.2).max() < 0.005
