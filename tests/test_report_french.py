@@ -35,6 +35,7 @@ from lispac.validation.absolute import (
     AbsoluteState,
     Explained,
     LineCheck,
+    OtherSurface,
     PointCheck,
 )
 from lispac.validation.results import DistanceStatistics, SignedStatistics
@@ -150,7 +151,8 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
             "No line has a flat place within 0.5 m of P7, P9.",
         ),
         bin_edges=(-0.1, 0.0, 0.1), counts_before=(40, 10), counts_after=(20, 30),
-        points=() if kind == "scan" else (PointCheck("yes", 2, 0.002, -0.08, 0.001),),
+        points=() if kind == "scan" else (PointCheck("yes", 2, 0.002, -0.08, mean, 0.004),),
+        others=None if mean < 0 else (OtherSurface("L1", 10, 0.62),) if mean else (),
     )  # fmt: skip
 
 

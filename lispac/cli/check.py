@@ -1,5 +1,6 @@
 """``lispac check``: how far the lines are from a reference."""
 
+import math
 import sys
 from argparse import Namespace
 from dataclasses import asdict
@@ -38,11 +39,13 @@ def check(arguments: Namespace) -> None:
             f"{line.line:14s}{line.after.distances.n:8,}{_cells(line.before)}{_cells(line.after)}"
         )
     if found.points:
-        print(f"\n{'surveyed':14s}{'lines':>8s}{'sigma':>9s}{'before':>10s}{'after':>10s}  mm")
+        heads = f"{'sigma':>9s}{'before':>10s}{'after':>10s}{'95 %':>9s}"
+        print(f"\n{'surveyed':14s}{'lines':>8s}{heads}  mm")
         for point in found.points:
             print(
                 f"{point.name:14s}{point.lines:8}{1000 * point.sigma_m:9.1f}"
                 f"{1000 * point.before_m:+10.1f}{1000 * point.after_m:+10.1f}"
+                f"{1000 * (point.after_interval95_m or math.nan):9.1f}"
             )
     print()
     for sentence in found.in_words:

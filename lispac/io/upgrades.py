@@ -76,12 +76,12 @@ def _from_5(content: Content) -> Content:
 
 def _from_6(content: Content) -> Content:
     """Version 7 says where a check against a reference saw a second surface; before, the mean of
-    both was taken, and nobody knows where."""
+    both was taken, and nobody knows where. Surveyed points have an interval."""
     absolute = content.get("absolute")
-    return content | {
-        "schema_version": 7,
-        "absolute": absolute and absolute | {"others": None},
-    }
+    if absolute:
+        points = [point | {"interval_95": None} for point in absolute["points"]]
+        absolute = absolute | {"others": None, "points": points}
+    return content | {"schema_version": 7, "absolute": absolute}
 
 
 _UPGRADES: dict[int, Callable[[Content], Content]] = {

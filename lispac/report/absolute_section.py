@@ -95,12 +95,14 @@ def _points(points: Sequence[SurveyedPoint]) -> Table:
         "Surveyed points and planes, on the mean of the lines (mm)",
         (
             Column("Name", "left"), Column("Lines"), Column("Sigma"), Column("Before"),
-            Column("After"),
+            Column("After"), Column("95 % of\nthe mean"), Column("Mean\ndiffers"),
         ),
         rows(
             [
                 point.name, str(point.lines), mm(point.sigma_m), signed(1000 * point.before_m, 1),
                 signed(1000 * point.after_m, 1),
+                known(point.after_interval95_m, lambda half: f"\u00b1 {mm(half)}"),
+                "yes" if point.significant else "no",
             ]
             for point in points
         ),

@@ -76,6 +76,13 @@ class SurveyedPoint:
     sigma_m: float
     before_m: float
     after_m: float
+    after_interval95_m: float | None
+
+    @property
+    def significant(self) -> bool:
+        """Whether the lines are off it at 95 %; not where nobody knows."""
+        half = self.after_interval95_m
+        return half is not None and abs(self.after_m) > half
 
 
 @dataclass(frozen=True)
@@ -108,7 +115,8 @@ class Absolute:
             lines=tuple(map(LineAgainstReference.of, check.lines)),
             together=LineAgainstReference.of(check.together),
             points=tuple(
-                SurveyedPoint(p.name, p.lines, p.sigma, p.before, p.after) for p in check.points
+                SurveyedPoint(p.name, p.lines, p.sigma, p.before, p.after, p.interval_95)
+                for p in check.points
             ),
             not_compared=check.unseen,
             bin_edges_m=check.bin_edges,

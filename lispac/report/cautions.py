@@ -7,6 +7,7 @@ content only, so that a report and a test see the same. One rule a function.
 from collections.abc import Iterator, Sequence
 
 from lispac.adjustment.doubts import Doubt
+from lispac.report.absolute_cautions import absolute_cautions
 from lispac.report.validation_values import ValidationPlane
 from lispac.report.values import (
     Caution,
@@ -36,7 +37,7 @@ def cautions_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Cautio
         *_parameters(content),
         *_targets(content),
         *_validation(content),
-        *_absolute(content),
+        *absolute_cautions(content.absolute),
         *_files(content),
     ]
     return tuple(sorted(found, key=lambda caution: caution.severity != "serious"))
@@ -195,11 +196,6 @@ def _worse(plane: ValidationPlane) -> Caution:
         f"(RMS {1000 * plane.after.rms_m:.1f} mm) than before "
         f"({1000 * plane.before.rms_m:.1f} mm).",
     )
-
-
-def _absolute(content: ReportContent) -> Iterator[Caution]:
-    if content.absolute is not None and content.absolute.together.after.mean_significant:
-        yield serious("absolute_off", content.absolute.in_words[0])
 
 
 def _files(content: ReportContent) -> Iterator[Caution]:

@@ -57,6 +57,9 @@ def summary(content: ReportContent) -> list[Block]:
                 [((plane.name,), plane.before, plane.after) for plane in content.validation],
             )
         )
+    against = content.absolute
+    if against is not None and not against.together.after.mean_significant:
+        blocks.append(Paragraph(f"Checked against {against.reference}: {against.in_words[0]}"))
     # The formula breaks between its factors alone
     convention = content.settings.convention.replace(" = ", "\u00a0=\u00a0")
     blocks.append(Paragraph(convention.replace("·", "·\u200b")))

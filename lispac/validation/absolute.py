@@ -126,6 +126,8 @@ class PointCheck:
         Of the point; of a plane in its middle.
     before, after : float, metres
         Signed.
+    interval_95 : float or None, metres
+        Half the 95 % interval of the mean after; None where nobody knows.
     """
 
     name: str
@@ -133,6 +135,7 @@ class PointCheck:
     sigma: float
     before: float
     after: float
+    interval_95: float | None = None
 
 
 @dataclass(frozen=True)
@@ -229,6 +232,18 @@ class LinePlaces:
     by_attitude: Array
     by_boresight: Array
 
+    def only(self, kept: NDArray[np.bool_]) -> "LinePlaces":
+        """Those of some of its places, shape (n,)."""
+        places = np.flatnonzero(kept)
+        measured = Measured(
+            self.measured.before.part(places), self.measured.after.part(places),
+            self.measured.beyond[places],
+        )  # fmt: skip
+        return replace(
+            self, measured=measured, group=self.group[kept], by_position=self.by_position[kept],
+            by_attitude=self.by_attitude[kept], by_boresight=self.by_boresight[kept],
+        )  # fmt: skip
+
 
 def line_checks(
     lines: Sequence[LinePlaces], group_sigma: Array, correlation_times: tuple[float, float]
@@ -263,19 +278,23 @@ def shared_bins(
 
 
 def point_checks(
-    lines: Sequence[LinePlaces], names: Sequence[str], group_sigma: Array
+    lines: Sequence[LinePlaces],
+    names: Sequence[str],
+    group_sigma: Array,
+    correlation_times: tuple[float, float],
 ) -> tuple[PointCheck, ...]:
-    """The mean over the lines at each part of the reference that any line saw."""
+    """The mean over the lines at each part of the reference that any line saw; as `line_checks`."""
     found = []
     for group, (name, sigma) in enumerate(zip(names, group_sigma, strict=True)):
-        means = [
-            [float(state.distance[line.group == group].mean())
-             for state in (line.measured.before, line.measured.after)]
-            for line in lines if (line.group == group).any()
-        ]  # fmt: skip
-        if means:
-            before, after = np.mean(means, axis=0)
-            found.append(PointCheck(name, len(means), float(sigma), float(before), float(after)))
+        seen = [line.only(line.group == group) for line in lines if (line.group == group).any()]
+        if seen:
+            mean = _check(name, seen, group_sigma, correlation_times)
+            found.append(
+                PointCheck(
+                    name, len(seen), float(sigma), mean.before.signed.mean, mean.after.signed.mean,
+                    mean.after.interval_95,
+                )
+            )  # fmt: skip
     return tuple(found)
 
 

@@ -1,8 +1,12 @@
 """What a comparison with a reference says, alike at the command line and in the report."""
 
+from collections.abc import Sequence
+
 from lispac.adjustment.shown import signed
 from lispac.validation.absolute import AbsoluteCheck, AbsoluteState
 
+Off = tuple[str, float, float]
+"""A name, a mean, and half its 95 % interval, metres."""
 ALIKE = (
     "Of all lines together, means and RMS count each line alike, however many places it has: its "
     "places share its POS error. Medians and percentiles are of all places."
@@ -21,7 +25,15 @@ def absolute_words(check: AbsoluteCheck) -> tuple[str, ...]:
         f"After the calibration all lines together lie {_said(after)}.",
         f"Before, they lay {_said(before)}; nothing is known of the uncertainty of the prior "
         "boresight, so it is not counted here.",
-        _single_lines(check),
+        lines_off(
+            [
+                (line.line, line.after.signed.mean, line.after.interval_95)
+                for line in check.lines
+                if line.after.significant
+            ],
+            len(check.lines),
+        ),
+        *_points(check),
         f"The RMS of all distances is {_mm(before.distances.rms)} before and "
         f"{_mm(after.distances.rms)} after. Of the latter the reference's own uncertainty "
         f"({_mm(after.rms_expected.reference)}) explains "
@@ -48,18 +60,43 @@ def _said(state: AbsoluteState) -> str:
     )
 
 
-def _single_lines(check: AbsoluteCheck) -> str:
-    off = [line for line in check.lines if line.after.significant]
+def lines_off(off: Sequence[Off], of: int) -> str:
+    """Which lines are off by more than their errors explain.
+
+    Parameters
+    ----------
+    off : their names, means and half the 95 % intervals of these, metres
+    of : of how many
+    """
     if not off:
         return "After the calibration no single line is off by more than its own errors explain."
-    named = ", ".join(
-        f"{line.line} ({_signed(line.after.signed.mean)}, \u00b1 {_mm(line.after.interval_95)})"
-        for line in off
-    )
+    verb = "lines are off by more than their" if len(off) > 1 else "lines is off by more than its"
     return (
-        f"After the calibration {len(off)} of {len(check.lines)} lines are off by more than their "
-        f"own errors explain, positive towards the vessel: {named}."
+        f"After the calibration {len(off)} of {of} {verb} own errors explain, positive towards the "
+        f"vessel: {_named(off)}."
     )
+
+
+def points_off(off: Sequence[Off], of: int) -> str:
+    """From which surveyed points and planes the lines are off; as `lines_off`."""
+    return (
+        "After the calibration the mean of the lines is off surveyed points or planes by more than "
+        f"reference, POS and boresight explain ({len(off)} of {of}), positive towards the vessel: "
+        f"{_named(off)}."
+    )
+
+
+def _named(off: Sequence[Off]) -> str:
+    return ", ".join(f"{name} ({_signed(mean)}, ± {_mm(half)})" for name, mean, half in off)
+
+
+def _points(check: AbsoluteCheck) -> tuple[str, ...]:
+    off = [
+        (point.name, point.after, point.interval_95)
+        for point in check.points
+        if point.interval_95 is not None and abs(point.after) > point.interval_95
+    ]
+    return (points_off(off, len(check.points)),) if off else ()
 
 
 def _others(check: AbsoluteCheck) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ from lispac.targets.thinning import thin
 from lispac.validation.absolute import (
     AbsoluteCheck,
     LinePlaces,
+    PointCheck,
     line_checks,
     other_surfaces,
     point_checks,
@@ -121,10 +122,11 @@ def check_absolute(
             f"within {reach:g} m of this reference; check its coordinates, or widen the reach."
         )
     settings = project.settings
-    each, together = line_checks(
-        lines, where.sigmas, (settings.position_time, settings.attitude_time)
-    )
-    points = point_checks(lines, where.names, where.sigmas) if reference.kind == "points" else ()
+    times = settings.position_time, settings.attitude_time
+    each, together = line_checks(lines, where.sigmas, times)
+    points: tuple[PointCheck, ...] = ()
+    if reference.kind == "points":
+        points = point_checks(lines, where.names, where.sigmas, times)
     missed = sorted(set(where.names) - {p.name for p in points})
     if reference.kind == "points" and missed:
         unseen.append(f"No line has a flat place within {reach:g} m of {', '.join(missed)}.")
