@@ -8,11 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.report.maps import map_figure
+from lispac.report.catalogue import catalogue_of
+from lispac.report.maps import map_figure, map_figure_of
 from lispac.report.tables import write_tables
+from lispac.report.text_width import width_of
+from lispac.report.translation import Translator
+from lispac.report.validation_values import ValidationPlane
 from lispac.validation.comparison import compare_plane
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.results import PlaneComparison
@@ -84,6 +89,44 @@ def test_the_picture_has_one_scale_for_before_and_after(tmp_path: Path, tall: bo
     np.testing.assert_allclose(cells, np.unique(1000 * first.before))
     shown = [axes for axes in figure.axes if axes.images]
     assert all(axes.get_aspect() == 1.0 for axes in shown)
+
+
+@pytest.mark.parametrize(
+    "lines", [("L1_000", "L2_180"), ("20261122_0815_quay_n", "20261122_0823_s")]
+)
+@pytest.mark.parametrize("sides", [(1.0, 1.0), (0.2, 1.0), (1.0, 0.1)])
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_no_text_meets_another_or_the_margin(
+    tmp_path: Path, lines: tuple[str, str], sides: tuple[float, float], language: str
+) -> None:
+    plane = ValidationPlane.of(sample_project(tmp_path).validation[0])
+    first = plane.maps[0]
+    turned = replace(
+        first, line_a=lines[0], line_b=lines[1],
+        across_m=tuple(sides[0] * x for x in first.up_m),
+        up_m=tuple(sides[1] * x for x in first.up_m),
+        cell_m=first.cell_m * min(sides),
+    )  # fmt: skip
+    plane = replace(plane, maps=(turned, turned))
+    figure = map_figure_of(plane, Translator(catalogue_of(language)))
+    FigureCanvasAgg(figure).draw()
+    boxes = [
+        text.get_window_extent()
+        for axes in figure.axes
+        for text in (axes.title, axes.xaxis.label, axes.yaxis.label)
+        if text.get_text()
+    ]
+    for k, box in enumerate(boxes):
+        assert box.x0 >= 0
+        assert box.x1 <= figure.bbox.x1
+        assert not any(box.overlaps(other) for other in boxes[:k])
+
+
+def test_widths_are_those_of_the_drawing() -> None:
+    figure = Figure(dpi=72.0)
+    for text in ("par rapport à L2_180", "Up (m)", "iiii\nWWWW"):
+        drawn = figure.text(0, 0, text, fontsize=30).get_window_extent().width / 72
+        assert width_of(text, 30) == pytest.approx(drawn, rel=0.05)
 
 
 def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:

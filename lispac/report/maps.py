@@ -9,6 +9,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from lispac.report.figures import INK, SMALL, TEXT, blank, dress, short_name
+from lispac.report.text_width import cut, fitted
 from lispac.report.translation import Say, unchanged
 from lispac.report.validation_values import Mapped, ValidationPlane
 from lispac.validation.results import PlaneComparison
@@ -28,6 +29,8 @@ WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
 LEFT, RIGHT, BETWEEN = 0.8, 0.12, 0.34
 TOP, TOP_TALL, BELOW, BOTTOM = 0.4, 0.8, 0.26, 0.85
 """Inches around and between the pictures."""
+CLEAR = 0.95
+"""Share of the room from panel to panel that a text may fill."""
 BESIDE = 1.4
 """Height over width of a plane beyond which its pairs stand beside each other."""
 
@@ -58,9 +61,10 @@ def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped], say: Say = u
     figure, places = _panels(figure, len(maps), sides, tall)
     common = max(_end(each.before_m + each.after_m) for each in maps)
     own = max(_end(each.after_m) for each in maps)
+    named, size = _named(maps, tall, figure, places[0][0], say)
     for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
         before, after = _grids(pair)
-        words = f"{short_name(pair.line_a)}\n{say('from')} {short_name(pair.line_b)}"
+        words = named[k]
         for axes, values, end, state in zip(
             row, (before, after, after), (common, common, own), STATES, strict=True
         ):
@@ -70,17 +74,39 @@ def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped], say: Say = u
             axes.grid(False)
             title = say(state) if not k else ""
             if tall:
-                own_scale = say(state).replace(", ", ",\n")
-                title = f"{own_scale}\n{words}"
+                title = f"{_two_lines(say(state))}\n{words}"
             elif first:
-                axes.set_ylabel(f"{words}\n{say('Up (m)')}", fontsize=SMALL, color=INK)
-            axes.set_title(title, fontsize=SMALL, color=INK)
+                axes.set_ylabel(f"{words}\n{say('Up (m)')}", fontsize=size, color=INK)
+            axes.set_title(title, fontsize=size if tall else SMALL, color=INK)
     for columns in ((0, 1), (2,)):
         _bar(figure, [row[k] for row in places for k in columns])
     figure.suptitle(
         short_name(name), x=0.01, y=0.99, ha="left", va="top", fontsize=TEXT + 1, color=INK
     )
     return figure
+
+
+def _named(
+    maps: Sequence[Mapped], tall: bool, figure: Figure, panel: Axes, say: Say
+) -> tuple[list[str], float]:
+    """What each pair is called, and the size of the letters, so that none meets its neighbour."""
+    box, inches = panel.get_position(original=True), figure.get_size_inches()
+    room = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
+    room *= CLEAR
+    others = [_two_lines(say(s)) for s in STATES] if tall else [say("Up (m)")]
+    for between in (" ", "\n"):
+        named = [
+            f"{cut(short_name(each.line_a), room)}\n{say('from')}{between}"
+            f"{cut(short_name(each.line_b), room)}"
+            for each in maps
+        ]
+        if (size := fitted(named, room, SMALL)) == SMALL:
+            break
+    return named, min(size, fitted(others, room, SMALL))
+
+
+def _two_lines(text: str) -> str:
+    return text.replace(", ", ",\n")
 
 
 def _panels(

@@ -1,0 +1,55 @@
+"""How wide a text is drawn, by the advances of its letters: a figure need not be drawn to know.
+
+matplotlib measures a text by drawing it, and a figure of many panels takes a second that way.
+"""
+
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+
+import matplotlib
+from matplotlib.ft2font import FT2Font
+
+LEAST = 4.5
+"""Points: smaller letters nobody reads."""
+POINTS_PER_INCH = 72.0
+
+
+def width_of(text: str, size: float) -> float:
+    """Width of the widest line of a text in the usual font of that size in points, inches."""
+    longest = max(sum(map(_advance, line)) for line in text.split("\n"))
+    return size / POINTS_PER_INCH * longest
+
+
+def fitted(texts: Sequence[str], room: float, size: float) -> float:
+    """The size, points, at which the widest of several texts has room, `LEAST` to ``size``.
+
+    Parameters
+    ----------
+    texts
+    room : float, inches
+    size : float, points
+    """
+    widest = max(width_of(text, size) for text in texts)
+    return max(LEAST, min(size, size * room / widest)) if widest else size
+
+
+def cut(text: str, room: float) -> str:
+    """A text without line breaks that has room, inches, in the least of sizes; its end goes."""
+    kept = len(text)
+    while kept and width_of(shown := text[:kept] + "\u2026" * (kept < len(text)), LEAST) > room:
+        kept -= 1
+    return shown if kept else text[:1]
+
+
+@cache
+def _advance(letter: str) -> float:
+    """Of a letter, in shares of the size."""
+    font = _font()
+    font.set_size(64.0, POINTS_PER_INCH)
+    return float(font.load_char(ord(letter)).linearHoriAdvance) / 65536 / 64.0
+
+
+def _font() -> FT2Font:
+    # One each: a font is not to be used by two threads at once.
+    return FT2Font(str(Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"))
