@@ -1,12 +1,15 @@
 """Where the pages of the PDF end: nothing that announces something is left behind."""
 
 from pathlib import Path
+from typing import Literal
 
 import pytest
+from matplotlib.figure import Figure
 
 from lispac.project import Project
 from lispac.report import pdf
 from lispac.report.blocks import Bullets, Document, Paragraph, Section, Table
+from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
 from tests.report_sample import sample_content, sample_project
 from tests.test_report import _pdf_text
@@ -44,3 +47,21 @@ def test_what_announces_something_stays_with_it(
         assert "2 Headed" in " ".join(pages[below].split()), lines
         ends.add((announced, below))
     assert ends >= {(1, 1), (1, 2), (2, 2)}  # the ends of the page were met
+
+
+@pytest.mark.parametrize("page", ["a4", "letter"])
+@pytest.mark.parametrize("size", [(1400, 1000), (1000, 1000), (500, 900)])
+def test_pictures_of_before_and_after_stand_on_one_page(
+    project: Project, tmp_path: Path, page: Literal["a4", "letter"], size: tuple[int, int]
+) -> None:
+    pictures = {}
+    for name in ("before", "after"):
+        figure = Figure((size[0] / 100, size[1] / 100), dpi=100)
+        figure.savefig(tmp_path / f"{name}.png")
+        pictures[f"The lines {name}"] = tmp_path / f"{name}.png"
+    options = ReportOptions(page=page)
+    write_pdf(sample_content(project), tmp_path / "r.pdf", pictures, options)
+    pages = _pdf_text(tmp_path / "r.pdf").split("\f")
+    (shown,) = (text for text in pages if "The lines before" in text)
+    assert "The lines after" in shown
+    assert "Pictures" in shown

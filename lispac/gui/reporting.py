@@ -150,16 +150,16 @@ class Reporting(QObject):
         return self._document.survey if self._document.survey_is_current else None
 
     def _pictures(self, folder: Path) -> dict[str, Path]:
-        """The view as it is, before and after, from one camera; both are at hand."""
-        shown = self._scene.which
+        """The view as it is, before and after, from one camera and coloured alike; both are at
+        hand."""
         captions: dict[Which, str] = {
             "prior": "The lines placed with the prior boresight",
             "estimated": "The lines placed with the estimated boresight",
         }
         pictures = {}
-        for which, caption in captions.items():
-            self._scene.show(which)
-            pictures[caption] = folder / f"{which}.png"
-            self._viewport.screenshot(pictures[caption])
-        self._scene.show(shown)
+        with self._scene.one_scale():
+            for which, caption in captions.items():
+                self._scene.show(which)
+                pictures[caption] = folder / f"{which}.png"
+                self._viewport.screenshot(pictures[caption])
         return pictures

@@ -5,7 +5,7 @@ through all lines as they are shown: before the calibration its lines differ in 
 they share one.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,10 +78,34 @@ def apart(project: Project, clouds: Mapping[str, Cloud]) -> dict[Key, Array]:
     return found
 
 
+def residual_reach(
+    project: Project, survey: Survey, states: Iterable[Mapping[str, Cloud]]
+) -> float:
+    """Distance, metres, that the colours end at: the largest of lines in several states.
+
+    Raises
+    ------
+    ValueError
+        Where nothing has been adjusted yet, in words.
+    """
+    return max(_end(residuals(project, survey) | apart(project, clouds)) for clouds in states)
+
+
+def _end(found: Mapping[Key, Array]) -> float:
+    everything = np.abs(np.concatenate(list(found.values())))
+    return float(np.percentile(everything, 100 - OUTER)) or 1e-3
+
+
 def residual_shading(
-    project: Project, survey: Survey, clouds: Mapping[str, Cloud]
+    project: Project, survey: Survey, clouds: Mapping[str, Cloud], *, reach: float | None = None
 ) -> tuple[Shading, dict[Key, NDArray[np.uint8]]]:
     """Grey lines with the legend, and the colours of the sightings' points by target and line.
+
+    Parameters
+    ----------
+    clouds : of each line, as it is shown
+    reach : float, metres
+        Where the colours end; None: as it suits these clouds.
 
     Raises
     ------
@@ -91,8 +115,7 @@ def residual_shading(
     from matplotlib import colormaps
 
     found = residuals(project, survey) | apart(project, clouds)
-    everything = np.abs(np.concatenate(list(found.values())))
-    reach = float(np.percentile(everything, 100 - OUTER)) or 1e-3
+    reach = _end(found) if reach is None else reach
     scale = np.asarray(
         np.round(255 * colormaps["coolwarm"](np.linspace(0, 1, 255))[:, :3]), dtype=np.uint8
     )

@@ -1,6 +1,7 @@
 """What the viewport shows: the lines before or after, the sightings, the labels."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Literal
 
 import numpy as np
@@ -11,7 +12,7 @@ from lispac.geometry.neighbours import nearest_point
 from lispac.gui import theme
 from lispac.gui.colouring import Colouring, shading
 from lispac.gui.document import Document
-from lispac.gui.residuals import residual_shading
+from lispac.gui.residuals import residual_reach, residual_shading
 from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Shading, Viewport
 from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
@@ -40,6 +41,7 @@ class Scene(QObject):
         self._fit_next = True
         self._drawn: Mapping[str, Cloud] = {}
         self._residuals: Mapping[tuple[str, str], NDArray[np.uint8]] = {}
+        self._reach: float | None = None
         document.opened.connect(self._another)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
@@ -143,6 +145,22 @@ class Scene(QObject):
             self._viewport.fit(points)
         self.selection_changed.emit()
 
+    @contextmanager
+    def one_scale(self) -> Iterator[None]:
+        """While this lasts, a colour by residual means the same before and after."""
+        project, survey, shown = self._document.project, self._document.survey, self.which
+        estimated = self._estimated
+        coloured = self.colouring == "residual" and self.has_estimated
+        if coloured and project and survey and estimated:
+            self._reach = residual_reach(project, survey, (survey.clouds, estimated[1]))
+            self._drawn = {}  # drawn anew, with the other colours
+        try:
+            yield
+        finally:
+            if self._reach is not None:
+                self._reach, self._drawn = None, {}
+            self.show(shown)
+
     def _another(self) -> None:
         self.candidate = self.selected = None
         self._fit_next = True
@@ -200,7 +218,7 @@ class Scene(QObject):
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None:
             return None, {}
-        return residual_shading(project, survey, self.clouds)
+        return residual_shading(project, survey, self.clouds, reach=self._reach)
 
     def _draw_targets(self) -> None:
         project = self._document.project

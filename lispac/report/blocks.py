@@ -68,12 +68,20 @@ def form(title: str, said: Iterable[tuple[str, str]]) -> Table:
 
 @dataclass(frozen=True)
 class Picture:
-    """An image with its caption; ``width`` is the share of the text's width."""
+    """An image with its caption.
+
+    Attributes
+    ----------
+    caption, data, suffix
+    width : share of the text's width
+    tallest : millimetres, the most of the page's height that it takes
+    """
 
     caption: str
     data: bytes
     suffix: str
     width: float = 1.0
+    tallest: float = 215.0
     kind: str = "picture"
 
 

@@ -1,6 +1,7 @@
 """The report in words, the same for every kind of file it is written to."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
@@ -27,6 +28,9 @@ from lispac.report.translated import drawn, translated, translator
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
+
+TWO_ON_A_PAGE = 92.0
+"""Height of a picture, mm, of which two with their captions fit on the smaller page."""
 
 
 def document_of(
@@ -67,7 +71,7 @@ def in_english(
         _section("Absolute check", absolute(content)),
         _section("Site and lines", sections.site(content)),
         _section("Settings and input files", settings(content)),
-        _section("Pictures", [_picture(caption, path) for caption, path in pictures.items()]),
+        _section("Pictures", _views(pictures)),
     ]
     return Document(
         title="Boresight calibration report",
@@ -102,6 +106,12 @@ def _verdict(content: ReportContent, serious: bool) -> tuple[Status, str]:
     if content.cautions:
         return "fair", "CALIBRATED, WITH REMARKS"
     return "good", "CALIBRATED"
+
+
+def _views(pictures: Mapping[str, Path]) -> list[Picture]:
+    """Before and after are compared: both on one page."""
+    tallest = TWO_ON_A_PAGE if len(pictures) > 1 else Picture.tallest
+    return [replace(_picture(*each), tallest=tallest) for each in pictures.items()]
 
 
 def _picture(caption: str, path: Path) -> Picture:

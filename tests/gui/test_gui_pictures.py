@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QLabel
 from lispac.gui.dialogs.about import shortcuts_box
 from lispac.gui.panels.sightings_table import EDITED
 from lispac.gui.pictures import NO_SECTION
-from lispac.gui.viewport.overlay import free_place
+from lispac.gui.viewport.base import Shading
+from lispac.gui.viewport.overlay import Stage, free_place
 from tests.gui.support import Control, Driver, Key, click, press, settle
 from tests.view_scenes import scene
 
@@ -144,3 +145,15 @@ def test_labels_of_targets_beside_each_other_can_both_be_read(qapp) -> None:
     # Where all places are taken, the usual one will do.
     fifth = free_place(QPointF(300.0, 200.0), metrics, "T0", taken)
     assert fifth == taken[0]
+
+
+def test_labels_of_targets_keep_clear_of_the_scale_of_colours(qapp) -> None:
+    stage = Stage()
+    overlay = stage.overlay
+    assert overlay.taken() == []
+    overlay.shading = Shading({}, "Distance (mm)", "-1", "+1", np.zeros((3, 3), np.uint8))
+    (scale,) = overlay.taken()
+    metrics = QFontMetricsF(qapp.font())
+    spot = QPointF(scale.left() + 30.0, scale.bottom() + 10.0)
+    assert free_place(spot, metrics, "V3", []).intersects(scale)
+    assert not free_place(spot, metrics, "V3", overlay.taken()).intersects(scale)

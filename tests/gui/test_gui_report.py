@@ -229,6 +229,27 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     assert scene.which == "prior"
 
 
+def test_colours_mean_the_same_in_both_pictures(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT)
+    adjusted.window.actions_["colour_residual"].trigger()
+    adjusted.rest()
+    adjusted.dialogs.path = tmp_path / "r.html"
+    click(adjusted, adjusted.window.report.report)
+    adjusted.rest()
+    ends, calls, last = {}, adjusted.viewport.calls, None
+    for name, arguments in calls:
+        if name == "show_clouds":
+            last = arguments[2]
+        elif name == "screenshot":
+            ends[arguments[0].name] = last.low, last.high
+    assert ends["prior.png"] == ends["estimated.png"]
+    # Before it is decimetres, and a view of after alone has a scale of its own again.
+    assert float(ends["prior.png"][1]) > 50
+    adjusted.window.scene.show("estimated")
+    own = next(arguments[2] for name, arguments in reversed(calls) if name == "show_clouds")
+    assert float(own.high) < float(ends["prior.png"][1]) / 2
+
+
 def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(real: Driver, demo: Demo) -> None:
     real.window.document.open(demo.project, demo.survey)
     real.rest()

@@ -117,7 +117,7 @@ class Overlay(QWidget):
         spots = camera.project(np.array([m.position for m in self.markers]), size)
         # Near ones choose their place first, and are painted last.
         placed: list[tuple[QPointF, QRectF, Marker]] = []
-        taken: list[QRectF] = []
+        taken = self.taken()
         for k in np.argsort(spots[:, 2]):
             x, y, depth = spots[k]
             if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
@@ -170,12 +170,21 @@ class Overlay(QWidget):
         box = QRectF(left - 60.0, base - 26.0, pixels + 120.0, 20.0)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
 
-    def _paint_legend(self, painter: QPainter, shading: Shading) -> None:
-        painter.setFont(_scaled(self.font(), 0.95))
-        metrics = QFontMetricsF(painter.font())
+    def taken(self) -> list[QRectF]:
+        """Where no label of a target may stand."""
+        return [] if self.shading is None else [self.legend(self.shading)]
+
+    def legend(self, shading: Shading) -> QRectF:
+        """Where the scale of the colours is painted."""
+        metrics = QFontMetricsF(_scaled(self.font(), 0.95))
         ends = metrics.horizontalAdvance(shading.low) + metrics.horizontalAdvance(shading.high)
         width = max(180.0, metrics.horizontalAdvance(shading.title), ends + 24.0)
-        box = QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
+        return QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
+
+    def _paint_legend(self, painter: QPainter, shading: Shading) -> None:
+        painter.setFont(_scaled(self.font(), 0.95))
+        box = self.legend(shading)
+        width = box.width() - 24.0
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(PAPER)
         painter.drawRoundedRect(box, 8.0, 8.0)
