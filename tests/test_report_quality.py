@@ -18,7 +18,9 @@ from lispac.report.blocks import Bullets, Document, Paragraph, Table
 from lispac.report.content import ReportContent, report_content
 from lispac.report.document import document_of
 from lispac.report.json_report import json_text
+from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
+from lispac.targets.quality import SightingQuality
 from tests.report_sample import MADE, sample_content, sample_project
 from tests.test_quality import board, judged
 
@@ -350,3 +352,45 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
     said = json.loads(json_text(content))["qualities"]
     assert [each["share_shown"] for each in said] == [0.512, 0.512]
     assert [each["edited_by_hand"] for each in said] == [False, True]
+
+
+def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
+    first, second = project.targets[:2]
+    good = replace(judged(board()), light="good", reasons=())
+    oblique = [
+        replace(
+            good, light="doubtful", incidence=np.radians(deg),
+            reasons=(f"The beams meet it at {deg} deg from its normal.",),
+        )
+        for deg in (73, 75)
+    ]  # fmt: skip
+    rough = replace(good, light="poor", reasons=("It has only 7 points.", "It is curved."))
+
+    def content(*sightings: tuple[str, str, SightingQuality]) -> ReportContent:
+        return report_content(
+            project, headings_deg={}, counts={}, track_local={}, notes=(),
+            qualities={(target, line): quality for target, line, quality in sightings},
+            generated=MADE,
+        )  # fmt: skip
+
+    one, two, three = (s.line for s in first.sightings[:3])
+    assert first.role == second.role == "target"
+    fine = content((first.name, one, good), (first.name, two, good))
+    assert "sightings" not in {caution.code for caution in fine.cautions}
+    some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
+    said = _caution(content(*some), "sightings")
+    assert said.startswith("Of 3 sightings used, poor: 0, doubtful: 2. The worst, ")
+    assert f"{first.name} on {two}: The beams meet it at 75 deg" in said
+    worse = content(*some, (second.name, one, rough))
+    said = _caution(worse, "sightings")
+    assert "Of 4 sightings used, poor: 1, doubtful: 2." in said
+    assert f"{second.name} on {one}: It has only 7 points. It is curved. See" in said
+    french = document_of(worse, {}, ReportOptions(language="fr")).cautions
+    assert any("Sur 4 vues utilisées" in t and "que 7 points" in t for t in french)
+    # One that is left out is none of the answer's.
+    left = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
+    out = report_content(
+        project.with_target(left), headings_deg={}, counts={}, track_local={}, notes=(),
+        qualities={(first.name, one): rough}, generated=MADE,
+    )  # fmt: skip
+    assert "sightings" not in {caution.code for caution in out.cautions}

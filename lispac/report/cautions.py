@@ -14,6 +14,7 @@ from lispac.report.values import (
     Chi2,
     ExtraParameter,
     ReportContent,
+    SightingJudged,
     mild,
     serious,
 )
@@ -36,6 +37,7 @@ def cautions_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Cautio
         *_doubts(doubts),
         *_parameters(content),
         *_targets(content),
+        *_sightings(content),
         *_validation(content),
         *absolute_cautions(content.absolute),
         *_files(content),
@@ -174,6 +176,30 @@ def _not_found(content: ReportContent) -> Iterator[Caution]:
             f"{title(what)}{'s' if many else ''} {listed(names)} {'were' if many else 'was'} not "
             f"found on {listed(lines)}; the reasons stand in the section on targets.",
         )
+
+
+def _sightings(content: ReportContent) -> Iterator[Caution]:
+    """How many that are used are not good, and the worst; of targets rather than of others."""
+    target = {plane.name: plane.role == "target" for plane in content.planes}
+    used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
+    judged = [each for each in content.qualities if (each.target, each.line) in used]
+    poor, doubtful = (
+        [each for each in judged if each.light == light] for light in ("poor", "doubtful")
+    )
+    if not poor and not doubtful:
+        return
+
+    def bad(each: SightingJudged) -> tuple[bool, bool, int, float]:
+        is_poor, oblique = each.light == "poor", each.incidence_deg or 0.0
+        return is_poor, target[each.target], len(each.reasons), oblique
+
+    worst = max((*poor, *doubtful), key=bad)
+    yield mild(
+        "sightings",
+        f"Of {len(judged)} sightings used, poor: {len(poor)}, doubtful: {len(doubtful)}. The "
+        f"worst, {worst.target} on {worst.line}: {' '.join(worst.reasons)} See the section on the "
+        "quality of the sightings.",
+    )
 
 
 def _validation(content: ReportContent) -> Iterator[Caution]:
