@@ -349,7 +349,11 @@ def test_what_the_figures_are_drawn_from_is_among_the_tables(
     plane = project.validation[0]
     assert histogram[0] == ["From (mm)", "To (mm)", "Points before", "Points after"]
     assert [int(row[3]) for row in histogram[1:]] == plane.counts_after.tolist()
-    assert float(histogram[-1][1]) == pytest.approx(1000 * plane.bin_edges[-1], abs=1e-3)
+    lows = [float(row[0]) for row in histogram[1:]]
+    assert lows == pytest.approx(1000 * plane.bin_edges[:-1], abs=1e-3)
+    # The last bin holds all that is farther off.
+    assert [float(row[1]) for row in histogram[1:-1]] == pytest.approx(lows[1:])
+    assert histogram[-1][1] == "and beyond"
 
 
 def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.report.translated import said, translator
 from lispac.report.validation_values import Against
 from lispac.report.values import ReportContent
+from lispac.validation.bins import BEYOND
 
 _NUMBER = re.compile(r"(?:\u00b1 ?)?([+-]?)(\d{1,3}(?:[,\u202f]\d{3})+|\d+)(\.\d+)?")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
@@ -48,12 +49,13 @@ def histogram_tables(content: ReportContent) -> list[Table]:
     made = []
     for plane in content.validation:
         edges = [1000 * edge for edge in plane.bin_edges_m]
-        bins = zip(edges[:-1], edges[1:], plane.counts_before, plane.counts_after, strict=True)
+        ends = [*(f"{edge:.4f}" for edge in edges[1:-1]), BEYOND]
+        bins = zip(edges[:-1], ends, plane.counts_before, plane.counts_after, strict=True)
         made.append(
             Table(
                 f"Histogram of {plane.name}",
                 tuple(map(Column, ("From (mm)", "To (mm)", "Points before", "Points after"))),
-                rows([f"{low:.4f}", f"{high:.4f}", f"{b}", f"{a}"] for low, high, b, a in bins),
+                rows([f"{low:.4f}", end, f"{b}", f"{a}"] for low, end, b, a in bins),
             )
         )
         for what, profile in (("height", plane.by_height), ("range", plane.by_range)):

@@ -16,6 +16,8 @@ NARROWEST = 1e-6
 """Metres; the range of a histogram at the least."""
 IN_THE_NARROWER, MOST = 60, 4000
 """Bins across the state with the smaller distances, at the least, and in all, at the most."""
+BEYOND = "and beyond"
+"""Stands for the upper end of the last bin where bins are listed."""
 ROUND = (1.0, 2.0, 5.0, 10.0)
 
 

@@ -5,7 +5,7 @@ from io import StringIO
 
 import numpy as np
 
-from lispac.validation.bins import merged
+from lispac.validation.bins import BEYOND, merged
 from lispac.validation.profile import Profile
 from lispac.validation.results import PlaneComparison
 
@@ -23,9 +23,7 @@ def histogram_words(comparison: PlaneComparison, low: float, high: float) -> str
         inside = int(counts[(middles > low) & (middles < high)].sum())
         up_to = 100.0 * int(counts[middles < high].sum()) / max(int(counts.sum()), 1)
         said.append(f"{state} {inside:,} points ({up_to:.1f} % up to here)")
-    reach = (
-        f"{1000 * low:.4g} mm and beyond" if beyond else f"{1000 * low:.4g}–{1000 * high:.4g} mm"
-    )
+    reach = f"{1000 * low:.4g} mm {BEYOND}" if beyond else f"{1000 * low:.4g}–{1000 * high:.4g} mm"
     return f"{reach}: {', '.join(said)}"
 
 
@@ -55,10 +53,11 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
     """
     edges, before = merged(comparison.bin_edges, comparison.counts_before, shown, bars)
     _, after = merged(comparison.bin_edges, comparison.counts_after, shown, bars)
-    rows = zip(1000 * edges[:-1], 1000 * edges[1:], before, after, strict=True)
+    ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), BEYOND]
+    rows = zip(1000 * edges[:-1], ends, before, after, strict=True)
     return _text(
         ("From (mm)", "To (mm)", "Points before", "Points after"),
-        [(f"{low:.6g}", f"{high:.6g}", str(b), str(a)) for low, high, b, a in rows],
+        [(f"{low:.6g}", end, str(b), str(a)) for low, end, b, a in rows],
     )
 
 
