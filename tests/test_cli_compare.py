@@ -50,6 +50,7 @@ def test_three_surveys(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> No
     assert "DIFFER" in out
     assert "a point moves 3.5 cm at 10 m, 17.5 cm at 50 m, 34.9 cm at 100 m" in out
     assert "scatter MORE than their sigmas explain" in out
+    assert "DIFFER (chance < 0.001)" in out
 
 
 def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -61,8 +62,32 @@ def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
     remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["remarks"]
-    assert any(f"b rests on {len(first.lines)} of the lines of a" in remark for remark in remarks)
+    assert any("b rests on the same lines as a" in remark for remark in remarks)
     assert any("another lever arm than a" in remark for remark in remarks)
+    part = replace(
+        first, folder=tmp_path / "c", lines=surveyed_again(tmp_path / "c", (0, 0, 0)).lines
+    )
+    write_project(replace(part, lines=(first.lines[0], *part.lines[1:])))
+    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["remarks"]
+    assert any("c rests on 1 of the lines of a" in remark for remark in remarks)
+
+
+def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    first = surveyed_again(tmp_path / "a", (0.0, 0.0, 0.0))
+    shutil.copytree(tmp_path / "a", tmp_path / "b")
+    surveyed_again(tmp_path / "c", (0.01, 0.0, 0.0))
+    assert first.result is not None
+    sigma = np.degrees(first.result.sigma)
+    two = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["together"]
+    assert two["counted"] == ["a"]
+    assert two["sigma_deg"] == pytest.approx(sigma.tolist())
+    assert two["spread_deg"] is None
+    three = answer(capsys, "compare", *(tmp_path / name for name in "abc"))["together"]
+    assert three["counted"] == ["a", "c"]
+    assert three["sigma_deg"] == pytest.approx((sigma / np.sqrt(2)).tolist())
+    _, out, err = run(capsys, "compare", tmp_path / "a", tmp_path / "b")
+    assert "spread" not in out
+    assert "all together counts them once" in err
 
 
 def test_copies_of_lines_are_the_same_lines(tmp_path: Path) -> None:

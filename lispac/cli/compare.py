@@ -13,6 +13,7 @@ from lispac.validation.repeatability import (
     Calibration,
     Difference,
     Repeated,
+    alone,
     difference,
     repeated,
 )
@@ -23,33 +24,38 @@ DISTANCES_M = (10.0, 50.0, 100.0)
 
 def compare(arguments: Namespace) -> None:
     """Compare each calibration with the first, and put all together."""
-    found, remarks = calibrations_of(arguments.projects)
+    compared = calibrations_of(arguments.projects)
+    found, counted = compared.each, compared.counted
+    only = len(found) > len(counted) == 1
+    together = alone(counted[0]) if only else repeated(counted)
     against = [difference(found[0], each) for each in found[1:]]
-    together = repeated(found)
     if arguments.json:
         print_json(
             {
                 "calibrations": [_calibration(each) for each in found],
                 "differences": [_difference(each) for each in against],
-                "together": _together(together),
-                "remarks": remarks,
+                "together": _together(together) | {"counted": [each.name for each in counted]},
+                "remarks": list(compared.remarks),
             }
         )
         return
-    _print(found, against, together)
+    _print(found, against, together, len(counted))
     sys.stdout.flush()
-    for remark in remarks:
+    for remark in compared.remarks:
         print(f"note: {remark}", file=sys.stderr)
 
 
-def _print(found: Sequence[Calibration], against: Sequence[Difference], together: Repeated) -> None:
+def _print(
+    found: Sequence[Calibration], against: Sequence[Difference], together: Repeated, counted: int
+) -> None:
     width = max(12, *(len(each.name) for each in found)) + 2
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
     print(f"{'calibration':{width}s}{heads}  deg")
     for each in found:
         print(f"{each.name:{width}s}{_values(each.boresight, each.sigma)}")
     print(f"{'all together':{width}s}{_values(together.boresight, together.sigma)}")
-    print(f"{'spread':{width}s}" + "".join(f"{v:20.4f}" for v in np.degrees(together.spread)))
+    if together.spread is not None:
+        print(f"{'spread':{width}s}" + "".join(f"{v:20.4f}" for v in np.degrees(together.spread)))
     print(f"\nless {found[0].name}, and over its sigma")
     for change in against:
         cells = "".join(
@@ -61,11 +67,14 @@ def _print(found: Sequence[Calibration], against: Sequence[Difference], together
             f"{100 * change.displacement(far):.1f} cm at {far:.0f} m" for far in DISTANCES_M
         )
         verdict = "DIFFER" if change.differ else "agree"
-        chance = f"chance {change.probability:.3f}"
-        print(f"{'':{width}s}  {verdict} ({chance}); a point moves {effects}")
-    if len(found) > 2:
+        print(f"{'':{width}s}  {verdict} ({_chance(change.probability)}); a point moves {effects}")
+    if counted > 2:
         words = "scatter MORE than their sigmas explain" if together.differ else "scatter as stated"
-        print(f"\nall of them {words} (chance {together.probability:.3f})")
+        print(f"\nall of them {words} ({_chance(together.probability)})")
+
+
+def _chance(probability: float) -> str:
+    return f"chance {probability:.3f}" if probability >= 0.001 else "chance < 0.001"
 
 
 def _values(angles: np.ndarray, sigmas: np.ndarray) -> str:
@@ -104,7 +113,7 @@ def _together(each: Repeated) -> dict[str, Any]:
     return {
         "boresight_deg": np.degrees(each.boresight).tolist(),
         "sigma_deg": np.degrees(each.sigma).tolist(),
-        "spread_deg": np.degrees(each.spread).tolist(),
+        "spread_deg": None if each.spread is None else np.degrees(each.spread).tolist(),
         "chi_square": each.statistic,
         "probability": each.probability,
         "differ": each.differ,

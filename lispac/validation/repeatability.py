@@ -131,15 +131,16 @@ class Repeated:
     ----------
     boresight, sigma : ndarrays of shape (3,), radians
         Weighted mean by the covariances, and its standard deviation.
-    spread : ndarray of shape (3,), radians
-        Standard deviation of the calibrations about their plain mean: what a repetition differs by.
+    spread : ndarray of shape (3,), radians, or None
+        Standard deviation of the calibrations about their plain mean: what a repetition differs by;
+        None of a single one.
     statistic, probability : float
         Whether they scatter as their sigmas say: chi-square with 3 (n - 1) degrees of freedom.
     """
 
     boresight: Array
     sigma: Array
-    spread: Array
+    spread: Array | None
     statistic: float
     probability: float
 
@@ -170,6 +171,11 @@ def repeated(calibrations: Sequence[Calibration]) -> Repeated:
         statistic,
         float(chdtrc(3 * (len(calibrations) - 1), statistic)),
     )
+
+
+def alone(calibration: Calibration) -> Repeated:
+    """A single one, where all others rest on its lines."""
+    return Repeated(calibration.boresight, calibration.sigma, None, 0.0, 1.0)
 
 
 def mean_of(calibrations: Sequence[Calibration], name: str = "mean") -> Calibration:

@@ -16,7 +16,7 @@ from lispac.validation.control_chart import Charted, control_chart
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
 from lispac.workflow.repeating import names_of, remarks_on
-from lispac.workflow.same_lines import shared_lines
+from lispac.workflow.same_lines import same_lines
 from lispac.workflow.survey_dates import survey_dates
 
 _DAY = re.compile(r"(\d{4})-(\d{2})-(\d{2})")
@@ -219,9 +219,7 @@ def _once(
     kept: list[tuple[date, Project]] = []
     remarks = []
     for day, project in group:
-        same = [
-            known for _, known in kept if len(shared_lines(known, project)) == len(project.lines)
-        ]
+        same = [known for _, known in kept if same_lines(known, project)]
         if same:
             remarks.append(
                 f"Left out: {project.folder} rests on the same lines as {same[0].folder}."

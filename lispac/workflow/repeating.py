@@ -1,16 +1,33 @@
 """Calibrations of one mounting by several surveys, from their projects."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import ProjectError
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
-from lispac.workflow.same_lines import shared_lines
+from lispac.workflow.same_lines import same_lines, shared_lines
 
 
-def calibrations_of(folders: Sequence[Path]) -> tuple[list[Calibration], list[str]]:
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Calibrations of several projects.
+
+    Attributes
+    ----------
+    each : the earliest first
+    counted : those that count where all are put together, each survey once
+    remarks : what there is to say of comparing them
+    """
+
+    each: tuple[Calibration, ...]
+    counted: tuple[Calibration, ...]
+    remarks: tuple[str, ...]
+
+
+def calibrations_of(folders: Sequence[Path]) -> Compared:
     """The calibration of each project, and what there is to say of comparing them.
 
     Parameters
@@ -37,7 +54,19 @@ def calibrations_of(folders: Sequence[Path]) -> tuple[list[Calibration], list[st
         for name, project in zip(names, projects, strict=True)
         if project.result is not None
     ]
-    return found, remarks_on(names, projects)
+    counted: list[int] = []
+    remarks = []
+    for k, project in enumerate(projects):
+        first = next((j for j in counted if same_lines(projects[j], project)), None)
+        if first is None:
+            counted.append(k)
+        else:
+            remarks.append(
+                f"{names[k]} rests on the same lines as {names[first]}: the two are not "
+                "independent, and all together counts them once."
+            )
+    remarks += remarks_on(names, projects)
+    return Compared(tuple(found), tuple(found[k] for k in counted), tuple(remarks))
 
 
 def names_of(projects: Sequence[Project]) -> list[str]:
@@ -62,7 +91,8 @@ def remarks_on(names: Sequence[str], projects: Sequence[Project]) -> list[str]:
     said = []
     first = projects[0]
     for name, project in zip(names[1:], projects[1:], strict=True):
-        if shared := shared_lines(first, project):
+        shared = shared_lines(first, project)
+        if shared and not same_lines(first, project):
             said.append(
                 f"{name} rests on {len(shared)} of the lines of {names[0]}: the two are not "
                 "independent. They agree better than two surveys would, and are less certain "

@@ -22,6 +22,11 @@ def shared_lines(first: Project, second: Project) -> list[str]:
     ]
 
 
+def same_lines(first: Project, second: Project) -> bool:
+    """Whether all lines of the second are the first's: it tells nothing new of the mounting."""
+    return len(shared_lines(first, second)) == len(second.lines)
+
+
 def _same(one: Path, other: Path) -> bool:
     if one.resolve() == other.resolve():
         return True
