@@ -144,7 +144,7 @@ MODULES: dict[str, set[str] | None] = {
         f"report/{path.name}": None
         for path in (ROOT / "report").glob("*.py")
         if path.name not in ("catalogue.py", "translation.py", "control_charts.py")
-        and not path.name.startswith("visibility_")  # of the design, not in a report
+        and not path.name.startswith(("visibility_", "design_", "field_plan"))  # not in a report
     },
     "adjustment/doubts.py": None,
     "adjustment/error_budget.py": None,
