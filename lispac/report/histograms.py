@@ -10,6 +10,7 @@ from matplotlib.patches import StepPatch
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
+from lispac.report.legends import USUAL, top_below_legend
 from lispac.report.translation import Say, unchanged
 from lispac.report.validation_values import ValidationPlane
 from lispac.validation.bins import merged
@@ -98,21 +99,22 @@ def _drawn(
     top = float(np.asarray(counted.edges)[-1])
     enlarged = counted.near < WORTH_IT * top
     if enlarged:
-        places = list(figure.subplots(1, 2, width_ratios=(3, 2)))
+        places = list(figure.subplots(1, 2, width_ratios=(3, 2), gridspec_kw=USUAL))
     else:
-        places = [figure.add_subplot()]
+        places = [figure.subplots(gridspec_kw=USUAL)]
+    said, size = [say(words) for words in counted.words], SMALL if enlarged else TEXT
     amount = "Share of the points\n(% per mm)" if share else "Points"
     for axes, reach, across in zip(places, (top, counted.near), (_WHOLE, _NEAR), strict=False):
         dress(axes, say(across), say(amount) if axes is places[0] else "")
-        _Bars(axes, counted, share, say).show(reach)
+        told_there = said if axes is places[0] else ()
+        _Bars(axes, counted, share, told_there, size, say).show(reach)
     places[0].set_title(
         f"{short_name(name)}, {say(told)}", fontsize=TEXT + 1, color=INK, loc="left"
     )
     patches = [patch for patch in places[0].patches if patch.get_fill()]
     places[-1 if enlarged else 0].set_title("")
     places[0].legend(
-        patches, [say(words) for words in counted.words], loc="upper right",
-        fontsize=SMALL if enlarged else TEXT, frameon=False, labelcolor=INK,
+        patches, said, loc="upper right", fontsize=size, frameon=False, labelcolor=INK,
     )  # fmt: skip
     return figure
 
@@ -120,8 +122,12 @@ def _drawn(
 class _Bars:
     """Both states in one set of axes, in bins that suit what is seen of them."""
 
-    def __init__(self, axes: Axes, counted: _Counted, share: bool, say: Say) -> None:
+    def __init__(
+        self, axes: Axes, counted: _Counted, share: bool, words: Sequence[str], size: float,
+        say: Say,
+    ) -> None:  # fmt: skip
         self._axes, self._counted, self._share = axes, counted, share
+        self._words, self._size = words, size
         self._patches = [
             [
                 StepPatch([0.0], [0.0, 1.0], facecolor=colour, alpha=0.5, edgecolor="none"),
@@ -141,7 +147,7 @@ class _Bars:
     def _follow(self) -> None:
         low, high = sorted(self._axes.get_xlim())
         shown = min(max(high - low, 1e-9), 1000.0 * float(np.asarray(self._counted.edges)[-1]))
-        highest = 0.0
+        highest, edges = np.zeros(0), np.zeros(1)
         for patches, counts in zip(self._patches, self._counted.counts, strict=True):
             edges, heights = merged(self._counted.edges, counts, shown / 1000.0, BARS)
             edges = 1000.0 * edges
@@ -150,6 +156,6 @@ class _Bars:
                 values *= 100.0 / self._counted.total / np.diff(edges)
             for patch in patches:
                 patch.set_data(values, edges)
-            seen = (edges[:-1] < high) & (edges[1:] > low)
-            highest = max(highest, float(values[seen].max(initial=0.0)))
-        self._axes.set_ylim(0.0, 1.08 * highest or 1.0)
+            highest = np.maximum(highest, values) if highest.size else values
+        top = top_below_legend(self._axes, edges, highest, self._words, self._size)
+        self._axes.set_ylim(0.0, top)

@@ -1,0 +1,51 @@
+"""Room for a legend inside a histogram, so that it lies on no bar."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from lispac.report.text_width import POINTS_PER_INCH, width_of
+
+Array = NDArray[np.float64]
+
+HANDLE, ROW, AROUND = 4.5, 1.35, 2.5
+"""In sizes of its letters: a legend's width beside its words, the height of a line, and its
+margins."""
+USUAL = {"left": 0.09, "right": 0.99, "bottom": 0.17, "top": 0.9}
+"""Where axes are about to be: before a figure is laid out they are asked how large they are."""
+SPARE = 1.08
+"""Top of the axes over the highest bar."""
+MOST = 0.6
+"""Of the height of the axes; a legend that needs more covers what it covers."""
+
+
+def top_below_legend(
+    axes: Axes, edges: Array, heights: Array, words: Sequence[str], size: float
+) -> float:
+    """Where the axes end at the top, so that bars keep clear of a legend at the upper right.
+
+    Parameters
+    ----------
+    axes : with its limits across as they are shown
+    edges, heights : ndarrays of shape (k + 1,) and (k,)
+        Of the bars; of several histograms the highest.
+    words : of the legend, one text for each histogram
+    size : of its letters, points
+    """
+    low, high = sorted(axes.get_xlim())
+    seen = (edges[:-1] < high) & (edges[1:] > low)
+    highest = float(heights[seen].max(initial=0.0))
+    if not words:
+        return SPARE * highest or 1.0
+    figure = axes.get_figure(root=True)
+    box, em = axes.get_position(), size / POINTS_PER_INCH
+    assert figure is not None
+    across, up = figure.get_size_inches() * (box.width, box.height)
+    wide = max(width_of(text, size) for text in words) + HANDLE * em
+    lines = sum(text.count("\n") + 1 for text in words)
+    tall = min((ROW * lines + AROUND) * em / up, MOST)
+    left = high - min(wide / across, 1.0) * (high - low)
+    beside = float(heights[seen & (edges[1:] > left)].max(initial=0.0))
+    return max(SPARE * highest, beside / (1.0 - tall)) or 1.0
