@@ -1,6 +1,5 @@
 """``lispac design``: the best boards and lines that a site allows."""
 
-import os
 from argparse import Namespace
 
 import numpy as np
@@ -15,15 +14,18 @@ from lispac.simulation.objective import CRITERIA, Objective
 from lispac.simulation.plan import Plan
 from lispac.simulation.prediction import predict
 from lispac.simulation.site import Site
-from lispac.workflow.designing import pool_of, words_of, write_design
+from lispac.workflow.campaign import mapper_of
+from lispac.workflow.designing import words_of, write_design
 
 
 def design(arguments: Namespace) -> None:
     """Search; print the best plan, what each part is worth and what less time costs."""
     title, site = read_site(arguments.site)
     objective = Objective(arguments.criterion, tuple(arguments.pos_factors))
-    workers = arguments.workers or os.cpu_count() or 1
-    with ConsoleProgress() as progress, pool_of(workers) as mapper:
+    with (
+        ConsoleProgress() as progress,
+        mapper_of(arguments.workers, arguments.cluster) as mapper,
+    ):
         found = search(
             site, objective, plans=arguments.plans, seed=arguments.seed, mapper=mapper,
             progress=progress,

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from lispac.cli.values import Commands, command, json_option, positive
+from lispac.cli.values import Commands, command, json_option, positive, whole
 
 CRITERIA = ("largest", "roll", "pitch", "yaw", "A", "D")
 SCENARIOS = (
@@ -18,6 +18,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     json_option(predict)
     _scenarios(commands)
     _design(commands)
+    _campaign(commands)
     replay = command(commands, "replay", "compare a survey with the plan it was sailed by")
     replay.add_argument("project", type=Path, metavar="PROJECT")
     replay.add_argument("--plan", type=Path, required=True, metavar="FILE")
@@ -55,9 +56,37 @@ def _design(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="the POS may be so many times as good or poor as stated: the mean over them counts",
     )  # fmt: skip
     design.add_argument("--seed", type=int, default=2019, help="of the search (default 2019)")
-    design.add_argument("--workers", type=int, metavar="N", help="processes (default: all cores)")
+    _where(design)
     design.add_argument(
         "--output", type=Path, metavar="DIR",
         help="folder for plan.toml, the field plan (PDF), and what less time costs",
     )  # fmt: skip
     json_option(design)
+
+
+def _campaign(commands: "Commands[argparse.ArgumentParser]") -> None:
+    campaign = command(
+        commands, "campaign", "simulate a plan many times over and say whether its sigmas hold"
+    )
+    campaign.add_argument("plan", type=Path, metavar="PLAN", help="TOML file of targets and lines")
+    campaign.add_argument("--surveys", type=whole(2), default=200, metavar="N",
+                          help="how many to simulate and adjust (default 200)")  # fmt: skip
+    campaign.add_argument("--seed", type=whole(0), default=2027, help="of chance (default 2027)")
+    campaign.add_argument(
+        "--flatness-known", action="store_true",
+        help="tell the adjustment how flat the targets are (default: it takes it from the data, "
+        "as estimate does)",
+    )  # fmt: skip
+    _where(campaign)
+    json_option(campaign)
+
+
+def _where(parser: argparse.ArgumentParser) -> None:
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument(
+        "--workers", type=whole(1), metavar="N", help="processes (default: all cores)"
+    )
+    where.add_argument(
+        "--cluster", metavar="ADDRESS",
+        help="run on the workers of this dask scheduler instead, tcp://HOST:PORT",
+    )  # fmt: skip

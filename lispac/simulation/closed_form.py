@@ -56,7 +56,7 @@ class Board:
             )
         )
         u, v = np.meshgrid(u, v)
-        return self._placed(u.ravel(), v.ravel())
+        return self.placed(u.ravel(), v.ravel())
 
     def grid(self, k: int) -> Array:
         """``k`` x ``k`` points, with the centre and the second moments of the whole board.
@@ -70,7 +70,7 @@ class Board:
         middles = (np.arange(k) + 0.5) / k - 0.5
         middles /= np.sqrt(1 - 1 / k**2)  # middles of equal parts lie a little close together
         u, v = np.meshgrid(self.width * middles, self.height * middles)
-        return self._placed(u.ravel(), v.ravel())
+        return self.placed(u.ravel(), v.ravel())
 
     @property
     def facing(self) -> Array:
@@ -85,7 +85,8 @@ class Board:
         across = np.cross([1.0, 0.0, 0.0] if abs(normal[2]) > 0.999 else [0.0, 0.0, 1.0], normal)
         return np.asarray(across / np.linalg.norm(across))
 
-    def _placed(self, u: Array, v: Array) -> Array:
+    def placed(self, u: Array, v: Array) -> Array:
+        """Points so far across and up from its centre (metres, (n,)), shape (n, 3), local."""
         across = self.across
         up = np.cross(self.facing, across)
         return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
@@ -132,20 +133,21 @@ class Ball:
         rim = self.rim
         u, v = (np.arange(-rim + start, rim, spacing) for start in generator.uniform(0, spacing, 2))
         u, v = np.meshgrid(u, v)
-        return self._cap(u.ravel(), v.ravel(), scanner)
+        return self.cap(u.ravel(), v.ravel(), scanner)
 
     def grid(self, k: int, scanner: Array) -> Array:
         """Points of `points` on a grid of ``k`` x ``k`` over the view, those that meet the ball."""
         middles = self.rim * (2 * (np.arange(k) + 0.5) / k - 1)
         u, v = np.meshgrid(middles, middles)
-        return self._cap(u.ravel(), v.ravel(), scanner)
+        return self.cap(u.ravel(), v.ravel(), scanner)
 
     @property
     def rim(self) -> float:
         """Radius of what is seen of it, across the view, metres."""
         return float(self.radius * np.sin(VISIBLE))
 
-    def _cap(self, u: Array, v: Array, scanner: Array) -> Array:
+    def cap(self, u: Array, v: Array, scanner: Array) -> Array:
+        """Points so far across and up in the view from the scanner, those that meet the ball."""
         towards = scanner - np.array(self.centre)
         towards /= np.linalg.norm(towards)
         across = np.cross([0.0, 0.0, 1.0], towards)
@@ -249,18 +251,39 @@ def exact_survey(
     for target in targets:
         for course in courses:
             points = target.points(spacing, generator, abeam(mounting, target, course))
-            # The profile stands across the course and meets a point when the scanner is abeam.
-            along = (points - [*course.abeam, 0.0]) @ course.direction - mounting.lever_arm[0]
-            time = course.time + along / course.speed
-            poses = _sail(course, sea, time + mounting.latency)
-            scan = to_lidar(points, poses, mounting)
-            recorded = _sail(course, sea, time)
-            rate = sea.rate(time)
-            rate[:, :3] += course.speed * course.direction
-            rows.append(np.column_stack([scan, recorded.position, recorded.attitude, rate, time]))
+            rows.append(recorded(mounting, course, sea, points))
             sightings.append(Sighting(target.name, course.name))
+    return gathered(rows, sightings, targets, pos, lidar_sigma)
+
+
+def recorded(mounting: Mounting, course: Course, sea: Sea, points: Array) -> Array:
+    """What scanner and POS record, without error, of points (n, 3) that a vessel passes.
+
+    Returns
+    -------
+    ndarray of shape (n, 16)
+        Point in the LiDAR frame, position, attitude, their rates (6), time.
+    """
+    # The profile stands across the course and meets a point when the scanner is abeam.
+    along = (points - [*course.abeam, 0.0]) @ course.direction - mounting.lever_arm[0]
+    time = course.time + along / course.speed
+    scan = to_lidar(points, _sail(course, sea, time + mounting.latency), mounting)
+    poses = _sail(course, sea, time)
+    rate = sea.rate(time)
+    rate[:, :3] += course.speed * course.direction
+    return np.column_stack([scan, poses.position, poses.attitude, rate, time])
+
+
+def gathered(
+    rows: Sequence[Array],
+    sightings: Sequence[Sighting],
+    targets: Sequence[Board | Ball],
+    pos: PosErrorModel,
+    lidar_sigma: float,
+) -> Observations:
+    """The sightings of `recorded` as observations; arguments as of `exact_survey`."""
     table = np.concatenate(rows)
-    count = len(table)
+    count, seen = len(table), {sighting.target for sighting in sightings}
     return Observations(
         points_lidar=np.ascontiguousarray(table[:, :3]),
         position=np.ascontiguousarray(table[:, 3:6]),
@@ -275,7 +298,7 @@ def exact_survey(
         radii={
             target.name: target.radius if target.radius_known else None
             for target in targets
-            if isinstance(target, Ball)
+            if isinstance(target, Ball) and target.name in seen
         },
     )
 
@@ -300,15 +323,25 @@ def observed(
     exact: Observations, pos: PosErrorModel, generator: np.random.Generator
 ) -> Observations:
     """The same survey with white LiDAR noise and POS errors that drift through it."""
-    noise = generator.standard_normal(exact.points_lidar.shape) * exact.sigma_lidar
     return replace(
         exact,
-        points_lidar=exact.points_lidar + noise,
+        points_lidar=exact.points_lidar + _noise(exact, generator),
         position=exact.position
         + exact.sigma_position * drift(exact.time, pos.time_position, generator),
         attitude=exact.attitude
         + exact.sigma_attitude * drift(exact.time, pos.time_attitude, generator),
     )
+
+
+def _noise(exact: Observations, generator: np.random.Generator) -> Array:
+    draws = generator.standard_normal(exact.points_lidar.shape)
+    if not exact.beam_sigmas:
+        return np.asarray(draws * exact.sigma_lidar)
+    beam = exact.points_lidar / np.linalg.norm(exact.points_lidar, axis=1)[:, None]
+    noise = draws * exact.sigma_lidar[:, 1:2]
+    wanted = generator.standard_normal((len(beam), 1)) * exact.sigma_lidar[:, :1]
+    along = np.einsum("ni,ni->n", noise, beam)[:, None]
+    return np.asarray(noise + (wanted - along) * beam)
 
 
 def drift(time: Array, correlation_time: float, generator: np.random.Generator) -> Array:

@@ -35,6 +35,13 @@ FEWEST = 20
 """Points below which a sighting is too few to be picked."""
 
 
+UNDETERMINED = "This plan does not determine the boresight; add lines in other directions."
+UNSEEN = (
+    "No line sees a target: they look away from it, see it too obliquely or are too far off. Let "
+    "lines pass on the side the targets face, within the scanner's range."
+)
+
+
 @dataclass(frozen=True, eq=False)
 class Prediction:
     """What a plan would give.
@@ -98,10 +105,7 @@ def foretold(plan: Plan) -> Linearised:
     """
     seen = _Seen.of(plan)
     if not seen.sightings:
-        raise RankDeficient(
-            "No line sees a target: they look away from it, see it too obliquely or are too far "
-            "off. Let lines pass on the side the targets face, within the scanner's range."
-        )
+        raise RankDeficient(UNSEEN)
     with one_thread():
         return seen.linearised()
 

@@ -1,9 +1,6 @@
-"""The best plan of a site, searched on all cores and written for the field."""
+"""What is said of a plan, and the best plan of a site written for the field."""
 
-from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
-from functools import partial
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -13,37 +10,26 @@ from lispac.errors import LispacError, RankDeficient
 from lispac.io.files import written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
 from lispac.simulation.choices import faces_one_way
-from lispac.simulation.design import Design, Mapper
+from lispac.simulation.design import Design
 from lispac.simulation.objective import CRITERIA, Objective
 from lispac.simulation.plan import Plan
-from lispac.simulation.prediction import foretold, predict
+from lispac.simulation.prediction import UNDETERMINED, foretold, predict
 from lispac.simulation.scenarios import Outcome
 from lispac.simulation.site import Site
 
-CHUNK = 16
-"""Plans that a process is sent at once."""
-
-
-@contextmanager
-def pool_of(workers: int) -> Iterator[Mapper]:
-    """A mapper over so many processes; one is this one."""
-    if workers <= 1:
-        yield map
-        return
-    with ProcessPoolExecutor(workers) as pool:
-        yield partial(pool.map, chunksize=CHUNK)
+ONE_WAY = (
+    "All targets face the same way, and the adjustment refuses that: add a target of another "
+    "inclination."
+)
 
 
 def words_of(plan: Plan) -> tuple[str, ...]:
     """What the geometry of a plan sees, in sentences, as after an adjustment."""
     try:
         if faces_one_way(plan):
-            return (
-                "All targets face the same way, and the adjustment refuses that: add a target of "
-                "another inclination.",
-            )
+            return (ONE_WAY,)
         if not predict(plan).determined:
-            return ("This plan does not determine the boresight; add lines in other directions.",)
+            return (UNDETERMINED,)
         return observability(foretold(plan)).sentences
     except RankDeficient as error:
         return (str(error),)

@@ -1,0 +1,86 @@
+"""A plan as it could come out: one survey with all its points and all its errors.
+
+Nothing of it comes from the foretelling (`lispac.simulation.prediction`) but how many points a
+sighting has: the boards lie off their shape, the LiDAR has noise, the POS errors drift, and the
+vessel rolls.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.errors import RankDeficient
+from lispac.simulation.closed_form import Ball, Board, Sea, abeam, gathered, observed, recorded
+from lispac.simulation.plan import Plan
+from lispac.simulation.prediction import FEWEST, UNSEEN, count_of_points
+
+Array = NDArray[np.float64]
+
+
+def simulated(
+    plan: Plan, generator: np.random.Generator, *, perfect: bool = False, calm: bool = False
+) -> Observations:
+    """One survey of a plan, as the adjustment gets it.
+
+    Parameters
+    ----------
+    perfect : bool
+        Targets, scanner and POS without any error.
+    calm : bool
+        The vessel neither rolls nor drifts off its lines.
+
+    Raises
+    ------
+    RankDeficient
+        No target is seen on any line.
+    """
+    system, rows, sightings = plan.system, [], []
+    sea = Sea.draw(generator)
+    if calm:
+        sea = replace(sea, sigma=0.0 * sea.sigma)
+    for target in plan.targets:
+        flatness = plan.flatness if target.flatness is None else target.flatness
+        for course in plan.courses:
+            scanner = abeam(system.mounting, target, course)
+            count = count_of_points(system, target, course, scanner)
+            if count < FEWEST:
+                continue
+            off = (0.0 if perfect else flatness) * generator.standard_normal(3)
+            points = _points(target, count, off, generator, scanner)
+            rows.append(recorded(system.mounting, course, sea, points))
+            sightings.append(Sighting(target.name, course.name))
+    if not rows:
+        raise RankDeficient(UNSEEN)
+    exact = gathered(rows, sightings, plan.targets, system.pos, system.scanner.range_sigma)
+    sigma = exact.sigma_lidar.copy()
+    ranges = np.linalg.norm(exact.points_lidar, axis=1)
+    sigma[:, 1:] = system.scanner.angle_sigma * ranges[:, None]
+    exact = replace(exact, sigma_lidar=sigma, beam_sigmas=True)
+    return exact if perfect else observed(exact, system.pos, generator)
+
+
+def _points(
+    target: Board | Ball, count: float, off: Array, generator: np.random.Generator, scanner: Array
+) -> Array:
+    """Points of one sighting, one in each field of an even grid, as a scanner lays them.
+
+    Parameters
+    ----------
+    off : ndarray of shape (3,), metres
+        How far this line sees the target off its shape: two borders lifted, and the whole.
+
+    Returns
+    -------
+    ndarray of shape (about ``count``, 3), metres, local
+    """
+    # What is seen of a ball is the disc in the square that the grid covers.
+    side = round(np.sqrt(count * 4 / np.pi if isinstance(target, Ball) else count))
+    fields = np.stack(np.divmod(np.arange(side**2), side))
+    u, v = 2 * (fields + generator.uniform(0, 1, fields.shape)) / side - 1
+    if isinstance(target, Ball):
+        points = target.cap(target.rim * u, target.rim * v, scanner)
+        return points + off[2] * (points - np.array(target.centre)) / target.radius
+    points = target.placed(u * target.width / 2, v * target.height / 2)
+    return np.asarray(points + (u * off[0] + v * off[1] + off[2])[:, None] * target.facing)

@@ -1,0 +1,81 @@
+"""Where the many calculations of a campaign run: here, in a pool of processes, or on a cluster.
+
+Searches and Monte Carlo ask for a mapper alone, so the same code runs in all three places, and
+gives the same numbers: no calculation knows which others it shares a process with.
+"""
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import AbstractContextManager, contextmanager
+from typing import Any
+
+from lispac.errors import LispacError
+from lispac.simulation.design import Mapper
+
+CHUNK = 16
+"""Most values that a process is sent at once."""
+
+ROUNDS = 4
+"""Chunks that each process gets at least, where there are enough values: the last ones to finish
+keep the others waiting for a fraction of the whole only."""
+
+
+def mapper_of(workers: int | None, cluster: str | None) -> AbstractContextManager[Mapper]:
+    """The mapper that a user asked for.
+
+    Parameters
+    ----------
+    workers : int or None
+        Processes on this machine; all cores where nothing is said.
+    cluster : str or None
+        Address of a dask scheduler, ``tcp://host:8786``, whose workers are to be used instead.
+
+    Raises
+    ------
+    LispacError
+        On entering: the cluster cannot be used.
+    """
+    if cluster is None:
+        return pool_of(workers or os.cpu_count() or 1)
+    from lispac.workflow.cluster import cluster_of
+
+    return cluster_of(cluster)
+
+
+@contextmanager
+def pool_of(workers: int) -> Iterator[Mapper]:
+    """A mapper over so many processes; one is this one.
+
+    What is not done when the context is left is never begun.
+
+    Raises
+    ------
+    LispacError
+        From the mapper: a process of the pool was lost.
+    """
+    if workers <= 1:
+        yield map
+        return
+    pool = ProcessPoolExecutor(workers)
+
+    def spread(function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
+        values = list(values)
+        try:
+            yield from pool.map(function, values, chunksize=chunk_of(len(values), workers))
+        except BrokenProcessPool as error:
+            raise LispacError(
+                "A process of this run ended from outside, perhaps for want of memory; start again "
+                "with fewer --workers."
+            ) from error
+
+    try:
+        yield spread
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def chunk_of(values: int, workers: int) -> int:
+    """How many of so many values a process is sent at once."""
+    return max(1, min(CHUNK, values // (ROUNDS * max(workers, 1))))

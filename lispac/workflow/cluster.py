@@ -1,0 +1,229 @@
+"""A campaign on many machines: the workers of a dask scheduler.
+
+The scheduler hands chunks to workers and hands those of a lost worker to others. What has come in
+is kept here, so that nothing is calculated twice but what was under way. Where the same chunk has
+lost its worker several times over, the scheduler gives it up; it is sent again a few times, since
+office machines are switched off without regard to what they calculate.
+"""
+
+import asyncio
+import re
+import threading
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from functools import partial
+from queue import Empty, SimpleQueue
+from time import monotonic
+from typing import Any
+
+from lispac import __version__
+from lispac.errors import LispacError
+from lispac.simulation.design import Mapper
+from lispac.workflow.campaign import chunk_of
+
+CONNECT = 4.0
+"""Seconds that a scheduler has to answer."""
+
+LOOK = 2.0
+"""Seconds without an answer after which it is asked whether there are workers at all."""
+
+PATIENCE = 60.0
+"""Seconds that may pass without any worker before the campaign ends."""
+
+SENDINGS = 3
+"""Times that a chunk is sent; each time the scheduler bears with several lost workers."""
+
+ADDRESS = re.compile(r"((tcp|tls)://)?(\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
+
+
+@contextmanager
+def cluster_of(address: str) -> Iterator[Mapper]:
+    """A mapper over the workers of a dask scheduler.
+
+    What is not done when the context is left is cancelled.
+
+    Parameters
+    ----------
+    address : str
+        ``tcp://host:8786``, or without ``tcp://``.
+
+    Raises
+    ------
+    LispacError
+        dask.distributed is not installed, no scheduler answers, it has no workers, or they have
+        another LISPAC; from the mapper: all workers are gone, or a chunk ends every worker.
+    """
+    try:
+        import distributed
+    except ImportError as error:
+        raise LispacError(
+            "Campaigns on several machines need the package distributed: pip install "
+            "lispac[cluster], on this machine and on the workers."
+        ) from error
+    if not ADDRESS.fullmatch(address):
+        raise LispacError(
+            f"{address}: not the address of a scheduler; it is written tcp://HOST:PORT, for "
+            "example tcp://192.168.1.20:8786."
+        )
+    _greet(address)
+    client = distributed.Client(address, timeout=CONNECT, set_as_default=False)
+    cluster = _Cluster(client, address)
+    try:
+        cluster.check()
+        yield cluster.map
+    finally:
+        cluster.close()
+
+
+def _greet(address: str) -> None:
+    """Refuse what is no scheduler; a client would wait for ever for one that says nothing."""
+    from distributed.comm import connect
+    from distributed.security import Security
+
+    async def greeted() -> None:
+        options = Security().get_connection_args("client")
+        comm = await asyncio.wait_for(connect(address, timeout=CONNECT, **options), CONNECT)
+        comm.abort()
+
+    try:
+        asyncio.run(greeted())
+    except Exception as error:  # whatever another program's answer leads to
+        raise LispacError(
+            f"{address}: no scheduler answers there within {CONNECT:g} s; start one with "
+            "`dask scheduler`, and mind the address it prints and the firewall."
+        ) from error
+
+
+class _Cluster:
+    """The connection, and what was sent and has not come back."""
+
+    def __init__(self, client: Any, address: str) -> None:
+        self.client, self.address = client, address
+        self.under_way: set[_Sent] = set()
+
+    def check(self) -> None:
+        """Refuse a cluster without workers, or whose workers are not like this program."""
+        if not self.client.nthreads():
+            raise LispacError(
+                f"{self.address}: the scheduler has no workers; start one on each machine with "
+                f"`dask worker {self.address} --nworkers auto --nthreads 1`."
+            )
+        for worker, found in self.client.run(_version, on_error="return").items():
+            if found != __version__:
+                raise LispacError(self._other(worker, found))
+
+    def _other(self, worker: str, found: object) -> str:
+        has = f"LISPAC {found}" if isinstance(found, str) else f"no LISPAC that answers ({found})"
+        return (
+            f"The worker {worker} has {has}, and this is {__version__}: install the same version "
+            "on all machines."
+        )
+
+    def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
+        """The answers in the order of the values, each as soon as those before it are there."""
+        values = list(values)
+        size = chunk_of(len(values), sum(self.client.nthreads().values()))
+        chunks = [values[k : k + size] for k in range(0, len(values), size)]
+        task = partial(_answers, function, __version__)
+        back: SimpleQueue[_Sent] = SimpleQueue()
+        for k, chunk in enumerate(chunks):
+            self._send(_Sent(k, task, chunk, back))
+        answers: dict[int, list[Any]] = {}
+        for k in range(len(chunks)):
+            while k not in answers:
+                sent = self._next(back)
+                if self._lost_its_worker(sent):
+                    self._send(sent)
+                    continue
+                answers[sent.number] = sent.future.result()
+                self._forget(sent)
+            yield from answers.pop(k)
+
+    def _send(self, sent: "_Sent") -> None:
+        sent.times += 1
+        sent.future = self.client.submit(sent.task, sent.chunk, pure=False)
+        self.under_way.add(sent)
+        sent.future.add_done_callback(sent.came)
+
+    def _next(self, back: "SimpleQueue[_Sent]") -> "_Sent":
+        """What comes back next, as long as there is hope."""
+        alone_since = None
+        while True:
+            try:
+                return back.get(timeout=LOOK)
+            except Empty:
+                pass
+            if self.client.nthreads():
+                alone_since = None
+            else:
+                alone_since = alone_since or monotonic()
+                if monotonic() - alone_since > PATIENCE:
+                    raise LispacError(
+                        f"{self.address}: all workers are gone; start them and the campaign again."
+                    )
+
+    def _lost_its_worker(self, sent: "_Sent") -> bool:
+        """Whether the scheduler gave it up, and it is worth another try."""
+        import distributed
+
+        if sent.future.cancelled():
+            raise LispacError(f"{self.address}: the connection to the scheduler was lost.")
+        error = sent.future.exception()
+        if not isinstance(error, distributed.scheduler.KilledWorker):
+            return False
+        self._forget(sent)
+        if sent.times >= SENDINGS:
+            raise LispacError(
+                f"{self.address}: the same {len(sent.chunk)} calculations lost their worker again "
+                "and again; it has too little memory, or is stopped from outside."
+            )
+        return True
+
+    def _forget(self, sent: "_Sent") -> None:
+        sent.future.release()
+        self.under_way.discard(sent)
+
+    def close(self) -> None:
+        """Cancel what has not come back, and leave."""
+        with suppress(Exception):  # the scheduler may be gone, and then there is nothing to cancel
+            self.client.cancel([sent.future for sent in self.under_way])
+        self.client.close()
+
+
+class _Sent:
+    """A chunk on its way."""
+
+    future: Any
+
+    def __init__(
+        self,
+        number: int,
+        task: Callable[[Sequence[Any]], list[Any]],
+        chunk: Sequence[Any],
+        back: "SimpleQueue[_Sent]",
+    ) -> None:
+        self.number, self.task, self.chunk, self.back = number, task, chunk, back
+        self.times = 0
+
+    def came(self, future: Any) -> None:
+        """Called when it is done, in a thread of the client."""
+        self.back.put(self)
+
+
+_ONE_AT_A_TIME = threading.Lock()
+"""A worker may have several threads; how many threads BLAS has is a setting of the process."""
+
+
+def _version() -> str:
+    return __version__
+
+
+def _answers(function: Callable[[Any], Any], version: str, values: Sequence[Any]) -> list[Any]:
+    """On the worker: the answers to a chunk."""
+    if version != __version__:  # a worker that came later
+        raise LispacError(
+            f"A worker has LISPAC {__version__}, and this is {version}: install the same version "
+            "on all machines."
+        )
+    with _ONE_AT_A_TIME:
+        return [function(value) for value in values]

@@ -1,0 +1,294 @@
+"""Campaigns here, in a pool of processes and on a cluster: the same answers, and none is lost."""
+
+import os
+import signal
+import socket
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from multiprocessing import active_children
+from pathlib import Path
+
+import dask
+import distributed
+import numpy as np
+import pytest
+
+from lispac.errors import Cancelled, LispacError, RankDeficient
+from lispac.io.plan_file import read_site
+from lispac.simulation.closed_form import Ball
+from lispac.simulation.design import search
+from lispac.simulation.monte_carlo import Scatter, surveyed
+from lispac.simulation.plan import System
+from lispac.simulation.scanner import Profiler
+from lispac.simulation.simulated_plan import simulated
+from lispac.workflow import cluster as cluster_module
+from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
+from lispac.workflow.cluster import cluster_of
+from tests.prediction_study import PLAN
+from tests.test_cli import answer, refused, run
+
+PORT = Path(__file__).parent / "data" / "port-plan.toml"
+QUAY = Path(__file__).parents[1] / "resources" / "sites" / "quay.toml"
+SMALL = replace(PLAN, system=System(scanner=Profiler(20_000.0)))
+
+
+@pytest.fixture(scope="module")
+def cluster() -> Iterator[distributed.LocalCluster]:
+    """Two workers, each a process of its own that is started again when it ends."""
+    # The scheduler gives a chunk up as soon as it has lost one worker.
+    with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 0}),
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0",
+            silence_logs=50,
+        ) as started,
+    ):  # fmt: skip
+        yield started
+
+
+def same(one: Scatter, other: Scatter) -> bool:
+    """To the last bit."""
+    return np.array_equal(one.errors, other.errors) and np.array_equal(one.sigmas, other.sigmas)
+
+
+def test_monte_carlo_is_the_same_everywhere(cluster: distributed.LocalCluster) -> None:
+    here = surveyed(SMALL, 12)
+    with pool_of(2) as mapper:
+        assert same(surveyed(SMALL, 12, mapper=mapper), here)
+    with cluster_of(cluster.scheduler_address) as mapper:
+        assert same(surveyed(SMALL, 12, mapper=mapper), here)
+    assert np.array_equal(surveyed(SMALL, 5).errors, here.errors[:5])
+    assert not np.isclose(surveyed(SMALL, 5, seed=1).errors, here.errors[:5]).any()
+
+
+def test_a_search_is_the_same_everywhere(cluster: distributed.LocalCluster) -> None:
+    _, site = read_site(QUAY)
+    site = replace(
+        site, lines=3, along=(-4.0, 1.0, 4.0), heights=(2.0, 8.0), headings_deg=(0.0, 45.0, 135.0)
+    )
+    designs = []
+    for where in (pool_of(1), pool_of(2), cluster_of(cluster.scheduler_address)):
+        with where as mapper:
+            designs.append(search(site, plans=300, mapper=mapper))
+    here, *others = designs
+    for other in others:
+        assert (other.value, other.looked_at) == (here.value, here.looked_at)
+        assert np.array_equal(other.prediction.information, here.prediction.information)
+        assert other.plan.lines == here.plan.lines
+
+
+def test_at_the_command_line(
+    cluster: distributed.LocalCluster, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ("campaign", PORT, "--surveys", 4)
+    here = answer(capsys, *words, "--workers", 1)
+    assert answer(capsys, *words, "--cluster", cluster.scheduler_address) == here
+    assert len(here["hits_95"]) == 3
+    code, out, err = run(capsys, *words, "--workers", 2, "--flatness-known")
+    assert code == 0, err
+    assert "4 surveys simulated and adjusted" in out
+    assert "scatter / foretold" in out
+
+
+def once(marker: Path, number: int) -> int:
+    """The square; the first to get here with 7 takes its process with it."""
+    if number == 7:
+        with suppress(FileExistsError):
+            os.close(os.open(marker, os.O_CREAT | os.O_EXCL))
+            os.kill(os.getpid(), signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
+    return number**2
+
+
+def never(number: int) -> int:
+    """What no process survives."""
+    if number == 7:
+        os._exit(1)
+    return number**2
+
+
+def refuses(number: int) -> int:
+    """An error that the user can act on."""
+    raise LispacError(f"number {number} is too large")
+
+
+def test_a_lost_worker_loses_no_result(cluster: distributed.LocalCluster, tmp_path: Path) -> None:
+    marker = tmp_path / "killed"
+    with cluster_of(cluster.scheduler_address) as mapper:
+        assert list(mapper(partial(once, marker), range(100))) == [k**2 for k in range(100)]
+    assert marker.exists()
+
+
+def test_a_worker_killed_from_outside_loses_no_result(
+    cluster: distributed.LocalCluster,
+) -> None:
+    """In the middle of a campaign, by the operating system."""
+    here = surveyed(SMALL, 40)
+    killed: list[int] = []
+    with (
+        distributed.Client(cluster.scheduler_address, set_as_default=False) as client,
+        cluster_of(cluster.scheduler_address) as mapper,
+    ):
+        workers = list(client.run(os.getpid).values())
+
+        def kill(fraction: float, message: str = "") -> None:
+            if not killed:
+                killed.append(workers[0])
+                os.kill(workers[0], signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
+
+        assert same(surveyed(SMALL, 40, mapper=mapper, progress=kill), here)
+        client.wait_for_workers(2, timeout=30)
+        assert workers[0] not in client.run(os.getpid).values()
+
+
+def test_what_ends_every_worker_ends_the_campaign(cluster: distributed.LocalCluster) -> None:
+    with (
+        cluster_of(cluster.scheduler_address) as mapper,
+        pytest.raises(LispacError, match="lost their worker again and again"),
+    ):
+        list(mapper(never, range(20)))
+    with pool_of(2) as mapper, pytest.raises(LispacError, match="A process of this run ended"):
+        list(mapper(never, range(20)))
+
+
+def test_an_error_comes_back_as_it_is(cluster: distributed.LocalCluster) -> None:
+    for where in (pool_of(1), pool_of(2), cluster_of(cluster.scheduler_address)):
+        with where as mapper, pytest.raises(LispacError, match=r"^number 3 is too large$"):
+            list(mapper(refuses, [3]))
+
+
+@dataclass
+class Slow:
+    """Takes its time and leaves a mark."""
+
+    folder: Path
+
+    def __call__(self, number: int) -> int:
+        (self.folder / str(number)).touch()
+        time.sleep(0.05)
+        return number
+
+
+def stopped_at_once(answers: Iterable[int]) -> None:
+    """As a search is stopped by its progress, after the first answer."""
+    for _ in answers:
+        raise Cancelled
+
+
+@pytest.mark.parametrize("place", ["pool", "cluster"])
+def test_what_is_cancelled_stops(
+    place: str, cluster: distributed.LocalCluster, tmp_path: Path
+) -> None:
+    address = cluster.scheduler_address
+    where: Callable = {"pool": lambda: pool_of(2), "cluster": lambda: cluster_of(address)}[place]
+    before = set(active_children())
+    with pytest.raises(Cancelled), where() as mapper:
+        stopped_at_once(mapper(Slow(tmp_path), range(2000)))
+    assert set(active_children()) == before
+    with distributed.Client(address, set_as_default=False) as client:
+        until = time.monotonic() + 20
+        while any(client.processing().values()):  # what was begun is finished
+            assert time.monotonic() < until
+            time.sleep(0.1)
+    assert 0 < len(list(tmp_path.iterdir())) < 200
+
+
+def test_addresses_that_lead_nowhere_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("campaign", PORT, "--cluster")
+    assert "it is written tcp://HOST:PORT" in refused(capsys, *words, "office-7")
+    with socket.socket() as closed:
+        closed.bind(("127.0.0.1", 0))
+        nobody = f"tcp://127.0.0.1:{closed.getsockname()[1]}"
+        start = time.monotonic()
+        assert f"{nobody}: no scheduler answers there" in refused(capsys, *words, nobody)
+    with socket.create_server(("127.0.0.1", 0)) as mute:  # something else, which never answers
+        silent = f"127.0.0.1:{mute.getsockname()[1]}"
+        assert f"{silent}: no scheduler answers" in refused(
+            capsys, "design", QUAY, "--cluster", silent
+        )
+    assert time.monotonic() - start < 20
+    code, _, err = run(capsys, *words, nobody, "--workers", 2)
+    assert code == 2
+    assert "not allowed with argument" in err
+
+
+def test_workers_of_another_version_are_refused(
+    cluster: distributed.LocalCluster, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cluster_module, "__version__", "9.9.9")
+    with (
+        pytest.raises(LispacError, match=r"worker tcp://.* has LISPAC \d.*, and this is 9\.9\.9"),
+        cluster_of(cluster.scheduler_address),
+    ):
+        pass
+
+
+def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    with distributed.LocalCluster(n_workers=0, dashboard_address=":0") as empty:
+        address = empty.scheduler_address
+        with pytest.raises(LispacError, match="has no workers; start one"), cluster_of(address):
+            pass
+        empty.scale(1)
+        empty.wait_for_workers(1)
+        monkeypatch.setattr(cluster_module, "LOOK", 0.1)
+        monkeypatch.setattr(cluster_module, "PATIENCE", 0.3)
+        with cluster_of(address) as mapper:
+            empty.scale(0)
+            with pytest.raises(LispacError, match="all workers are gone"):
+                list(mapper(abs, range(3)))
+
+
+def test_without_the_package_it_is_named(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    said = refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
+    assert "pip install lispac[cluster]" in said
+    with mapper_of(1, None) as mapper:
+        assert mapper is map
+
+
+def test_chunks() -> None:
+    assert [chunk_of(n, 2) for n in (0, 1, 16, 1000)] == [1, 1, 2, 16]
+    assert chunk_of(200, 0) == 16
+
+
+def test_plans_that_cannot_be_adjusted_are_refused() -> None:
+    with pytest.raises(RankDeficient, match="does not determine"):
+        surveyed(SMALL.with_lines(SMALL.lines[:1]), 2)
+    own = replace(SMALL, targets=tuple(replace(t, flatness=0.001) for t in SMALL.targets))
+    with pytest.raises(LispacError, match="one flatness for all"):
+        surveyed(own, 2, flatness_known=True)
+    assert surveyed(own, 2).sigmas.shape == (2, 3)
+
+
+def test_balls_are_surveyed_too() -> None:
+    """On a calm sea and without errors the points lie on the ball, as many as the scanner has."""
+    ball = Ball("S1", (0.0, -13.0, 6.0), 0.2)
+    found = surveyed(SMALL.with_targets((*SMALL.targets, ball)), 3)
+    assert found.failed == 0
+    exact = simulated(SMALL.with_targets([ball]), np.random.default_rng(1), perfect=True, calm=True)
+    mounting = SMALL.system.mounting
+    places = mounting.lever_arm + exact.points_lidar
+    turn = exact.attitude[:, 2]
+    north = np.cos(turn) * places[:, 0] + np.sin(turn) * places[:, 1]
+    west = -np.sin(turn) * places[:, 0] + np.cos(turn) * places[:, 1]
+    local = exact.position + np.column_stack([north, west, places[:, 2]])
+    assert np.linalg.norm(local - ball.centre, axis=1) == pytest.approx(0.2, abs=1e-9)
+    assert exact.radii == {"S1": 0.2}
+
+
+def test_the_words_say_which_sigma_is_too_small() -> None:
+    generator = np.random.default_rng(3)
+    sigmas = np.full((400, 3), 1e-4)
+    found = Scatter(generator.normal(0.0, 1e-4, (400, 3)) * [1, 1, 5], sigmas, sigmas[0], 2)
+    assert [said[:27] for said in found.words] == [
+        "The stated sigma of yaw is ", "2 surveys could not be adju",
+    ]  # fmt: skip
+    assert (
+        "as often as they should"
+        in Scatter(found.errors * [1, 1, 0.2], sigmas, sigmas[0], 0).words[0]
+    )
