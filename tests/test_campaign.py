@@ -1,8 +1,10 @@
 """Campaigns here, in a pool of processes and on a cluster: the same answers, and none is lost."""
 
+import json
 import os
 import signal
 import socket
+import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -224,6 +226,12 @@ def test_workers_of_another_version_are_refused(
         cluster_of(cluster.scheduler_address),
     ):
         pass
+    task = partial(cluster_module._answers, abs, "9.9.9")
+    with (
+        distributed.Client(cluster.scheduler_address, set_as_default=False) as client,
+        pytest.raises(LispacError, match=r"A worker that came later has LISPAC \d"),
+    ):
+        client.submit(task, [1]).result()
 
 
 def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -239,6 +247,34 @@ def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) 
             empty.scale(0)
             with pytest.raises(LispacError, match="all workers are gone"):
                 list(mapper(abs, range(3)))
+
+
+def test_a_lost_scheduler_is_told_of(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    """As a process of its own, which is killed."""
+    words = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--no-dashboard"]
+    words += ["--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(tmp_path / "where")]
+    scheduler = subprocess.Popen(words, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+    try:
+        until = time.monotonic() + 60
+        while not (tmp_path / "where").exists():
+            assert time.monotonic() < until
+            time.sleep(0.1)
+        address = json.loads((tmp_path / "where").read_text())["address"]
+        with pytest.raises(LispacError, match="has no workers"), cluster_of(address):
+            pass
+        capfd.readouterr()
+        client = distributed.Client(address, set_as_default=False)
+        scheduler.kill()
+        scheduler.wait()
+        told = cluster_module._Cluster(client, address)
+        with cluster_module._silence():
+            with pytest.raises(LispacError, match=r"connection to the scheduler .* was lost"):
+                list(told.map(abs, range(3)))
+            told.close()
+        assert capfd.readouterr().err == ""
+    finally:
+        scheduler.kill()
+        scheduler.wait()
 
 
 def test_without_the_package_it_is_named(

@@ -7,6 +7,8 @@ office machines are switched off without regard to what they calculate.
 """
 
 import asyncio
+import concurrent.futures
+import logging
 import re
 import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -65,14 +67,29 @@ def cluster_of(address: str) -> Iterator[Mapper]:
             f"{address}: not the address of a scheduler; it is written tcp://HOST:PORT, for "
             "example tcp://192.168.1.20:8786."
         )
-    _greet(address)
-    client = distributed.Client(address, timeout=CONNECT, set_as_default=False)
-    cluster = _Cluster(client, address)
+    with _silence():
+        _greet(address)
+        client = distributed.Client(address, timeout=CONNECT, set_as_default=False)
+        cluster = _Cluster(client, address)
+        try:
+            cluster.check()
+            yield cluster.map
+        finally:
+            cluster.close()
+
+
+@contextmanager
+def _silence() -> Iterator[None]:
+    """What goes wrong is told by one sentence, not by the client's log."""
+    logs = [logging.getLogger(name) for name in ("distributed", "distributed.client")]
+    levels = [log.level for log in logs]
+    for log in logs:
+        log.setLevel(logging.CRITICAL + 1)
     try:
-        cluster.check()
-        yield cluster.map
+        yield
     finally:
-        cluster.close()
+        for log, level in zip(logs, levels, strict=True):
+            log.setLevel(level)
 
 
 def _greet(address: str) -> None:
@@ -103,26 +120,23 @@ class _Cluster:
 
     def check(self) -> None:
         """Refuse a cluster without workers, or whose workers are not like this program."""
-        if not self.client.nthreads():
+        if not self._workers():
             raise LispacError(
                 f"{self.address}: the scheduler has no workers; start one on each machine with "
                 f"`dask worker {self.address} --nworkers auto --nthreads 1`."
             )
+        try:  # it reads every chunk before it hands it on
+            found = self.client.run_on_scheduler(_version)
+        except Exception as error:
+            found = error
+        _same_version(f"The scheduler {self.address}", found)
         for worker, found in self.client.run(_version, on_error="return").items():
-            if found != __version__:
-                raise LispacError(self._other(worker, found))
-
-    def _other(self, worker: str, found: object) -> str:
-        has = f"LISPAC {found}" if isinstance(found, str) else f"no LISPAC that answers ({found})"
-        return (
-            f"The worker {worker} has {has}, and this is {__version__}: install the same version "
-            "on all machines."
-        )
+            _same_version(f"The worker {worker}", found)
 
     def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
         """The answers in the order of the values, each as soon as those before it are there."""
         values = list(values)
-        size = chunk_of(len(values), sum(self.client.nthreads().values()))
+        size = chunk_of(len(values), self._workers())
         chunks = [values[k : k + size] for k in range(0, len(values), size)]
         task = partial(_answers, function, __version__)
         back: SimpleQueue[_Sent] = SimpleQueue()
@@ -134,14 +148,14 @@ class _Cluster:
                 sent = self._next(back)
                 if self._lost_its_worker(sent):
                     self._send(sent)
-                    continue
-                answers[sent.number] = sent.future.result()
-                self._forget(sent)
+                else:
+                    answers[sent.number] = self._answer(sent)
             yield from answers.pop(k)
 
     def _send(self, sent: "_Sent") -> None:
         sent.times += 1
-        sent.future = self.client.submit(sent.task, sent.chunk, pure=False)
+        with self._talk():
+            sent.future = self.client.submit(sent.task, sent.chunk, pure=False)
         self.under_way.add(sent)
         sent.future.add_done_callback(sent.came)
 
@@ -153,7 +167,7 @@ class _Cluster:
                 return back.get(timeout=LOOK)
             except Empty:
                 pass
-            if self.client.nthreads():
+            if self._workers():
                 alone_since = None
             else:
                 alone_since = alone_since or monotonic()
@@ -166,10 +180,11 @@ class _Cluster:
         """Whether the scheduler gave it up, and it is worth another try."""
         import distributed
 
-        if sent.future.cancelled():
-            raise LispacError(f"{self.address}: the connection to the scheduler was lost.")
-        error = sent.future.exception()
+        with self._talk():
+            error = sent.future.exception()
         if not isinstance(error, distributed.scheduler.KilledWorker):
+            if error is not None:
+                raise error
             return False
         self._forget(sent)
         if sent.times >= SENDINGS:
@@ -178,6 +193,31 @@ class _Cluster:
                 "and again; it has too little memory, or is stopped from outside."
             )
         return True
+
+    def _answer(self, sent: "_Sent") -> list[Any]:
+        # Its worker may have been lost since, and then another does it again
+        with self._talk():
+            answer = sent.future.result(timeout=PATIENCE)
+        self._forget(sent)
+        return list(answer)
+
+    def _workers(self) -> int:
+        """Threads of all workers there are now."""
+        with self._talk():
+            return sum(self.client.nthreads().values())
+
+    @contextmanager
+    def _talk(self) -> Iterator[None]:
+        """What breaks while one talks to the scheduler is its connection."""
+        try:
+            yield
+        except (
+            OSError, TimeoutError, asyncio.CancelledError, concurrent.futures.CancelledError,
+        ) as error:  # fmt: skip
+            raise LispacError(
+                f"{self.address}: the connection to the scheduler or its workers was lost; start "
+                "the campaign again."
+            ) from error
 
     def _forget(self, sent: "_Sent") -> None:
         sent.future.release()
@@ -218,12 +258,16 @@ def _version() -> str:
     return __version__
 
 
+def _same_version(who: str, found: object, wanted: str = "") -> None:
+    """Refuse another version than the one that is wanted, which is this one where none is said."""
+    wanted = wanted or __version__
+    if found != wanted:
+        has = f"LISPAC {found}" if isinstance(found, str) else f"no LISPAC that answers ({found})"
+        raise LispacError(f"{who} has {has}, and this is {wanted}: install the same everywhere.")
+
+
 def _answers(function: Callable[[Any], Any], version: str, values: Sequence[Any]) -> list[Any]:
     """On the worker: the answers to a chunk."""
-    if version != __version__:  # a worker that came later
-        raise LispacError(
-            f"A worker has LISPAC {__version__}, and this is {version}: install the same version "
-            "on all machines."
-        )
+    _same_version("A worker that came later", __version__, version)
     with _ONE_AT_A_TIME:
         return [function(value) for value in values]

@@ -1,0 +1,64 @@
+"""One design, ten thousand of them, and what a second process gains; nothing else should run.
+
+Run with ``pytest tests/benchmarks``.
+"""
+
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+
+from lispac.io.plan_file import read_site
+from lispac.simulation.choices import Space, thesis_plan
+from lispac.simulation.design import search
+from lispac.simulation.monte_carlo import surveyed
+from lispac.simulation.objective import Objective
+from lispac.simulation.prediction import predict
+from lispac.workflow.campaign import pool_of
+
+QUAY = Path(__file__).parents[2] / "resources" / "sites" / "quay.toml"
+DESIGNS = 10_000
+
+
+def test_one_design():
+    _, site = read_site(QUAY)
+    space = Space(site, Objective())
+    generator = np.random.default_rng(1)
+    widths = np.array(space.widths)
+    choices = [space.choice(generator.integers(widths)) for _ in range(300)]
+    predict(thesis_plan(site))  # compile
+    times = []
+    for choice in choices:
+        start = perf_counter()
+        space.value(choice)
+        times.append(1000 * (perf_counter() - start))
+    print(f"\none design of the quay: median {np.median(times):.2f} ms, most {max(times):.2f} ms")
+
+
+def test_ten_thousand_designs():
+    _, site = read_site(QUAY)
+    found = {}
+    for workers in (1, 2):
+        start = perf_counter()
+        with pool_of(workers) as mapper:
+            design = search(site, plans=DESIGNS, mapper=mapper)
+        found[workers] = perf_counter() - start
+        print(
+            f"\n{design.looked_at:,} designs of the quay, {workers} processes: "
+            f"{found[workers]:.1f} s, value {np.degrees(design.value):.4f} deg"
+        )
+    print(f"speed-up with two: {found[1] / found[2]:.2f}")
+
+
+def test_monte_carlo():
+    _, site = read_site(QUAY)
+    plan = thesis_plan(site)
+    surveyed(plan, 2)  # compile
+    found = {}
+    for workers in (1, 2):
+        start = perf_counter()
+        with pool_of(workers) as mapper:
+            surveyed(plan, 100, mapper=mapper)
+        found[workers] = perf_counter() - start
+        print(f"\n100 surveys, {workers} processes: {found[workers]:.1f} s")
+    print(f"speed-up with two: {found[1] / found[2]:.2f}")
