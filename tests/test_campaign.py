@@ -263,7 +263,7 @@ def test_a_lost_scheduler_is_told_of(tmp_path: Path, capfd: pytest.CaptureFixtur
         with pytest.raises(LispacError, match="has no workers"), cluster_of(address):
             pass
         capfd.readouterr()
-        client = distributed.Client(address, set_as_default=False)
+        client = distributed.Client(address, timeout=4, set_as_default=False)
         scheduler.kill()
         scheduler.wait()
         told = cluster_module._Cluster(client, address)
@@ -288,7 +288,7 @@ def test_without_the_package_it_is_named(
 
 
 def test_chunks() -> None:
-    assert [chunk_of(n, 2) for n in (0, 1, 16, 1000)] == [1, 1, 2, 16]
+    assert [chunk_of(n, 2) for n in (0, 1, 16, 144, 1000)] == [1, 1, 1, 9, 16]
     assert chunk_of(200, 0) == 16
 
 

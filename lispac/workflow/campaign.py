@@ -17,9 +17,9 @@ from lispac.simulation.design import Mapper
 CHUNK = 16
 """Most values that a process is sent at once."""
 
-ROUNDS = 4
-"""Chunks that each process gets at least, where there are enough values: the last ones to finish
-keep the others waiting for a fraction of the whole only."""
+ROUNDS = 8
+"""Chunks that each process gets at least, where there are enough values: the last one to finish
+keeps the others waiting for a fraction of the whole only."""
 
 
 def mapper_of(workers: int | None, cluster: str | None) -> AbstractContextManager[Mapper]:
