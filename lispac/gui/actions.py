@@ -71,6 +71,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                     "Adjust with points nearer together and farther apart, and compare"),
     "visibility": ("&Visibility of errors…", "Visibility", "", "",
                    "Which board and which lines show which systematic error"),
+    "design": ("&Design a site…", "Design", "", "Ctrl+Shift+D",
+               "Which boards, where, and which lines: see what they will give before surveying"),
     "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
                "Stop; nothing is changed"),
     "before": ("&Before (prior boresight)", "Before", "history", "",
@@ -127,7 +129,7 @@ _MENUS: dict[str, Menu] = {
         "lasso_add",
         "lasso_remove",
     ),
-    "&Adjust": ("estimate", "", "subsampling", "visibility", "", "cancel"),
+    "&Adjust": ("estimate", "", "subsampling", "visibility", "design", "", "cancel"),
     "Va&lidate": ("validate", "check", "", "budget", "history"),
     "&Help": ("keys", "about"),
 }

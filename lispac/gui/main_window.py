@@ -10,6 +10,7 @@ from lispac.gui import status
 from lispac.gui.actions import Actions
 from lispac.gui.computing import Computing, PointCount
 from lispac.gui.controller import Controller
+from lispac.gui.designing import Designing
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
@@ -94,6 +95,7 @@ class MainWindow(QMainWindow):
         Seeding(self)
         Reporting(self)
         Studies(self)
+        self.designing = Designing(self)
         FileDrops(self).dropped.connect(self.life.take_in)
         self._refresh()
 
@@ -386,7 +388,7 @@ class MainWindow(QMainWindow):
     # -- the end -----------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.life.may_leave():
+        if not (self.life.may_leave() and self.designing.leave()):
             event.ignore()
             return
         self.settings.keep_layout(self.saveGeometry(), self.saveState())

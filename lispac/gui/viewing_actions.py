@@ -148,6 +148,16 @@ KEYS = (
         ("F8", "target to validation plane, or the other way round"),
         ("L, Shift + L", "lasso: add points to the selected target, remove points"),
     )),
+    ("Designing a site (Ctrl + Shift + D)", (
+        ("Drag a line, its arrow", "nearer or farther, turn it; Shift: not in steps"),
+        ("Drag a target", "along the wall and up; in 3D its dots, off the wall too"),
+        ("Page up and down", "choose a line or target"),
+        ("Arrows, Shift + arrows", "move or turn it, in fine steps"),
+        ("Insert, Delete", "add one, remove it"),
+        ("Ctrl + D, Alt + Up, Down", "line again, a turn earlier, later"),
+        ("Ctrl + L, Ctrl + B, Ctrl + Shift + B", "add a line, a board, a ball"),
+        ("F9", "scenarios"),
+    )),
     ("The project", (
         ("F9, F10", "estimate, validate"),
         ("Shift + F9", "study the distance between points"),

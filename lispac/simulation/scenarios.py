@@ -159,7 +159,7 @@ SCENARIOS: dict[str, Callable[[Plan], list[Case]]] = {
     "POS": grades,
 }
 OF_THE_THESIS = ("lines", "inclination", "size", "targets")
-"""Scenarios whose targets are the thesis's own, whatever the plan's are."""
+"""Scenarios that have the thesis's own boards and lines, whatever the plan's are."""
 
 STATED: Sequence[PosErrors] = ("independent", "correlated")
 
@@ -196,15 +196,18 @@ def outcomes(
     Parameters
     ----------
     plan : Plan
-        What is changed in one thing at a time. The thesis's scenarios keep its lines and system and
-        have boards of their own.
+        What is changed in one thing at a time. The thesis's scenarios have its boards and lines,
+        with the system of this plan.
     scenarios : sequence of str
         Among `SCENARIOS`.
     """
     found = []
     for k, scenario in enumerate(scenarios):
         progress(k / len(scenarios), f"Scenario: {scenario}")
-        for case, changed in SCENARIOS[scenario](plan):
+        base = plan
+        if scenario in OF_THE_THESIS:
+            base = replace(thesis_setting(), system=plan.system, flatness=plan.flatness)
+        for case, changed in SCENARIOS[scenario](base):
             for errors in STATED:
                 told = predict(replace(changed, system=replace(changed.system, pos_errors=errors)))
                 points = sum(told.points.values())

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager, contextmanager
+from multiprocessing import get_context
 from typing import Any
 
 from lispac.errors import LispacError
@@ -45,10 +46,16 @@ def mapper_of(workers: int | None, cluster: str | None) -> AbstractContextManage
 
 
 @contextmanager
-def pool_of(workers: int) -> Iterator[Mapper]:
+def pool_of(workers: int, *, start_method: str | None = None) -> Iterator[Mapper]:
     """A mapper over so many processes; one is this one.
 
     What is not done when the context is left is never begun.
+
+    Parameters
+    ----------
+    start_method : str, optional
+        Of `multiprocessing`, where the system's usual one will not do: a process with a window
+        must not be forked.
 
     Raises
     ------
@@ -58,7 +65,7 @@ def pool_of(workers: int) -> Iterator[Mapper]:
     if workers <= 1:
         yield map
         return
-    pool = ProcessPoolExecutor(workers)
+    pool = ProcessPoolExecutor(workers, get_context(start_method))
 
     def spread(function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
         values = list(values)

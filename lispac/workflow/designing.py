@@ -35,6 +35,15 @@ def words_of(plan: Plan) -> tuple[str, ...]:
         return (str(error),)
 
 
+def write_field_plan(path: Path, titled: TitledPlan) -> None:
+    """Write the page for the field as PDF."""
+    from lispac.report.field_plan import field_plan
+
+    page = field_plan(titled.plan, titled.wall, titled.title)
+    with written_whole(Path(path)) as temporary:
+        page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
+
+
 def write_design(
     folder: Path, title: str, site: Site, design: Design, objective: Objective
 ) -> None:
@@ -46,13 +55,11 @@ def write_design(
         The folder cannot be made.
     """
     from lispac.report.design_figures import front_figure
-    from lispac.report.field_plan import field_plan
 
     folder = _made(folder)
-    write_plan(folder / "plan.toml", TitledPlan(title, design.plan, site.wall))
-    page = field_plan(design.plan, site.wall, title)
-    with written_whole(folder / "field-plan.pdf") as temporary:
-        page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
+    titled = TitledPlan(title, design.plan, site.wall)
+    write_plan(folder / "plan.toml", titled)
+    write_field_plan(folder / "field-plan.pdf", titled)
     figure = front_figure(design.front, CRITERIA[objective.criterion])
     with written_whole(folder / "front.svg") as temporary:
         figure.savefig(temporary, format="svg", metadata={"Date": None})

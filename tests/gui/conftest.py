@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
+from lispac.gui.design.window import DesignWindow
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
@@ -19,6 +20,7 @@ from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.picking import pick
 from lispac.workflow.survey import load_survey
+from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver
 from tests.sharing import once
@@ -122,3 +124,9 @@ def filled(dialog: ImportDialog, qtbot: QtBot, demo: Demo) -> ImportDialog:
     drop(dialog, raw(demo))
     rest(qtbot, dialog)
     return dialog
+
+
+@pytest.fixture
+def design(driver: Driver) -> DesignWindow:
+    """The workspace of a site, opened by its keys."""
+    return opened_by_keys(driver)

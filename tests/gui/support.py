@@ -80,6 +80,9 @@ class ScriptedDialogs(Dialogs):
     def folder_of_projects(self, start: Path) -> Path | None:
         return self.path
 
+    def design_file(self, what: str, start: Path) -> Path | None:
+        return self.path
+
     def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
         self.asked.append(start.name)
         return self.path

@@ -46,6 +46,14 @@ Answer = Literal["save", "discard", "cancel"]
 DropAnswer = Literal["add", "new", "cancel"]
 CandidateAnswer = Literal["accept", "reject", "cancel"]
 
+DesignFile = Literal["open", "save", "page", "site"]
+DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {
+    "open": ("Open plan", "Plan (*.toml)", False),
+    "save": ("Save plan", "Plan (*.toml)", True),
+    "page": ("Write the field plan", "PDF (*.pdf)", True),
+    "site": ("Open site", "Site (*.toml)", False),
+}
+
 REPORT_FILTER = (
     "PDF (*.pdf);;HTML (*.html);;Numbers as JSON (*.json);;Tables as CSV in a ZIP file (*.zip)"
 )
@@ -170,6 +178,17 @@ class Dialogs:
         dialog = VisibilityDialog(found, self.parent)
         dialog.exec()
         dialog.deleteLater()
+
+    def design_file(self, what: DesignFile, start: Path) -> Path | None:
+        """A file of a plan, a site or a field plan, to read or to write."""
+        title, kind, writes = DESIGN_FILES[what]
+        ask = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
+        name, _ = ask(self.parent, title, str(start), kind)
+        if not name:
+            return None
+        path = Path(name)
+        ending = start.suffix if writes else ""
+        return path if path.suffix or not ending else path.with_name(path.name + ending)
 
     def report_file(self, start: Path) -> Path | None:
         """Where the report goes; the ending chooses its kind."""

@@ -1,0 +1,1 @@
+"""The workspace in which a calibration site is designed."""

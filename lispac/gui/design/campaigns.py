@@ -1,0 +1,83 @@
+"""Long work on a plan: the search and the scenarios, in the background."""
+
+import os
+import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from typing import Any
+
+from lispac.progress import Progress, part
+from lispac.simulation.design import Design, Mapper, search
+from lispac.simulation.objective import Objective
+from lispac.simulation.plan import Plan
+from lispac.simulation.scenarios import (
+    OF_THE_THESIS,
+    SCENARIOS,
+    Outcome,
+    outcomes,
+    thesis_setting,
+)
+from lispac.simulation.site import Site
+from lispac.workflow.campaign import pool_of
+
+FEW = 600
+"""Plans that are looked at sooner than other processes are started."""
+
+
+class Rated:
+    """A mapper that counts what comes back, and a progress that tells the rate."""
+
+    def __init__(self, mapper: Mapper, progress: Progress) -> None:
+        self._mapper, self._progress = mapper, progress
+        self._count, self._began = 0, time.monotonic()
+
+    def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
+        """The answers in order."""
+        for value in self._mapper(function, values):
+            self._count += 1
+            if self._count % 10 == 0:  # asked for the cancel flag between reports as well
+                self._progress(self._fraction)
+            yield value
+
+    _fraction = 0.0
+
+    def progress(self, fraction: float, message: str = "") -> None:
+        """Tell how far it is, and how many plans a second."""
+        self._fraction = fraction
+        elapsed = time.monotonic() - self._began
+        rate = f", {self._count / elapsed:,.0f} plans/s" if elapsed > 0.5 and self._count else ""
+        self._progress(fraction, f"{message}{rate}" if message else "")
+
+
+def best_plan(
+    site: Site, objective: Objective, plans: int, start: Plan, progress: Progress
+) -> Design:
+    """The best plan of a site, on all cores where there are many to look at."""
+    workers = 1 if plans * len(objective.pos_factors) <= FEW else os.cpu_count() or 1
+    progress(0.0, "Starting the search")
+    with pool_of(workers, start_method="spawn") as mapper:
+        rated = Rated(mapper, progress)
+        return search(
+            site, objective, plans=plans, start=start, mapper=rated.map, progress=rated.progress
+        )
+
+
+def scenarios_of(plan: Plan) -> tuple[tuple[Plan, tuple[str, ...]], ...]:
+    """Which scenarios are run with which plan.
+
+    The thesis's have boards of its own, which hang on its own wall: they are run there, with the
+    system of the plan.
+    """
+    own = tuple(name for name in SCENARIOS if name not in OF_THE_THESIS)
+    return (replace(thesis_setting(), system=plan.system), OF_THE_THESIS), (plan, own)
+
+
+def all_scenarios(plan: Plan, progress: Progress) -> tuple[Outcome, ...]:
+    """What one thing changes, whichever it is."""
+    groups, found, begun = scenarios_of(plan), (), 0
+    count = sum(len(names) for _, names in groups)
+    for which, names in groups:
+        end = begun + len(names)
+        found += outcomes(which, names, progress=part(progress, begun / count, end / count))
+        begun = end
+    return found

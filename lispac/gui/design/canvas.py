@@ -1,0 +1,186 @@
+"""A drawing to scale in which things are dragged; the plan view and the wall are two of them."""
+
+from abc import abstractmethod
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+from lispac.gui import theme
+from lispac.gui.design.workspace import Workspace
+
+Array = NDArray[np.float64]
+
+MARGIN = 34.0
+"""Pixels round what is to be seen."""
+REACH = 9.0
+"""Pixels about a thing within which it is taken."""
+STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+"""Metres between the lines of the grid; the least that leaves this many pixels between them."""
+GRID_PIXELS = 42.0
+GRID, PAPER, INK = QColor("#e3e8ed"), QColor("#ffffff"), QColor(theme.TEXT)
+MUTED, WALL = QColor(theme.MUTED), QColor("#8a8f98")
+CHOSEN, OTHER, TARGET = QColor("#d35400"), QColor(theme.BEFORE), QColor(theme.AFTER)
+
+
+class Canvas(QWidget):
+    """Scale, grid, mouse and keys.
+
+    Parameters
+    ----------
+    axes : what is across, and what is up
+    """
+
+    def __init__(self, name: str, title: str, workspace: Workspace, axes: tuple[str, str]) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setAccessibleName(title)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setMinimumSize(240, 180)
+        self.workspace, self._axes = workspace, axes
+        self._frozen: tuple[float, Array] | None = None
+        workspace.changed.connect(self.update)
+        workspace.selected.connect(self.update)
+
+    def sizeHint(self) -> QSize:
+        return QSize(460, 340)
+
+    # -- scale -------------------------------------------------------------------------------
+
+    @abstractmethod
+    def bounds(self) -> Array:
+        """Corners of what is to be seen, shape (n, 2), metres."""
+
+    @property
+    def _view(self) -> tuple[float, Array]:
+        """Pixels a metre, and the place in the middle of the picture; a drag leaves them."""
+        if self._frozen is not None:
+            return self._frozen
+        places = self.bounds()
+        low, high = places.min(axis=0), places.max(axis=0)
+        room = np.array([self.width(), self.height()]) - 2 * MARGIN
+        scale = float((np.maximum(room, 20.0) / np.maximum(high - low, 2.0)).min())
+        return scale, (low + high) / 2
+
+    def pixel(self, place: Array) -> QPointF:
+        """Where a place (2,) is drawn."""
+        scale, middle = self._view
+        x, y = scale * (np.asarray(place) - middle)
+        return QPointF(self.width() / 2 + float(x), self.height() / 2 - float(y))
+
+    def place(self, pixel: QPointF) -> Array:
+        """The inverse of `pixel`."""
+        scale, middle = self._view
+        offset = np.array([pixel.x() - self.width() / 2, self.height() / 2 - pixel.y()])
+        return np.asarray(middle + offset / scale)
+
+    # -- drawing -----------------------------------------------------------------------------
+
+    @abstractmethod
+    def draw(self, painter: QPainter) -> None:
+        """What there is, over the grid."""
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), PAPER)
+        self._draw_grid(painter)
+        self.draw(painter)
+        painter.setPen(QPen(QColor(theme.ACCENT if self.hasFocus() else theme.BORDER), 1))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+        painter.end()
+
+    def _draw_grid(self, painter: QPainter) -> None:
+        scale, _ = self._view
+        step = next((s for s in STEPS if s * scale >= GRID_PIXELS), STEPS[-1])
+        low = self.place(QPointF(0, self.height()))
+        high = self.place(QPointF(self.width(), 0))
+        font = theme.tabular(self.font())
+        font.setPixelSize(10)
+        painter.setFont(font)
+        for axis in (0, 1):
+            for k in range(int(np.ceil(low[axis] / step)), int(np.floor(high[axis] / step)) + 1):
+                at = np.array([k * step, k * step])
+                spot = self.pixel(at)
+                painter.setPen(QPen(GRID, 1))
+                said = f"{k * step:g}".replace("-", "−")
+                if axis == 0:
+                    painter.drawLine(QPointF(spot.x(), 0), QPointF(spot.x(), self.height()))
+                    painter.setPen(MUTED)
+                    if 26 < spot.x() < self.width() - 60:
+                        painter.drawText(QPointF(spot.x() + 2, self.height() - 4), said)
+                else:
+                    painter.drawLine(QPointF(0, spot.y()), QPointF(self.width(), spot.y()))
+                    painter.setPen(MUTED)
+                    if 26 < spot.y() < self.height() - 18:
+                        painter.drawText(QPointF(4, spot.y() - 2), said)
+        across, up = self._axes
+        painter.setPen(MUTED)
+        corner = QRectF(0, self.height() - 17, self.width() - 4, 15)
+        painter.drawText(corner, Qt.AlignmentFlag.AlignRight, across)
+        painter.drawText(QPointF(4, 13), up)
+
+    def words(self, painter: QPainter, at: QPointF, text: str, colour: QColor = INK) -> None:
+        """Words on a pale ground, so that they are read over lines."""
+        font = QFont(self.font())
+        font.setPixelSize(11)
+        painter.setFont(font)
+        box = painter.fontMetrics().boundingRect(text)
+        ground = QRectF(at.x() - 2, at.y() - box.height() + 2, box.width() + 5, box.height())
+        painter.fillRect(ground, QColor(255, 255, 255, 205))
+        painter.setPen(colour)
+        painter.drawText(at, text)
+
+    # -- mouse and keys ----------------------------------------------------------------------
+
+    @abstractmethod
+    def take(self, at: QPointF) -> bool:
+        """Take what is at a pixel; whether there is something."""
+
+    @abstractmethod
+    def pull(self, at: QPointF, free: bool) -> None:
+        """Move what was taken; ``free`` does not snap."""
+
+    @abstractmethod
+    def dropped(self) -> str:
+        """Words of the undo step, and let go."""
+
+    @abstractmethod
+    def key(self, key: Qt.Key, free: bool) -> bool:
+        """Do what a key means; whether it means something."""
+
+    @abstractmethod
+    def over(self, at: QPointF) -> Qt.CursorShape:
+        """The mouse's shape over a pixel."""
+
+    def mousePressEvent(self, event) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and self.take(event.position()):
+            self._frozen = self._view
+
+    def mouseMoveEvent(self, event) -> None:
+        if self._frozen is not None and event.buttons() & Qt.MouseButton.LeftButton:
+            free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self.pull(event.position(), free)
+        else:
+            self.setCursor(self.over(event.position()))
+
+    def mouseReleaseEvent(self, event) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and self._frozen is not None:
+            self._frozen = None
+            self.workspace.drop(self.dropped())
+            self.update()
+
+    def keyPressEvent(self, event) -> None:
+        free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        if event.key() == Qt.Key.Key_Escape and self._frozen is not None:
+            self._frozen = None
+            self.dropped()
+            self.workspace.give_up()
+        elif event.modifiers() & ~(
+            Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
+        ) or not self.key(Qt.Key(event.key()), free):
+            super().keyPressEvent(event)

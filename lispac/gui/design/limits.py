@@ -1,0 +1,169 @@
+"""What a search may choose from, in a form: a list of numbers in each field."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
+
+from lispac.errors import InputError, LispacError
+from lispac.gui.panels import widgets
+from lispac.io.plan_file import TitledPlan
+from lispac.simulation.site import Site
+
+# name of the site's field: (label, unit, low, high, tip)
+LISTS = {
+    "along": ("Boards along", "m", -500.0, 500.0, "Where boards may hang, to the right"),
+    "heights": ("Boards up", "m", -50.0, 200.0, "Heights of boards above the POS"),
+    "inclinations_deg": ("From level", "deg", 0.0, 180.0,
+                         "Inclinations: 90 upright, less leans back, more forward"),
+    "headings_deg": ("Headings", "deg", -360.0, 360.0, "That may be sailed"),
+    "distances": ("Distances", "m", 1.0, 200.0, "At which a line may pass the site"),
+}  # fmt: skip
+LEANS = (90.0, 60.0, 45.0, 120.0, 135.0)
+"""Degrees from level, as in the site files that come with the program."""
+
+
+def numbers_of(text: str, what: str, unit: str, low: float, high: float) -> tuple[float, ...]:
+    """A list of numbers as it is typed: apart by commas, semicolons or blanks.
+
+    Raises
+    ------
+    InputError
+        Something else stands there, or it is out of range.
+    """
+    parts = text.replace(",", " ").replace(";", " ").replace("−", "-").split()
+    if not parts:
+        raise InputError(f"{what}: give at least one number in {unit}.")
+    found = []
+    for part in parts:
+        try:
+            value = float(part)
+        except ValueError:
+            raise InputError(f"{what}: “{part}” is not a number; give {unit}.") from None
+        if not low <= value <= high:
+            raise InputError(f"{what}: {value:g} is out of range; give {low:g} to {high:g} {unit}.")
+        found.append(value)
+    return tuple(dict.fromkeys(found))
+
+
+class LimitsForm(QWidget):
+    """The limits of a site; what a site file says besides stays as it is there."""
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._file: tuple[str, Site] | None = None
+        self.lists: dict[str, QLineEdit] = {}
+        self.boards = _whole("limit_boards", 0, 6, 2, "Boards that are hung")
+        self.lines = _whole("limit_lines", 2, 12, 6, "Lines that are sailed")
+        self.closest = widgets.number(
+            "limit_closest", suffix=" m", decimals=1, low=0.0, high=100.0, step=0.5,
+            tip="No line comes nearer to the wall than this, 0 to 100 m",
+        )  # fmt: skip
+        self.minutes = widgets.number(
+            "limit_minutes", suffix=" min", decimals=0, low=1.0, high=1440.0, step=5.0,
+            tip="Time on site for lines, 1 to 1440 min",
+        )  # fmt: skip
+        form = QFormLayout(self)
+        form.setContentsMargins(0, 0, 0, 0)
+        for label, field in (
+            ("Boards", self.boards), ("Lines", self.lines), ("Off the wall", self.closest),
+            ("Time on site", self.minutes),
+        ):  # fmt: skip
+            form.addRow(label, field)
+            field.valueChanged.connect(lambda _value: self.changed.emit())
+        for name, (label, unit, low, high, tip) in LISTS.items():
+            field = QLineEdit()
+            field.setObjectName(f"limit_{name}")
+            field.setAccessibleName(f"{label}, {unit}")
+            field.setToolTip(f"{tip}; a list of numbers, {low:g} to {high:g} {unit}")
+            field.textChanged.connect(self._judge)
+            self.lists[name] = field
+            form.addRow(f"{label} ({unit})", field)
+        self._fill(Site((0.0, 0.0, 0.0), 270.0, inclinations_deg=LEANS))
+
+    def use_file(self, title: str, site: Site) -> None:
+        """Limits from a site file."""
+        self._file = (title, site)
+        self._fill(site)
+
+    def use_form(self) -> None:
+        """Forget the site file; wall and system are the plan's again."""
+        self._file = None
+        self.changed.emit()
+
+    @property
+    def file(self) -> str:
+        """What the limits rest on, in words."""
+        if self._file is None:
+            return "Wall and system: the plan's."
+        title, site = self._file
+        there = ", ".join(each.name for each in site.natural)
+        there = f" There anyway: {there}." if there else ""
+        return f"Wall and system: the site file's, “{title}”.{there}"
+
+    def site(self, titled: TitledPlan) -> tuple[str, Site]:
+        """Title and site to search on.
+
+        Raises
+        ------
+        LispacError
+            What is typed makes no site.
+        """
+        if self._file is None:
+            plan = titled.plan
+            title = titled.title
+            base = Site(titled.wall.middle, titled.wall.facing_deg, system=plan.system,
+                        flatness=plan.flatness)  # fmt: skip
+            base = replace(base, minutes_per_line=plan.interval / 60, time_on_site=float("inf"))
+        else:
+            title, base = self._file
+        lists = {name: self._numbers(name) for name in LISTS}
+        return title, replace(
+            base, boards=round(self.boards.value()), lines=round(self.lines.value()),
+            closest=self.closest.value(), time_on_site=self.minutes.value(), **lists,
+        )  # fmt: skip
+
+    def mistake(self, titled: TitledPlan) -> str:
+        """What is wrong with what is typed; empty where nothing is."""
+        try:
+            self.site(titled)
+        except LispacError as error:
+            return str(error)
+        return ""
+
+    def _numbers(self, name: str) -> tuple[float, ...]:
+        label, unit, low, high, _ = LISTS[name]
+        return numbers_of(self.lists[name].text(), label, unit, low, high)
+
+    def _fill(self, site: Site) -> None:
+        for field, value in (
+            (self.boards, site.boards), (self.lines, site.lines), (self.closest, site.closest),
+            (self.minutes, site.time_on_site),
+        ):  # fmt: skip
+            field.setValue(value)
+        for name, field in self.lists.items():
+            field.setText(", ".join(f"{v:g}" for v in getattr(site, name)))
+        self.changed.emit()
+
+    def _judge(self, _text: str) -> None:
+        for name, field in self.lists.items():
+            try:
+                self._numbers(name)
+                wrong = False
+            except InputError:
+                wrong = True
+            if field.property("wrong") != wrong:
+                field.setProperty("wrong", wrong)
+                field.style().unpolish(field)
+                field.style().polish(field)
+        self.changed.emit()
+
+
+def _whole(name: str, low: int, high: int, value: int, tip: str):
+    made = widgets.number(
+        name, suffix="", decimals=0, low=low, high=high, step=1, tip=f"{tip}, {low} to {high}"
+    )
+    made.setValue(value)
+    return made

@@ -1,0 +1,74 @@
+"""What long work found, in figures: one for each scenario, and what less time costs."""
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+
+from lispac.gui.panels import widgets
+from lispac.simulation.design import Step
+from lispac.simulation.scenarios import OF_THE_THESIS, Outcome
+
+NOTHING = (
+    "Scenarios (F9) change one thing at a time: lines, inclination, size and combination of boards "
+    "as the thesis does, and with this plan distance, height, repeated lines, speed and POS."
+)
+LESS_TIME = "less time on site"
+
+
+class PicturesPanel(QWidget):
+    """A list to choose a figure from; later ones take the place of those of the same name."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("design_pictures")
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(8, 8, 8, 8)
+        self.empty = widgets.label(NOTHING, "muted", wrap=True)
+        self.which = widgets.Choice("design_picture", [LESS_TIME], "Which figure is shown")
+        self.which.setAccessibleName("Which figure is shown")
+        self.which.clear()
+        self.which.hide()
+        self.pages = QStackedWidget()
+        layout.addWidget(self.empty)
+        layout.addWidget(self.which)
+        layout.addWidget(self.pages, 1)
+        self.which.currentIndexChanged.connect(self.pages.setCurrentIndex)
+
+    def show_outcomes(self, found: Sequence[Outcome]) -> None:
+        """One figure for each scenario."""
+        from lispac.report.design_figures import scenario_figure
+
+        names = list(dict.fromkeys(each.scenario for each in found))
+        for name in names:
+            own = [each for each in found if each.scenario == name]
+            title = f"{name} (thesis's wall and boards)" if name in OF_THE_THESIS else name
+            self._put(title, lambda figure, own=own: scenario_figure(own, figure))
+        self.which.setCurrentIndex(0)
+
+    def show_front(self, front: Sequence[Step], label: str) -> None:
+        """What less time costs."""
+        from lispac.report.design_figures import front_figure
+
+        self._put(LESS_TIME, lambda figure: front_figure(front, label, figure))
+        self.which.setCurrentText(LESS_TIME)
+
+    def _put(self, title: str, draw: Callable) -> None:
+        from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+        from matplotlib.figure import Figure
+
+        canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+        canvas.setAccessibleName(f"Figure: {title}")
+        canvas.setMinimumSize(280, 200)
+        draw(canvas.figure)
+        at = self.which.findText(title)
+        if at >= 0:
+            old = self.pages.widget(at)
+            self.pages.removeWidget(old)
+            old.deleteLater()
+            self.pages.insertWidget(at, canvas)
+            self.pages.setCurrentIndex(self.which.currentIndex())
+        else:
+            self.pages.addWidget(canvas)
+            self.which.addItem(title)
+        self.empty.hide()
+        self.which.show()

@@ -1,0 +1,216 @@
+"""The site from above: lines are dragged nearer, farther and round."""
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
+
+from lispac.gui.design import edits
+from lispac.gui.design.canvas import CHOSEN, INK, OTHER, REACH, TARGET, WALL, Array, Canvas
+from lispac.gui.design.workspace import Workspace
+from lispac.simulation.closed_form import Board
+from lispac.simulation.plan import Line
+
+ASIDE = 6.0
+"""Pixels a line is drawn to starboard of its course: opposite lines lie beside each other."""
+BADGE = 9.0
+"""Pixels: radius of a line's number."""
+
+Key = Qt.Key
+
+
+class PlanView(Canvas):
+    """North up; a line's number stands where it begins."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        super().__init__(
+            "plan_view", "Site from above: lines", workspace, ("east (m)", "north (m)")
+        )
+        self.setToolTip(
+            "Drag a line nearer or farther, its arrow to turn it (in steps of 5 deg, with Shift "
+            "freely). Keys: Page up and down choose a line, Left and Right turn it, Up and Down "
+            "move it; Insert adds, Delete removes."
+        )
+        self._line: Line | None = None
+        self._turns = False
+        self._from = np.zeros(2)
+
+    # -- places ------------------------------------------------------------------------------
+
+    @property
+    def _middle(self) -> Array:
+        north, west, _ = self.workspace.titled.plan.middle
+        return np.array([-west, north])
+
+    def _ends(self) -> list[tuple[Array, Array]]:
+        """Where each line begins and ends, east and north."""
+        plan = self.workspace.titled.plan
+        found = []
+        runs = plan.runs if plan.targets else [(-5.0, 5.0)] * len(plan.lines)
+        for line, (start, stop) in zip(plan.lines, runs, strict=True):
+            north, west = line.abeam(plan.middle)
+            along = _along(line)
+            abeam = np.array([-west, north])
+            found.append((abeam + start * along, abeam + stop * along))
+        return found
+
+    def _drawn(self, k: int, ends: tuple[Array, Array]) -> tuple[QPointF, QPointF]:
+        along = _along(self.workspace.titled.plan.lines[k])
+        aside = ASIDE * QPointF(along[1], along[0])  # to starboard, in pixels: y runs down
+        return self.pixel(ends[0]) + aside, self.pixel(ends[1]) + aside
+
+    def bounds(self) -> Array:
+        titled = self.workspace.titled
+        places = [self._middle]
+        places += [place for ends in self._ends() for place in ends]
+        places += [np.array([-t.centre[1], t.centre[0]]) for t in titled.plan.targets]
+        return np.stack(places)
+
+    # -- drawing -----------------------------------------------------------------------------
+
+    def draw(self, painter: QPainter) -> None:
+        titled = self.workspace.titled
+        wall = titled.wall
+        right = np.array([-wall.right[1], wall.right[0]])
+        water = np.array([-wall.out[1], wall.out[0]])
+        reach = 1.2 * max((line.distance for line in titled.plan.lines), default=10.0) + 5.0
+        corners = [
+            self._middle - reach * right, self._middle + reach * right,
+            self._middle + reach * right - 0.6 * water, self._middle - reach * right - 0.6 * water,
+        ]  # fmt: skip
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QBrush(WALL))
+        painter.drawPolygon(QPolygonF([self.pixel(corner) for corner in corners]))
+        ends = self._ends()
+        for k in sorted(range(len(ends)), key=lambda k: k == self.workspace.line):
+            self._draw_line(painter, k, *self._drawn(k, ends[k]))
+        for k, target in enumerate(titled.plan.targets):
+            spot = self.pixel(np.array([-target.centre[1], target.centre[0]]))
+            chosen = k == self.workspace.target
+            painter.setPen(QPen(INK, 1))
+            painter.setBrush(QBrush(CHOSEN if chosen else TARGET))
+            draw = painter.drawRect if isinstance(target, Board) else painter.drawEllipse
+            draw(round(spot.x()) - 4, round(spot.y()) - 4, 8, 8)
+            if chosen or len(titled.plan.targets) <= 2:
+                lower = 13.0 if k % 2 else -6.0
+                self.words(painter, spot + QPointF(8, lower), target.name)
+
+    def _draw_line(self, painter: QPainter, k: int, first: QPointF, last: QPointF) -> None:
+        chosen = k == self.workspace.line
+        colour = CHOSEN if chosen else OTHER
+        painter.setPen(QPen(colour, 2.6 if chosen else 1.6))
+        painter.drawLine(first, last)
+        along = last - first
+        length = max(float(np.hypot(along.x(), along.y())), 1.0)
+        along, aside = along / length, QPointF(-along.y(), along.x()) / length
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QBrush(colour))
+        painter.drawPolygon(
+            QPolygonF(
+                [last + 4 * along, last - 9 * along + 5 * aside, last - 9 * along - 5 * aside]
+            )
+        )
+        painter.drawEllipse(first, BADGE, BADGE)
+        painter.setPen(QColor("#ffffff"))
+        font = self.font()
+        font.setPixelSize(11)
+        font.setBold(True)
+        painter.setFont(font)
+        number = f"{k + 1}"
+        wide = painter.fontMetrics().horizontalAdvance(number)
+        painter.drawText(first + QPointF(-wide / 2, 4), number)
+        if chosen:
+            line = self.workspace.titled.plan.lines[k]
+            said = f"{line.heading_deg:03.0f}°, {line.distance:g} m"
+            self.words(painter, (first + last) / 2 + QPointF(8, -8), said, CHOSEN)
+
+    # -- mouse -------------------------------------------------------------------------------
+
+    def _at(self, at: QPointF) -> tuple[int, bool] | None:
+        """The line at a pixel, and whether it is its arrow; the selected one before others."""
+        drawn = [self._drawn(k, ends) for k, ends in enumerate(self._ends())]
+        order = sorted(range(len(drawn)), key=lambda k: k != self.workspace.line)
+        for k in order:
+            if _apart(at, drawn[k][1], drawn[k][1]) <= REACH:
+                return k, True
+        near = [(_apart(at, *drawn[k]), k) for k in order]
+        best = min(near, default=(np.inf, -1), key=lambda each: round(each[0]))
+        return (best[1], False) if best[0] <= REACH else None
+
+    def over(self, at: QPointF) -> Qt.CursorShape:
+        found = self._at(at)
+        if found is None:
+            return Qt.CursorShape.ArrowCursor
+        return Qt.CursorShape.CrossCursor if found[1] else Qt.CursorShape.OpenHandCursor
+
+    def take(self, at: QPointF) -> bool:
+        found = self._at(at)
+        if found is None:
+            return False
+        k, self._turns = found
+        self.workspace.select(line=k)
+        self._line = self.workspace.titled.plan.lines[k]
+        self._from = self.place(at) - self._middle
+        return True
+
+    def pull(self, at: QPointF, free: bool) -> None:
+        if self._line is None:
+            return
+        line, now = self._line, self.place(at) - self._middle
+        if self._turns:
+            by = np.degrees(np.arctan2(now[0], now[1]) - np.arctan2(self._from[0], self._from[1]))
+            heading = (line.heading_deg + float(by)) % 360
+            heading = round(heading, 1) if free else edits.snapped(heading)
+            line = edits.turned(line, self.workspace.titled.wall, heading)
+        else:
+            along = _along(line)
+            away = np.array([-along[1], along[0]]) * (1 if line.starboard else -1)
+            line = edits.at_distance(line, line.distance + float((now - self._from) @ away))
+            if not free:
+                line = edits.at_distance(line, round(2 * line.distance) / 2)
+        self.workspace.drag(edits.with_line(self.workspace.titled, self.workspace.line, line))
+
+    def dropped(self) -> str:
+        self._line = None
+        return f"{'turn' if self._turns else 'move'} line {self.workspace.line + 1}"
+
+    # -- keys --------------------------------------------------------------------------------
+
+    def key(self, key: Qt.Key, free: bool) -> bool:
+        work, wall = self.workspace, self.workspace.titled.wall
+        count = len(work.titled.plan.lines)
+        if key in (Key.Key_PageUp, Key.Key_PageDown) and count:
+            work.select(line=(work.line + (1 if key == Key.Key_PageDown else -1)) % count)
+        elif key in (Key.Key_Left, Key.Key_Right):
+            by = (1.0 if free else edits.SNAP_DEG) * (1 if key == Key.Key_Right else -1)
+            work.change_line(
+                f"turn line {work.line + 1}",
+                lambda line: edits.turned(line, wall, line.heading_deg + by),
+                f"turn {work.line}",
+            )
+        elif key in (Key.Key_Up, Key.Key_Down):
+            farther = (0.1 if free else 1.0) * (1 if key == Key.Key_Up else -1)
+            work.change_line(
+                f"move line {work.line + 1}",
+                lambda line: edits.at_distance(line, line.distance + farther),
+                f"move {work.line}",
+            )
+        elif key == Key.Key_Insert:
+            work.add_line()
+        elif key == Key.Key_Delete:
+            work.remove_line()
+        else:
+            return False
+        return True
+
+
+def _along(line: Line) -> Array:
+    heading = np.radians(line.heading_deg)
+    return np.array([np.sin(heading), np.cos(heading)])
+
+
+def _apart(at: QPointF, first: QPointF, last: QPointF) -> float:
+    """Pixels from a spot to a straight line."""
+    a, b, p = (np.array([q.x(), q.y()]) for q in (first, last, at))
+    length = float((b - a) @ (b - a))
+    share = 0.0 if length == 0 else float(np.clip((p - a) @ (b - a) / length, 0.0, 1.0))
+    return float(np.hypot(*(p - a - share * (b - a))))

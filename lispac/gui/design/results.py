@@ -1,0 +1,142 @@
+"""What the plan would give: the sigmas at once, sentences and worths after a pause."""
+
+import numpy as np
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
+
+from lispac.adjustment.result import ANGLES
+from lispac.gui import theme
+from lispac.gui.design import edits, told
+from lispac.gui.design.told import Told
+from lispac.gui.design.workspace import Workspace
+from lispac.gui.panels import widgets
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
+
+PAUSE_MS = 250
+"""Stillness after which what takes longer is computed."""
+HEADS = ("", "this plan", "thesis")
+PAIRS = ("roll–pitch", "roll–yaw", "pitch–yaw")
+WORTH = (
+    Column("Without", "Target or line that is left out", words=True),
+    Column("largest (deg)", "Largest of the three sigmas without it"),
+    Column("times", "That many times as large as with it"),
+)
+
+
+class ResultsPanel(QScrollArea):
+    """Sigmas beside the thesis's, correlations, sentences, points, worths."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        super().__init__()
+        self.setObjectName("design_results")
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMinimumWidth(330)
+        self._work = workspace
+        body = QWidget()
+        layout = widgets.column(body, 12)
+        layout.addWidget(widgets.label("Expected sigmas (deg, 1 sigma)", "heading"))
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(14)
+        grid.setVerticalSpacing(4)
+        for column, head in enumerate(HEADS):
+            grid.addWidget(widgets.label(head, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
+        self.sigma: dict[str, QLabel] = {}
+        self.thesis: dict[str, QLabel] = {}
+        for row, angle in enumerate(ANGLES, start=1):
+            grid.addWidget(widgets.label(angle), row, 0)
+            for column, (held, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
+                shown = widgets.label("", name=f"design_{HEADS[column].split()[-1]}_{angle}")
+                font = theme.tabular(shown.font(), bold=column == 1)
+                font.setPixelSize(size)
+                shown.setFont(font)
+                shown.setAccessibleName(f"Sigma of {angle}, {HEADS[column]}, degrees")
+                grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
+                held[angle] = shown
+        grid.setColumnStretch(3, 1)
+        layout.addLayout(grid)
+        self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
+        self.correlation.setToolTip("Correlations; near 1 or −1 two angles are hardly told apart")
+        layout.addWidget(self.correlation)
+        self.minutes = widgets.label("", "muted", name="design_minutes")
+        layout.addWidget(self.minutes)
+        self.words = widgets.label("", "hint", wrap=True, name="design_words")
+        self.words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+        layout.addWidget(self.words)
+        layout.addWidget(widgets.label("Points per sighting", "heading"))
+        self.points = widgets.label("", name="design_points")
+        self.points.setTextFormat(Qt.TextFormat.RichText)
+        self.points.setAccessibleName("Points per sighting")
+        layout.addWidget(self.points)
+        layout.addWidget(widgets.label("What each is worth", "heading"))
+        self.worth = DiagnosticsTable("design_worth", "What each target and line is worth", WORTH)
+        self.worth.setMinimumHeight(170)
+        layout.addWidget(self.worth, 1)
+        self.setWidget(body)
+        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
+        self._pause.timeout.connect(self.say)
+        workspace.changed.connect(self._show)
+        self._show()
+
+    def _show(self) -> None:
+        """The numbers, which follow a drag."""
+        plan = self._work.titled.plan
+        self._told = Told.of(plan)
+        for angle, said in zip(ANGLES, self._told.sigmas, strict=True):
+            self.sigma[angle].setText(said)
+            self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._told.refused else "")
+        pairs = zip(PAIRS, self._told.correlations, strict=True)
+        self.correlation.setText(f"Correlation: {', '.join(f'{p} {c}' for p, c in pairs)}")
+        self.minutes.setText(f"On site: {told.minutes(self._work.titled)}")
+        self._show_points()
+        self._pause.start()
+
+    def _show_points(self) -> None:
+        found, plan = self._told.prediction, self._work.titled.plan
+        counts = {} if found is None else found.points
+        lines = [course.name for course in plan.courses] if plan.targets else []
+        names = [target.name for target in plan.targets]
+        # More targets than lines are rare: lines run down, as in the table of lines.
+        head = "".join(f"<td align='right'>&nbsp;&nbsp;<b>{name}</b></td>" for name in names)
+        rows = "".join(
+            f"<tr><td>{line}</td>"
+            + "".join(f"<td align='right'>&nbsp;&nbsp;{_count(counts, name, line)}</td>"
+                      for name in names)
+            + "</tr>"
+            for line in lines
+        )  # fmt: skip
+        self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
+
+    def say(self) -> None:
+        """Sentences, worths and the thesis's plan, which take longer."""
+        self._pause.stop()
+        plan = self._work.titled.plan
+        refused = self._told.refused
+        self.words.setProperty("role", "warning" if refused else "hint")
+        self.words.style().unpolish(self.words)
+        self.words.style().polish(self.words)
+        self.words.setText("\n".join(told.sentences(plan)))
+        beside = Told.of(edits.thesis_beside(self._work.titled))
+        for angle, said in zip(ANGLES, beside.sigmas, strict=True):
+            self.thesis[angle].setText(said)
+        known = self._told.prediction is not None and self._told.prediction.determined
+        largest = float(np.degrees(self._told.prediction.sigma.max())) if known else np.nan
+        rows = []
+        for each in told.worths(plan):
+            without = float(np.degrees(each.without))
+            times = without / largest if known else None
+            cells = [
+                Cell(each.name), Cell(told.sigma_words(without), without),
+                Cell("" if times is None else f"{times:.2f}", times),
+            ]  # fmt: skip
+            rows.append(Row(cells))
+        self.worth.show_rows(rows)
+
+    def stop(self) -> None:
+        """Compute nothing any more."""
+        self._pause.stop()
+
+
+def _count(counts, target: str, line: str) -> str:
+    found = counts.get((target, line))
+    return f"{found:,.0f}" if found is not None else "–"

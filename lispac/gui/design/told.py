@@ -1,0 +1,81 @@
+"""What a plan would give, in numbers and sentences; knows no window."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from lispac.io.plan_file import TitledPlan
+from lispac.simulation.choices import faces_one_way
+from lispac.simulation.design import Worth, worth
+from lispac.simulation.objective import Objective
+from lispac.simulation.plan import Plan
+from lispac.simulation.prediction import Prediction, predict
+from lispac.workflow.designing import words_of
+
+EMPTY = "Nothing to calibrate with yet: add a target and at least two lines."
+UNKNOWN = "–"
+
+
+@dataclass(frozen=True, eq=False)
+class Told:
+    """What is told while a line is dragged.
+
+    Attributes
+    ----------
+    prediction : Prediction or None
+        None where there is nothing to foretell from.
+    refused : whether the adjustment would refuse such a survey
+    """
+
+    prediction: Prediction | None
+    refused: bool
+
+    @classmethod
+    def of(cls, plan: Plan) -> "Told":
+        """Foretell a plan."""
+        if not plan.targets or not plan.lines:
+            return cls(None, True)
+        found = predict(plan)
+        return cls(found, not found.determined or faces_one_way(plan))
+
+    @property
+    def sigmas(self) -> tuple[str, str, str]:
+        """Of roll, pitch, yaw in degrees."""
+        if self.prediction is None or not self.prediction.determined:
+            return UNKNOWN, UNKNOWN, UNKNOWN
+        a, b, c = (sigma_words(float(v)) for v in np.degrees(self.prediction.sigma))
+        return a, b, c
+
+    @property
+    def correlations(self) -> tuple[str, str, str]:
+        """Roll-pitch, roll-yaw, pitch-yaw."""
+        if self.prediction is None or not self.prediction.determined:
+            return UNKNOWN, UNKNOWN, UNKNOWN
+        rows = self.prediction.correlation
+        a, b, c = (
+            f"{float(v):+.2f}".replace("-", "−") for v in (rows[0, 1], rows[0, 2], rows[1, 2])
+        )
+        return a, b, c
+
+
+def sigma_words(degrees: float) -> str:
+    """A sigma as it is written."""
+    return f"{degrees:.4f}" if degrees < 5.0 else f"{degrees:.2f}"
+
+
+def sentences(plan: Plan) -> tuple[str, ...]:
+    """What the geometry of a plan sees, as after an adjustment."""
+    return words_of(plan) if plan.targets and plan.lines else (EMPTY,)
+
+
+def minutes(titled: TitledPlan) -> str:
+    """Time on site."""
+    plan = titled.plan
+    if not plan.lines:
+        return "no line yet"
+    return f"{plan.duration / 60:.0f} min for {len(plan.lines)} lines, turns included"
+
+
+def worths(plan: Plan) -> tuple[Worth, ...]:
+    """What each target and line is worth; nothing where one is all there is."""
+    return worth(plan, Objective()) if plan.targets and plan.lines else ()

@@ -1,0 +1,188 @@
+"""The site in 3D: the wall, targets with handles to move them, and the lines."""
+
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from lispac.gui.design import edits
+from lispac.gui.design.canvas import Array
+from lispac.gui.design.edits import Hung
+from lispac.gui.design.wall_view import moved
+from lispac.gui.design.workspace import Workspace
+from lispac.gui.viewport.base import Colour, Handle, PickedPoint, Sketch, Viewport
+from lispac.io.plan_file import TitledPlan
+from lispac.simulation.closed_form import Ball, Board
+
+WALL: Colour = (138, 143, 152)
+LINE: Colour = (0, 114, 178)
+TARGET: Colour = (140, 81, 10)
+CHOSEN: Colour = (211, 84, 0)
+SQUARE = ((0, 1), (1, 2), (2, 3), (3, 0))
+RING = 16
+"""Corners of the circles a ball is drawn with."""
+WALL_POINTS, TARGET_POINTS = 0.15, 0.03
+"""Metres between the points that surfaces are drawn with."""
+COLOURS: dict[str, Colour] = {"wall": (176, 182, 190), "targets": TARGET}
+BARB = 1.5
+"""Metres: an arrow's."""
+
+
+class View3D(QObject):
+    """Draws the plan into a viewport; handles beside a target move it along, up and off."""
+
+    def __init__(self, workspace: Workspace, viewport: Viewport) -> None:
+        super().__init__(workspace)
+        self._work, self.viewport = workspace, viewport
+        self._names: set[str] = set()
+        self._held: Hung | None = None
+        self._by = np.zeros(3)
+        self._clouds: dict[str, Array] = {}
+        viewport.signals.seed_clicked.connect(self._hang)
+        viewport.signals.handle_moved.connect(self._drag)
+        viewport.signals.handle_let_go.connect(self._let_go)
+        workspace.changed.connect(self.show)
+        workspace.selected.connect(self.show)
+
+    def show(self) -> None:
+        """Draw what there is."""
+        clouds = surfaces(self._work.titled)
+        if any(
+            name not in self._clouds or not np.array_equal(cloud, self._clouds[name])
+            for name, cloud in clouds.items()
+        ):
+            self._clouds = clouds
+            self.viewport.show_clouds(clouds, COLOURS)
+        drawn = sketches(self._work.titled, self._work.line, self._work.target)
+        for name in self._names - set(drawn):
+            self.viewport.show_sketch(name, None)
+        self._names = set(drawn)
+        for name, sketch in drawn.items():
+            self.viewport.show_sketch(name, sketch)
+
+    def fit(self) -> None:
+        """Look at all of it from the water."""
+        plan, wall = self._work.titled.plan, self._work.titled.wall
+        points = [np.array(plan.middle), *(np.array(t.centre) for t in plan.targets)]
+        points += [end for ends in _ends(self._work.titled) for end in ends]
+        everything = np.stack(points)
+        out = np.array([*wall.out, 0.0])
+        station = np.array(plan.middle) + 20.0 * out
+        self.viewport.set_station((float(station[0]), float(station[1]), float(station[2])))
+        side = np.array([*wall.right, 0.0])
+        self.viewport.look_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
+
+    def _hang(self, at: PickedPoint) -> None:
+        """The selected target is hung where the wall was clicked."""
+        along, _, up = self._work.titled.wall.seen(at.position)
+        self._work.change_target(
+            "hang target", lambda each: replace(each, along=round(along, 1), up=round(up, 1))
+        )
+
+    def _drag(self, name: str, handle: int, metres: float) -> None:
+        if name != f"target {self._work.target}":
+            return
+        if self._held is None:
+            self._held, self._by = edits.hung(self._work.titled)[self._work.target], np.zeros(3)
+        self._by[handle] += metres
+        along, up, off = self._by
+        to = moved(self._held, float(along), float(up), 2)
+        to = replace(to, off=round(self._held.off + float(off), 2))
+        self._work.drag(edits.with_target(self._work.titled, self._work.target, to))
+
+    def _let_go(self, _name: str) -> None:
+        if self._held is not None:
+            name, self._held = self._held.name, None
+            self._work.drop(f"move {name}")
+
+
+def sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketch]:
+    """Everything there is to draw, by its name."""
+    plan, wall = titled.plan, titled.wall
+    drawn = {"wall": _wall(titled)}
+    for k, (first, last) in enumerate(_ends(titled)):
+        along = (last - first) / max(float(np.linalg.norm(last - first)), 1e-9)
+        aside = np.array([-along[1], along[0], 0.0])
+        barbs = [last - BARB * along + 0.5 * s * BARB * aside for s in (1, -1)]
+        drawn[f"line {k}"] = Sketch(
+            tuple(map(_place, (first, last, *barbs))), ((0, 1), (1, 2), (1, 3)),
+            CHOSEN if k == line else LINE, label=f"{k + 1}", at=_place(first),
+        )  # fmt: skip
+    right, out, up = np.array([*wall.right, 0.0]), np.array([*wall.out, 0.0]), np.eye(3)[2]
+    for k, each in enumerate(plan.targets):
+        corners, edges = _outline(each)
+        handles: tuple[Handle, ...] = ()
+        middle = np.array(each.centre)
+        if k == target:
+            half = each.radius if isinstance(each, Ball) else max(each.width, each.height) / 2
+            handles = tuple(
+                Handle(_place(middle + (half + 0.4) * axis), _place(axis))
+                for axis in (right, up, out)
+            )
+        drawn[f"target {k}"] = Sketch(
+            tuple(map(_place, corners)), edges, CHOSEN if k == target else TARGET,
+            label=each.name, at=_place(middle), handles=handles,
+        )  # fmt: skip
+    return drawn
+
+
+def surfaces(titled: TitledPlan) -> dict[str, Array]:
+    """Wall and targets as points, which the viewport draws, and the mouse finds."""
+    wide, high = _extent(titled)
+    along, up = np.meshgrid(np.arange(-wide, wide, WALL_POINTS), np.arange(-1.0, high, WALL_POINTS))
+    wall = titled.wall
+    right, out = np.array([*wall.right, 0.0]), np.array([*wall.out, 0.0])
+    face = np.array(wall.middle) - 0.05 * out + along.reshape(-1, 1) * right
+    face[:, 2] += up.ravel()
+    generator = np.random.default_rng(1)
+    scanner = np.array(wall.middle) + 15.0 * out
+    targets = [t.points(TARGET_POINTS, generator, scanner) for t in titled.plan.targets]
+    return {"wall": face, "targets": np.concatenate([np.empty((0, 3)), *targets])}
+
+
+def _extent(titled: TitledPlan) -> tuple[float, float]:
+    """Half the width and the height of the wall that is drawn, metres."""
+    targets = edits.hung(titled)
+    # Whole metres: the wall does not flicker while a target is dragged.
+    wide = max([abs(t.along) + 3.0 for t in targets] + [8.0])
+    high = max([t.up + 2.0 for t in targets] + [4.0])
+    return float(np.ceil(wide)), float(np.ceil(high))
+
+
+def _wall(titled: TitledPlan) -> Sketch:
+    wide, high = _extent(titled)
+    place = titled.wall.place
+    corners = [place(-wide, 0, -1.0), place(wide, 0, -1.0), place(wide, 0, high),
+               place(-wide, 0, high)]  # fmt: skip
+    return Sketch(tuple(corners), SQUARE, WALL)
+
+
+def _outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int], ...]]:
+    if isinstance(target, Board):
+        # The grid's four outermost points have the second moments of the board, not its corners.
+        grid = target.grid(2)
+        middle = grid.mean(axis=0)
+        corners = middle + (grid - middle) * (0.5 / np.sqrt(1 / 12))
+        return corners[[0, 1, 3, 2]], SQUARE
+    turn = np.linspace(0, 2 * np.pi, RING, endpoint=False)
+    level = np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=1)
+    circles = np.concatenate([level, level[:, [0, 2, 1]], level[:, [2, 0, 1]]])
+    edges = tuple((RING * c + k, RING * c + (k + 1) % RING) for c in range(3) for k in range(RING))
+    return np.array(target.centre) + target.radius * circles, edges
+
+
+def _ends(titled: TitledPlan) -> list[tuple[Array, Array]]:
+    plan = titled.plan
+    if not plan.targets:
+        return []
+    found = []
+    for line, (start, stop) in zip(plan.lines, plan.runs, strict=True):
+        heading = np.radians(line.heading_deg)
+        along = np.array([np.cos(heading), -np.sin(heading), 0.0])
+        abeam = np.array([*line.abeam(plan.middle), 0.0])
+        found.append((abeam + start * along, abeam + stop * along))
+    return found
+
+
+def _place(point: Array) -> tuple[float, float, float]:
+    return float(point[0]), float(point[1]), float(point[2])

@@ -1,0 +1,132 @@
+"""The wall as it is seen from the water: targets are dragged along it and up."""
+
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QBrush, QColor, QPainter, QPen
+
+from lispac.gui.design import edits
+from lispac.gui.design.canvas import CHOSEN, MUTED, TARGET, Array, Canvas
+from lispac.gui.design.edits import Hung
+from lispac.gui.design.workspace import Workspace
+
+LEAST = 8.0
+"""Pixels: a board is drawn at least as large."""
+ABOVE = 2.0
+"""Metres of wall and water that are seen beyond the targets."""
+
+Key = Qt.Key
+
+
+class WallView(Canvas):
+    """Right is to the right as seen from the water; zero is the height of the vessel's POS."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        super().__init__(
+            "wall_view", "Wall from the water: targets", workspace,
+            ("along the wall (m)", "above POS (m)"),
+        )  # fmt: skip
+        self.setToolTip(
+            "Drag a target along the wall and up (in steps of 0.1 m, with Shift of 0.01 m). Keys: "
+            "Page up and down choose a target, the arrows move it; Insert adds a board, Delete "
+            "removes."
+        )
+        self._held: Hung | None = None
+        self._from = np.zeros(2)
+
+    def bounds(self) -> Array:
+        places = [(0.0, 0.0), (-4.0, 0.0), (4.0, 4.0)]
+        for each in edits.hung(self.workspace.titled):
+            places += [(each.along - each.width, each.up - ABOVE)]
+            places += [(each.along + each.width, each.up + ABOVE)]
+        return np.array(places)
+
+    def _box(self, each: Hung) -> QRectF:
+        scale, _ = self._view
+        tall = each.height if each.ball else each.height * abs(np.sin(np.radians(each.lean)))
+        wide, tall = max(scale * each.width, LEAST), max(scale * float(tall), LEAST)
+        spot = self.pixel(np.array([each.along, each.up]))
+        return QRectF(spot.x() - wide / 2, spot.y() - tall / 2, wide, tall)
+
+    def draw(self, painter: QPainter) -> None:
+        level = self.pixel(np.zeros(2)).y()
+        painter.setPen(QPen(QColor("#7fb0e2"), 1.5, Qt.PenStyle.DashLine))
+        painter.drawLine(QPointF(0, level), QPointF(self.width(), level))
+        painter.setPen(MUTED)
+        painter.drawText(QPointF(30, level - 4), "height of the POS")
+        targets = edits.hung(self.workspace.titled)
+        for k in sorted(range(len(targets)), key=lambda k: k == self.workspace.target):
+            each, box = targets[k], self._box(targets[k])
+            colour = QColor(CHOSEN if k == self.workspace.target else TARGET)
+            painter.setPen(QPen(colour, 2))
+            colour.setAlpha(120)
+            painter.setBrush(QBrush(colour))
+            (painter.drawEllipse if each.ball else painter.drawRect)(box)
+            said = each.name if each.ball else f"{each.name} {each.lean:.0f}°"
+            self.words(painter, box.topLeft() + QPointF(0, -3), said)
+            if k == self.workspace.target:
+                place = f"{each.along:+.2f}, {each.up:+.2f} m".replace("-", "−")
+                self.words(painter, box.bottomLeft() + QPointF(0, 14), place, CHOSEN)
+
+    # -- mouse -------------------------------------------------------------------------------
+
+    def _at(self, at: QPointF) -> int | None:
+        targets = edits.hung(self.workspace.titled)
+        order = sorted(range(len(targets)), key=lambda k: k != self.workspace.target)
+        return next((k for k in order if self._box(targets[k]).contains(at)), None)
+
+    def over(self, at: QPointF) -> Qt.CursorShape:
+        there = self._at(at) is not None
+        return Qt.CursorShape.OpenHandCursor if there else Qt.CursorShape.ArrowCursor
+
+    def take(self, at: QPointF) -> bool:
+        k = self._at(at)
+        if k is None:
+            return False
+        self.workspace.select(target=k)
+        self._held = edits.hung(self.workspace.titled)[k]
+        self._from = self.place(at)
+        return True
+
+    def pull(self, at: QPointF, free: bool) -> None:
+        if self._held is None:
+            return
+        along, up = self.place(at) - self._from
+        to = moved(self._held, float(along), float(up), 2 if free else 1)
+        self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, to))
+
+    def dropped(self) -> str:
+        name = "" if self._held is None else self._held.name
+        self._held = None
+        return f"move {name}"
+
+    # -- keys --------------------------------------------------------------------------------
+
+    def key(self, key: Qt.Key, free: bool) -> bool:
+        work, step = self.workspace, 0.01 if free else 0.1
+        count = len(work.titled.plan.targets)
+        arrows = {
+            Key.Key_Left: (-step, 0.0), Key.Key_Right: (step, 0.0),
+            Key.Key_Down: (0.0, -step), Key.Key_Up: (0.0, step),
+        }  # fmt: skip
+        if key in (Key.Key_PageUp, Key.Key_PageDown) and count:
+            work.select(target=(work.target + (1 if key == Key.Key_PageDown else -1)) % count)
+        elif key in arrows:
+            work.change_target(
+                "move target", lambda each: moved(each, *arrows[key], 2), f"hang {work.target}"
+            )
+        elif key == Key.Key_Insert:
+            work.add_target()
+        elif key == Key.Key_Delete:
+            work.remove_target()
+        else:
+            return False
+        return True
+
+
+def moved(target: Hung, along: float, up: float, decimals: int) -> Hung:
+    """A target moved along the wall and up, metres, to so many decimals."""
+    return replace(
+        target, along=round(target.along + along, decimals), up=round(target.up + up, decimals)
+    )

@@ -1,0 +1,239 @@
+"""The window in which a site is designed: views, tables, what is expected, and long work."""
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QMainWindow, QSplitter, QTabWidget, QVBoxLayout, QWidget
+
+from lispac.gui import theme
+from lispac.gui.design.lists import LinesList, TargetsList
+from lispac.gui.design.pictures import PicturesPanel
+from lispac.gui.design.plan_view import PlanView
+from lispac.gui.design.results import ResultsPanel
+from lispac.gui.design.search import SearchPanel
+from lispac.gui.design.system import SystemPanel
+from lispac.gui.design.view3d import View3D
+from lispac.gui.design.wall_view import WallView
+from lispac.gui.design.workspace import Workspace
+from lispac.gui.panels import widgets
+from lispac.gui.statusbar import TaskBar
+from lispac.gui.viewport.base import Viewport
+
+NOTE_MS = 6000
+Keys = QKeySequence.StandardKey
+
+# name: (text, short text, icon, keys, tip)
+ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
+    "new": ("&New plan", "New", "file-outline", Keys.New, "Begin with the thesis's plan"),
+    "open": ("&Open plan…", "Open", "folder-open-outline", Keys.Open, "Open a plan"),
+    "save": ("&Save plan", "Save", "content-save-outline", Keys.Save, "Save the plan"),
+    "save_as": ("Save plan &as…", "Save as", "", Keys.SaveAs, "Save the plan in another file"),
+    "page": ("&Field plan…", "Field plan", "file-document-outline", "Ctrl+E",
+             "Write a page for the field as PDF: drawing, boards, lines in their order"),
+    "close": ("&Close", "Close", "", Keys.Close, "Close this window; the plan stays"),
+    "undo": ("&Undo", "Undo", "undo", Keys.Undo, "Take the last edit back"),
+    "redo": ("&Redo", "Redo", "redo", ("Ctrl+Y", "Ctrl+Shift+Z"), "Make the edit again"),
+    "add_line": ("Add &line", "Line", "plus", "Ctrl+L",
+                 "Add the selected line the other way round"),
+    "duplicate": ("&Duplicate line", "Duplicate", "content-copy", "Ctrl+D",
+                  "Sail the selected line again"),
+    "earlier": ("Line &earlier", "Earlier", "", "Alt+Up", "Sail the selected line a turn earlier"),
+    "later": ("Line la&ter", "Later", "", "Alt+Down", "Sail the selected line a turn later"),
+    "add_board": ("Add &board", "Board", "square-outline", "Ctrl+B", "Hang one more board"),
+    "add_ball": ("Add b&all", "Ball", "circle-outline", "Ctrl+Shift+B", "Put up one more ball"),
+    "scenarios": ("S&cenarios", "Scenarios", "chart-bar", "F9",
+                  "Change one thing at a time, in both stochastic models"),
+    "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
+               "Stop; nothing is changed"),
+    "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
+}  # fmt: skip
+MENUS = {
+    "&File": ("new", "open", "", "save", "save_as", "", "page", "", "close"),
+    "&Edit": (
+        "undo", "redo", "", "add_line", "duplicate", "earlier", "later", "", "add_board",
+        "add_ball",
+    ),
+    "&Work": ("scenarios", "", "cancel"),
+    "&Help": ("keys",),
+}  # fmt: skip
+TOOLBAR = (
+    "new", "open", "save", "page", "", "undo", "redo", "", "add_line", "duplicate", "add_board",
+    "add_ball", "", "scenarios",
+)  # fmt: skip
+
+
+class DesignWindow(QMainWindow):
+    """Views of one workspace; closing it keeps the plan.
+
+    Parameters
+    ----------
+    make_viewport : makes the 3D view when it is first looked at
+    """
+
+    closed = Signal()
+
+    def __init__(
+        self, workspace: Workspace, make_viewport: Callable[[], Viewport], parent: QWidget
+    ) -> None:
+        super().__init__(parent, Qt.WindowType.Window)
+        self.setObjectName("design_window")
+        self.workspace, self._make_viewport = workspace, make_viewport
+        self.view3d: View3D | None = None
+        self.actions_ = {name: self._action(name) for name in ACTIONS}
+        with theme.undressed():
+            self._build()
+        workspace.changed.connect(self._show)
+        workspace.refused.connect(self.note)
+        for name, slot in {
+            "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
+            "add_line": workspace.add_line, "add_board": workspace.add_target,
+            "duplicate": lambda: workspace.add_line(again=True),
+            "earlier": lambda: workspace.sail_line(True),
+            "later": lambda: workspace.sail_line(False),
+            "add_ball": lambda: workspace.add_target(ball=True),
+        }.items():  # fmt: skip
+            self.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
+        self._show()
+
+    def sizeHint(self) -> QSize:
+        return QSize(1480, 920)
+
+    def _build(self) -> None:
+        work = self.workspace
+        self.plan_view, self.wall_view = PlanView(work), WallView(work)
+        self.lines, self.targets = LinesList(work), TargetsList(work)
+        self.system, self.search = SystemPanel(work), SearchPanel(work)
+        self.results, self.pictures = ResultsPanel(work), PicturesPanel()
+        self.views = _tabs("design_views", (("Wall from the water", self.wall_view),))
+        self._stage = QWidget()
+        QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
+        self.views.addTab(self._stage, "3D")
+        self.views.addTab(self.pictures, "Scenarios")
+        self.views.currentChanged.connect(self._view_chosen)
+        above = QSplitter(Qt.Orientation.Horizontal)
+        above.addWidget(_titled("From above", self.plan_view))
+        above.addWidget(self.views)
+        above.setSizes([500, 500])
+        self.tabs = _tabs("design_tabs", (
+            ("Lines", self.lines), ("Targets", self.targets), ("POS and scanner", self.system),
+            ("Find the best plan", self.search),
+        ))  # fmt: skip
+        left = QSplitter(Qt.Orientation.Vertical)
+        left.addWidget(above)
+        left.addWidget(self.tabs)
+        left.setStretchFactor(0, 3)
+        left.setStretchFactor(1, 2)
+        left.setSizes([520, 330])
+        both = QSplitter(Qt.Orientation.Horizontal)
+        both.addWidget(left)
+        both.addWidget(self.results)
+        both.setStretchFactor(0, 1)
+        both.setSizes([1100, 360])
+        for splitter in (above, left, both):
+            splitter.setChildrenCollapsible(False)
+        self.setCentralWidget(both)
+        self.task_bar = TaskBar()
+        self.mistake = widgets.label("", "error", name="design_mistake")
+        self.task_bar.addWidget(self.mistake, 1)
+        self.setStatusBar(self.task_bar)
+        for table in (self.lines.table, self.targets.table):
+            table.mistake.connect(self.mistake.setText)
+        for title, names in MENUS.items():
+            menu = self.menuBar().addMenu(title)
+            for name in names:
+                menu.addAction(self.actions_[name]) if name else menu.addSeparator()
+        bar = self.addToolBar("Toolbar")
+        bar.setObjectName("design_toolbar")
+        bar.setMovable(False)
+        bar.setIconSize(QSize(20, 20))
+        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        for name in TOOLBAR:
+            bar.addAction(self.actions_[name]) if name else bar.addSeparator()
+        screen = self.screen().availableGeometry()
+        self.resize(min(1480, screen.width()), min(920, screen.height() - 30))
+
+    def _action(self, name: str) -> QAction:
+        text, short, icon, keys, tip = ACTIONS[name]
+        action = QAction(text, self)
+        action.setObjectName(f"design_{name}")
+        action.setIconText(short)
+        if icon:
+            action.setIcon(theme.icon(icon))
+        if isinstance(keys, tuple):
+            action.setShortcuts([QKeySequence(key) for key in keys])
+        else:
+            action.setShortcut(QKeySequence(keys))
+        shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{tip} ({shown})")
+        action.setStatusTip(tip)
+        return action
+
+    # -- what is shown -----------------------------------------------------------------------
+
+    def _show(self) -> None:
+        history = self.workspace.history
+        for name, words in (("undo", history.to_undo), ("redo", history.to_redo)):
+            action = self.actions_[name]
+            action.setEnabled(bool(words))
+            action.setText(f"&{name.capitalize()} {words}".strip())
+            action.setIconText(name.capitalize())
+        self.setWindowTitle(f"{self.workspace.titled.title}[*] – design of a site – LISPAC")
+        self.setWindowModified(history.changed)
+        self.actions_["save"].setEnabled(history.changed)
+
+    def show_busy(self, busy: bool) -> None:
+        """Whether long work runs."""
+        self.search.show_busy(busy)
+        self.actions_["scenarios"].setEnabled(not busy)
+        self.actions_["cancel"].setEnabled(busy)
+
+    def note(self, text: str) -> None:
+        """Say something in passing."""
+        self.task_bar.showMessage(text, NOTE_MS)
+
+    def show_pictures(self) -> None:
+        """Bring what long work found to the front."""
+        self.views.setCurrentWidget(self.pictures)
+
+    def _view_chosen(self, index: int) -> None:
+        if self.views.widget(index) is not self._stage:
+            return
+        if self.view3d is None:
+            viewport = self._make_viewport()
+            viewport.widget.setMinimumSize(200, 160)
+            self._stage.layout().addWidget(viewport.widget)
+            self.view3d = View3D(self.workspace, viewport)
+            viewport.widget.setToolTip(
+                "Ctrl+click on the wall hangs the selected target there; drag a dot beside it to "
+                "move it along the wall, up, or off it"
+            )
+        self.view3d.show()
+        self.view3d.fit()
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def release(self) -> None:
+        """Let timers and graphics go, before the program ends."""
+        self.results.stop()
+        if self.view3d is not None:
+            self.view3d.viewport.close()
+        self.close()
+
+    def closeEvent(self, event) -> None:
+        self.closed.emit()
+        event.accept()
+
+
+def _tabs(name: str, pages: Sequence[tuple[str, QWidget]]) -> QTabWidget:
+    tabs = QTabWidget()
+    tabs.setObjectName(name)
+    tabs.setDocumentMode(True)
+    for title, page in pages:
+        tabs.addTab(page, title)
+    return tabs
+
+
+def _titled(title: str, view: QWidget) -> QTabWidget:
+    """One page with a tab of its own, so that it stands level with its neighbours."""
+    return _tabs(f"{view.objectName()}_tab", ((title, view),))

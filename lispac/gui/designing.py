@@ -1,0 +1,218 @@
+"""Designing a site: the workspace's window, its files, and its long work."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from lispac.errors import LispacError
+from lispac.gui.design import edits
+from lispac.gui.design.campaigns import all_scenarios, best_plan
+from lispac.gui.design.search import found_in_words
+from lispac.gui.design.window import DesignWindow
+from lispac.gui.design.workspace import Workspace
+from lispac.gui.panels.histograms import preload
+from lispac.gui.tasks import TaskRunner
+from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
+from lispac.progress import Progress
+from lispac.simulation.design import Design
+from lispac.simulation.objective import CRITERIA
+from lispac.simulation.scenarios import Outcome
+from lispac.workflow.designing import write_field_plan
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+
+class Designing(QObject):
+    """Joined to the window's parts; has a worker of its own, so that both can be worked with.
+
+    Attributes
+    ----------
+    window : DesignWindow or None
+        None until it is asked for.
+    """
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._main, self._dialogs = window, window.dialogs
+        self.window: DesignWindow | None = None
+        self.workspace = Workspace(self)
+        self.runner = TaskRunner(self)
+        self._path: Path | None = None
+        window.actions_["design"].triggered.connect(lambda _=False: self.open())
+
+    def open(self) -> None:
+        """Show the window, in front."""
+        if self.window is None:
+            self.window = self._made()
+        self.window.show()
+        self.window.raise_()
+        self.window.activateWindow()
+
+    def _made(self) -> DesignWindow:
+        window = DesignWindow(self.workspace, type(self._main.viewport), self._main)
+        for name, slot in {
+            "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
+            "page": self.write_page, "scenarios": self.scenarios, "cancel": self.runner.cancel,
+            "keys": self._dialogs.shortcuts,
+        }.items():  # fmt: skip
+            window.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
+        window.search.asked.connect(self.search)
+        window.search.cancel_asked.connect(self.runner.cancel)
+        window.search.file_asked.connect(self.read_site)
+        window.task_bar.cancel_asked.connect(self.runner.cancel)
+        self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
+        self.runner.moved.connect(lambda: window.task_bar.show_task(self.runner.current))
+        self.runner.failed.connect(self._dialogs.show_error)
+        self.runner.stopped.connect(lambda title: window.note(f"{title}: cancelled"))
+        window.show_busy(False)
+        return window
+
+    # -- files -------------------------------------------------------------------------------
+
+    def new(self) -> None:
+        """Begin with the thesis's plan."""
+        if self._may_lose():
+            self._path = None
+            self.workspace.start(edits.usual())
+
+    def open_plan(self) -> None:
+        """Open a plan from its file."""
+        if not self._may_lose():
+            return
+        path = self._dialogs.design_file("open", self._start)
+        if path is None:
+            return
+        try:
+            titled = read_plan(path)
+        except LispacError as error:
+            self._dialogs.show_error(error)
+            return
+        self._path = path
+        self.workspace.start(titled)
+
+    def save(self) -> bool:
+        """Save the plan, where it was opened or last saved; whether it was."""
+        return self.save_as() if self._path is None else self._write(self._path)
+
+    def save_as(self) -> bool:
+        """Save the plan in a file that is asked for."""
+        path = self._dialogs.design_file("save", self._start / "plan.toml")
+        return path is not None and self._write(path)
+
+    def _write(self, path: Path) -> bool:
+        try:
+            self._whole()
+            write_plan(path, self.workspace.titled)
+        except (LispacError, OSError) as error:
+            self._dialogs.show_error(error)
+            return False
+        self._path = path
+        self.workspace.history.keep()
+        self.workspace.changed.emit()
+        self._note(f"Saved {path}")
+        return True
+
+    def write_page(self) -> None:
+        """Write the field plan."""
+        path = self._dialogs.design_file("page", self._start / "field-plan.pdf")
+        if path is None:
+            return
+        try:
+            self._whole()
+            write_field_plan(path, self.workspace.titled)
+        except (LispacError, OSError) as error:
+            self._dialogs.show_error(error)
+            return
+        self._note(f"Wrote {path}")
+
+    def read_site(self) -> None:
+        """Take the limits of a site from its file."""
+        assert self.window is not None
+        path = self._dialogs.design_file("site", self._start)
+        if path is None:
+            return
+        try:
+            self.window.search.limits.use_file(*read_site(path))
+        except LispacError as error:
+            self._dialogs.show_error(error)
+
+    @property
+    def _start(self) -> Path:
+        return Path.home() if self._path is None else self._path.parent
+
+    def _whole(self) -> None:
+        plan = self.workspace.titled.plan
+        if not plan.targets or not plan.lines:
+            raise LispacError("A plan needs a target and a line; add one of each before saving.")
+
+    def _note(self, text: str) -> None:
+        if self.window is not None:
+            self.window.note(text)
+
+    # -- long work ---------------------------------------------------------------------------
+
+    def scenarios(self) -> None:
+        """Change one thing at a time, in the background."""
+        assert self.window is not None
+        plan, window = self.workspace.titled.plan, self.window
+        try:
+            self._whole()
+        except LispacError as error:
+            self._note(str(error))
+            return
+
+        def work(progress: Progress) -> tuple[Outcome, ...]:
+            preload()
+            return all_scenarios(plan, progress)
+
+        def done(found: tuple[Outcome, ...]) -> None:
+            window.pictures.show_outcomes(found)
+            window.show_pictures()
+
+        self.runner.run("Scenarios", work, done)
+
+    def search(self) -> None:
+        """Find the best plan in the background; it is one undo step."""
+        assert self.window is not None
+        panel, window = self.window.search, self.window
+        before = self.workspace.titled
+        try:
+            title, site = panel.limits.site(before)
+        except LispacError as error:
+            self._dialogs.show_error(error)
+            return
+        objective, plans = panel.objective, round(panel.plans.value())
+
+        def work(progress: Progress) -> Design:
+            preload()
+            return best_plan(site, objective, plans, before.plan, progress)
+
+        def done(found: Design) -> None:
+            self.workspace.edit("best plan", TitledPlan(title, found.plan, site.wall))
+            value = float(np.degrees(found.value))
+            panel.say(found_in_words(value, objective, found.looked_at, found.exact))
+            window.pictures.show_front(found.front, CRITERIA[objective.criterion])
+
+        panel.say("")
+        self.runner.run("Finding the best plan", work, done)
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def _may_lose(self) -> bool:
+        """Whether the plan may go: it is saved, or the user says so."""
+        if not self.workspace.history.changed:
+            return True
+        answer = self._dialogs.save_changes(self.workspace.titled.title)
+        return self.save() if answer == "save" else answer == "discard"
+
+    def leave(self) -> bool:
+        """End with the program; whether it may."""
+        if not self._may_lose():
+            return False
+        self.runner.close()
+        if self.window is not None:
+            self.window.release()
+        return True

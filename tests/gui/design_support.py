@@ -1,0 +1,77 @@
+"""The workspace of a site in the tests: what is shown, and how it is dragged and typed into."""
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication, QLineEdit
+
+from lispac.gui.design.window import DesignWindow
+from lispac.simulation.prediction import predict
+from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
+
+Shift = Qt.KeyboardModifier.ShiftModifier
+NoModifier = Qt.KeyboardModifier.NoModifier
+
+
+def opened_by_keys(driver: Driver) -> DesignWindow:
+    """The workspace; it closes with the window."""
+    driver.bot.keyClick(driver.window, Key.Key_D, Control | Shift)
+    window = driver.window.designing.window
+    assert window is not None
+    driver.bot.waitUntil(window.isActiveWindow, timeout=WAIT_MS)
+    return window
+
+
+def plan(design: DesignWindow):
+    return design.workspace.titled.plan
+
+
+def shown(design: DesignWindow) -> list[float]:
+    return [float(design.results.sigma[a].text()) for a in ("roll", "pitch", "yaw")]
+
+
+def foretold(design: DesignWindow) -> list[float]:
+    return [round(float(v), 4) for v in np.degrees(predict(plan(design)).sigma)]
+
+
+def drag(driver: Driver, view, start: QPointF, stop: QPointF, modifier=NoModifier) -> list[str]:
+    """Drag as a mouse does; what the sigma of roll was on the way."""
+    design = driver.window.designing.window
+    first, last = start.toPoint(), stop.toPoint()
+    seen = []
+    driver.bot.mousePress(view, Left, pos=first)
+    for share in (0.3, 0.7, 1.0):
+        # QTest's own move carries no button.
+        at = QPointF(first + (last - first) * share)
+        event = mouse_move(view, at, modifier)
+        QApplication.sendEvent(view, event)
+        seen.append(design.results.sigma["roll"].text())
+    driver.bot.mouseRelease(view, Left, pos=last)
+    return seen
+
+
+def mouse_move(view, at: QPointF, modifier):
+    return QMouseEvent(
+        QEvent.Type.MouseMove, at, view.mapToGlobal(at), Qt.MouseButton.NoButton, Left, modifier
+    )
+
+
+def settled(driver: Driver) -> None:
+    runner = driver.window.designing.runner
+    driver.bot.waitUntil(lambda: not runner.active, timeout=WAIT_MS)
+
+
+def middle_of(view, k: int) -> QPointF:
+    first, last = view._drawn(k, view._ends()[k])
+    return (first + last) / 2
+
+
+def type_cell(driver: Driver, table, row: int, column: int, text: str) -> QLineEdit:
+    """Type into a cell; the editor stays open."""
+    table.setFocus()
+    table.setCurrentCell(row, column)
+    driver.bot.keyClick(table, Key.Key_F2)
+    editor = table.findChild(QLineEdit)
+    editor.selectAll()
+    driver.bot.keyClicks(editor, text)
+    return editor

@@ -1,0 +1,286 @@
+"""The workspace in which a site is designed: mouse, keys and files."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit
+
+from lispac.gui.design import edits
+from lispac.gui.design.window import DesignWindow
+from lispac.gui.viewport.base import PickedPoint
+from lispac.io.plan_file import read_plan
+from lispac.simulation.prediction import predict
+from tests.gui.design_support import (
+    NoModifier,
+    Shift,
+    drag,
+    foretold,
+    middle_of,
+    mouse_move,
+    plan,
+    shown,
+    type_cell,
+)
+from tests.gui.support import Control, Driver, Key, Left, press
+
+
+def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
+    driver: Driver, design: DesignWindow
+) -> None:
+    assert len(plan(design).targets) == 2
+    assert len(plan(design).lines) == 6
+    # The manual's table: two boards, six lines.
+    assert shown(design) == pytest.approx([0.0122, 0.0300, 0.0236], abs=1e-4)
+    driver.bot.waitUntil(lambda: "weakest direction" in design.results.words.text())
+    assert "pitch" in design.results.words.text().split(";")[0]
+    assert design.results.thesis["yaw"].text() == design.results.sigma["yaw"].text()
+    assert design.results.worth.rowCount() == 8
+    assert "L6" in design.results.points.text()
+    assert "9 min for 6 lines" in design.results.minutes.text()
+    assert not design.isWindowModified()
+
+
+def test_a_line_is_dragged_farther_and_roll_gets_better_on_the_way(
+    driver: Driver, design: DesignWindow
+) -> None:
+    view, before = design.plan_view, shown(design)
+    start = middle_of(view, 0)
+    stop = view.pixel(view.place(start) - np.array([10.0, 0.0]))
+    seen = drag(driver, view, start, stop)
+    assert len(set(seen)) == 3, "the sigma follows the mouse"
+    assert plan(design).lines[0].distance == pytest.approx(25.0, abs=0.3)
+    assert shown(design) == foretold(design)
+    assert shown(design)[0] < before[0]
+    assert design.workspace.history.to_undo == "move line 1"
+    assert design.isWindowModified()
+    driver.bot.keyClick(design, Key.Key_Z, Control)
+    assert plan(design).lines[0].distance == 15.0
+    assert shown(design) == before
+    assert not design.isWindowModified()
+    driver.bot.keyClick(design, Key.Key_Y, Control)
+    assert plan(design).lines[0].distance == pytest.approx(25.0, abs=0.3)
+
+
+@pytest.mark.parametrize(("modifier", "whole"), [(NoModifier, True), (Shift, False)])
+def test_the_arrow_of_a_line_turns_it(
+    driver: Driver, design: DesignWindow, modifier, whole: bool
+) -> None:
+    view = design.plan_view
+    _, tip = view._drawn(0, view._ends()[0])
+    place = view.place(tip)
+    turn = np.radians(-22.0)  # clockwise seen from above is positive
+    east, north = place
+    to = np.array([east * np.cos(turn) + north * np.sin(turn),
+                   north * np.cos(turn) - east * np.sin(turn)])  # fmt: skip
+    drag(driver, view, tip, view.pixel(to), modifier)
+    heading = plan(design).lines[0].heading_deg
+    assert (heading % 5.0 == 0.0) is whole
+    assert heading == pytest.approx(338.0, abs=3.0 if whole else 0.6)
+    assert design.workspace.history.to_undo == "turn line 1"
+
+
+def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
+    view = design.wall_view
+    before = design.workspace.titled
+    spot = view._box(edits.hung(before)[0]).center()
+    driver.bot.mousePress(view, Left, pos=spot.toPoint())
+    QApplication.sendEvent(view, mouse_move(view, spot + QPointF(40, -60), NoModifier))
+    assert design.workspace.titled is not before
+    driver.bot.keyClick(view, Key.Key_Escape)
+    driver.bot.mouseRelease(view, Left, pos=spot.toPoint())
+    assert design.workspace.titled is before
+    assert design.workspace.history.to_undo == ""
+
+
+def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) -> None:
+    view, before = design.wall_view, shown(design)
+    spot = view._box(edits.hung(design.workspace.titled)[0]).center()
+    to = view.pixel(view.place(spot) + np.array([-1.0, 1.5]))
+    drag(driver, view, spot, to)
+    along, off, up = design.workspace.titled.wall.seen(plan(design).targets[0].centre)
+    assert (along, off, up) == pytest.approx((-1.8, 0.0, 6.5), abs=0.11)
+    assert shown(design) == foretold(design)
+    assert shown(design)[1] < before[1], "boards farther apart show pitch better"
+
+
+def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
+    view, bot = design.plan_view, driver.bot
+    view.setFocus()
+    bot.keyClick(view, Key.Key_PageDown)
+    assert design.workspace.line == 1
+    bot.keyClick(view, Key.Key_Up)
+    bot.keyClick(view, Key.Key_Up, Shift)
+    assert plan(design).lines[1].distance == pytest.approx(16.1)
+    bot.keyClick(view, Key.Key_Z, Control)
+    assert plan(design).lines[1].distance == 15.0, "nudges after each other are one step"
+    bot.keyClick(view, Key.Key_Right)
+    assert plan(design).lines[1].heading_deg == 185.0
+    bot.keyClick(view, Key.Key_Insert)
+    assert [line.heading_deg for line in plan(design).lines][1:3] == [185.0, 5.0]
+    assert plan(design).lines[2].starboard, "the vessel stays on the water"
+    bot.keyClick(view, Key.Key_D, Control)
+    assert len(plan(design).lines) == 8
+    bot.keyClick(view, Key.Key_Up, Qt.KeyboardModifier.AltModifier)
+    assert design.workspace.line == 2
+    for _ in range(8):
+        bot.keyClick(view, Key.Key_Delete)
+    assert plan(design).lines == ()
+    assert design.results.sigma["yaw"].text() == "–"
+    bot.waitUntil(lambda: "add a target and at least two lines" in design.results.words.text())
+    bot.keyClick(view, Key.Key_Insert)
+    assert len(plan(design).lines) == 1
+    wall = design.wall_view
+    wall.setFocus()
+    bot.keyClick(wall, Key.Key_Insert)
+    bot.keyClick(wall, Key.Key_Up)
+    assert [t.name for t in plan(design).targets] == ["T1", "T2", "T3"]
+    assert plan(design).targets[2].centre[2] == pytest.approx(5.1)
+    for _ in range(3):
+        bot.keyClick(wall, Key.Key_Delete)
+    assert plan(design).targets == ()
+    assert design.plan_view.grab().width() > 0, "an empty site is drawn too"
+
+
+def test_boards_that_face_one_way_are_refused_in_words(
+    driver: Driver, design: DesignWindow
+) -> None:
+    design.tabs.setCurrentWidget(design.targets)
+    editor = type_cell(driver, design.targets.table, 1, 4, "90")
+    driver.bot.keyClick(editor, Key.Key_Return)
+    driver.bot.waitUntil(lambda: "All targets face the same way" in design.results.words.text())
+    assert design.results.words.property("role") == "warning"
+
+
+def test_a_mistake_is_said_while_it_is_typed_and_not_taken(
+    driver: Driver, design: DesignWindow
+) -> None:
+    table, before = design.lines.table, design.workspace.titled
+    editor = type_cell(driver, table, 2, 2, "1e")
+    assert editor.property("wrong")
+    assert "“1e” is not a number" in design.mistake.text()
+    driver.bot.keyClick(editor, Key.Key_Return)
+    assert table.findChild(QLineEdit) is editor, "it stays open until it is right"
+    assert design.workspace.titled is before
+    editor.selectAll()
+    driver.bot.keyClicks(editor, "20000")
+    assert "1 to 200 m" in design.mistake.text()
+    editor.selectAll()
+    driver.bot.keyClicks(editor, "20,5")
+    assert design.mistake.text() == ""
+    driver.bot.keyClick(editor, Key.Key_Return)
+    driver.bot.waitUntil(lambda: plan(design).lines[2].distance == 20.5)
+    assert design.workspace.line == 2
+
+
+def test_the_pos_and_the_stochastic_model(driver: Driver, design: DesignWindow) -> None:
+    design.tabs.setCurrentWidget(design.system)
+    system, before = design.system, shown(design)
+    assert system.grade.currentText() == "own numbers"
+    system.grade.setFocus()
+    driver.bot.keyClick(system.grade, Key.Key_Up)
+    assert system.grade.currentText() == "tactical, RTK"
+    assert shown(design) == foretold(design)
+    assert shown(design)[2] > 1.5 * before[2]
+    assert system.position[0].value() == 30.0
+    field = system.attitude[2]
+    field.setFocus()
+    field.selectAll()
+    driver.bot.keyClicks(field, "0.01")
+    assert np.degrees(plan(design).system.pos.sigma_attitude[2]) == pytest.approx(0.01)
+    assert system.grade.currentText() == "own numbers"
+    system.model.setFocus()
+    driver.bot.keyClick(system.model, Key.Key_Down)
+    assert plan(design).system.pos_errors == "independent"
+    assert shown(design) == foretold(design)
+
+
+def test_a_plan_is_saved_and_read_again_and_asked_about(
+    driver: Driver, design: DesignWindow, tmp_path
+) -> None:
+    work, dialogs = design.workspace, driver.dialogs
+    driver.bot.keyClick(design.plan_view, Key.Key_Up)
+    dialogs.path = tmp_path / "quay.toml"
+    driver.bot.keyClick(design, Key.Key_S, Control)
+    assert not design.isWindowModified()
+    assert read_plan(dialogs.path).plan.lines[0].distance == 16.0
+    dialogs.path = tmp_path / "page.pdf"
+    driver.bot.keyClick(design, Key.Key_E, Control)
+    assert dialogs.path.read_bytes().startswith(b"%PDF")
+    sigma = shown(design)
+    dialogs.asked.clear()
+    driver.bot.keyClick(design, Key.Key_N, Control)
+    assert plan(design).lines[0].distance == 15.0
+    assert dialogs.asked == []
+    driver.bot.keyClick(design.plan_view, Key.Key_Up)
+    dialogs.path, dialogs.answer = tmp_path / "quay.toml", "cancel"
+    driver.bot.keyClick(design, Key.Key_O, Control)
+    assert dialogs.asked == [work.titled.title], "what is not saved is asked about"
+    dialogs.answer = "discard"
+    driver.bot.keyClick(design, Key.Key_O, Control)
+    assert plan(design).lines[0].distance == 16.0
+    assert shown(design) == sigma
+    (tmp_path / "bad.toml").write_text("lines = 3\n")
+    dialogs.path = tmp_path / "bad.toml"
+    driver.bot.keyClick(design, Key.Key_O, Control)
+    (error,) = dialogs.errors
+    assert "bad.toml" in str(error)
+    assert plan(design).lines[0].distance == 16.0
+
+
+def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
+    driver: Driver, design: DesignWindow
+) -> None:
+    design.views.setCurrentIndex(1)
+    viewport = design.view3d.viewport
+    assert {"wall", "line 0", "line 5", "target 1"} <= set(viewport.sketches)
+    assert len(viewport.sketches["target 0"].handles) == 3
+    wall = design.workspace.titled.wall
+    before = shown(design)
+    viewport.signals.handle_moved.emit("target 0", 2, 0.25)
+    viewport.signals.handle_moved.emit("target 0", 2, 0.25)
+    assert wall.seen(plan(design).targets[0].centre) == pytest.approx((-0.8, 0.5, 5.0))
+    assert shown(design) != before or foretold(design) == before
+    viewport.signals.handle_let_go.emit("target 0")
+    assert design.workspace.history.to_undo == "move T1"
+    viewport.signals.seed_clicked.emit(PickedPoint("wall", wall.place(3.02, 0.0, 7.98)))
+    assert wall.seen(plan(design).targets[0].centre) == pytest.approx((3.0, 0.5, 8.0))
+    corners = np.array(viewport.sketches["target 0"].points)
+    assert np.linalg.norm(corners[0] - corners[1]) == pytest.approx(1.23)
+    driver.bot.keyClick(design, Key.Key_L, Control)
+    assert "line 6" in viewport.sketches
+    driver.bot.keyClick(design, Key.Key_Z, Control)
+    assert "line 6" not in viewport.sketches
+
+
+def test_closing_keeps_the_plan_and_quitting_asks(driver: Driver, design: DesignWindow) -> None:
+    driver.bot.keyClick(design.plan_view, Key.Key_Up)
+    driver.bot.keyClick(design, Key.Key_W, Control)
+    assert not design.isVisible()
+    driver.dialogs.answer = "cancel"
+    assert not driver.window.close()
+    assert driver.dialogs.asked == [design.workspace.titled.title]
+    driver.window.activateWindow()
+    press(driver, Key.Key_D, Control | Shift)
+    assert plan(design).lines[0].distance == 16.0
+
+
+def test_every_field_says_what_it_is(driver: Driver, design: DesignWindow) -> None:
+    for kind in (QAbstractSpinBox, QComboBox, QLineEdit):
+        for field in design.centralWidget().findChildren(kind):
+            if field.objectName().startswith("qt_"):
+                continue
+            assert field.toolTip(), field.objectName()
+            assert field.accessibleName(), field.objectName()
+
+
+def test_the_wall_turns_with_all_that_hangs_on_it() -> None:
+    """Sigmas do not depend on where north is, but for the POS errors, which are alike there."""
+    titled = edits.usual()
+    turned = edits.wall_faces(titled, 30.0)
+    assert turned.wall.facing_deg == 30.0
+    before, after = (predict(each.plan).sigma for each in (titled, turned))
+    assert after == pytest.approx(before, rel=1e-6)
+    for one, other in zip(edits.hung(titled), edits.hung(turned), strict=True):
+        assert (one.along, one.off, one.up, one.lean) == pytest.approx(
+            (other.along, other.off, other.up, other.lean), abs=1e-9
+        )

@@ -1,0 +1,91 @@
+"""Long work of the workspace: the search and the scenarios, in the background."""
+
+from lispac.gui.design import campaigns
+from lispac.gui.design.window import DesignWindow
+from tests.gui.design_support import plan, settled
+from tests.gui.support import WAIT_MS, Control, Driver, Key, click
+
+SITE = """
+title = "Pier"
+facing_deg = 270
+[hang]
+boards = 1
+along_m = [-1, 1]
+up_m = [5]
+from_level_deg = [45]
+[sail]
+lines = 3
+headings_deg = [0, 45, 180]
+distances_m = [10, 15]
+[[natural]]
+name = "tower"
+along_m = 0
+off_m = -20
+up_m = 20
+width_m = 5
+height_m = 5
+"""
+
+
+def test_the_best_plan_is_one_undo_step(driver: Driver, design: DesignWindow, tmp_path) -> None:
+    design.tabs.setCurrentWidget(design.search)
+    search, before = design.search, design.workspace.titled
+    driver.dialogs.path = tmp_path / "pier.toml"
+    driver.dialogs.path.write_text(SITE)
+    click(driver, search.read)
+    assert "tower" in search.about_file.text()
+    field = search.limits.lists["distances"]
+    field.setFocus()
+    field.selectAll()
+    driver.bot.keyClicks(field, "10, x")
+    assert not search.find.isEnabled()
+    assert "“x” is not a number" in search.mistake.text()
+    field.selectAll()
+    driver.bot.keyClicks(field, "10, 15")
+    click(driver, search.find)
+    assert search.cancel.isEnabled()
+    settled(driver)
+    assert driver.dialogs.errors == []
+    assert "250 plans looked at, which is all there are" in search.said.text()
+    assert [t.name for t in plan(design).targets] == ["T1", "tower"]
+    assert design.workspace.titled.title == "Pier"
+    assert design.pictures.which.count() == 1
+    driver.bot.keyClick(design, Key.Key_Z, Control)
+    assert design.workspace.titled is before
+
+
+def test_a_search_can_be_cancelled_and_changes_nothing(
+    driver: Driver, design: DesignWindow
+) -> None:
+    design.tabs.setCurrentWidget(design.search)
+    before, runner = design.workspace.titled, driver.window.designing.runner
+    design.search.plans.setValue(500)
+    click(driver, design.search.find)
+    driver.bot.waitUntil(
+        lambda: runner.current is not None and "Looked at" in runner.current.message,
+        timeout=WAIT_MS,
+    )
+    assert "plans/s" in runner.current.message or runner.current.fraction > 0
+    driver.bot.waitUntil(lambda: design.task_bar.cancel.isVisible(), timeout=WAIT_MS)
+    driver.bot.keyClick(design, Key.Key_Period, Control)
+    settled(driver)
+    assert design.workspace.titled is before
+    assert design.search.find.isEnabled()
+    assert driver.dialogs.errors == []
+
+
+def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch) -> None:
+    monkeypatch.setattr(
+        campaigns, "scenarios_of", lambda plan: ((plan, ("size",)), (plan, ("POS",)))
+    )
+    driver.bot.keyClick(design, Key.Key_F9)
+    settled(driver)
+    pictures = design.pictures
+    assert design.views.currentWidget() is pictures
+    assert [pictures.which.itemText(k) for k in range(2)] == [
+        "size (thesis's wall and boards)", "POS",
+    ]  # fmt: skip
+    assert len(pictures.pages.currentWidget().figure.axes) == 2
+    driver.bot.keyClick(design, Key.Key_F9)
+    settled(driver)
+    assert pictures.which.count() == 2
