@@ -25,7 +25,7 @@ from lispac.simulation.closed_form import Ball
 from lispac.simulation.design import search
 from lispac.simulation.monte_carlo import Scatter, surveyed
 from lispac.simulation.plan import System
-from lispac.simulation.scanner import Profiler
+from lispac.simulation.scanner import Scanner
 from lispac.simulation.simulated_plan import simulated
 from lispac.workflow import cluster as cluster_module
 from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
@@ -35,7 +35,7 @@ from tests.test_cli import answer, refused, run
 
 PORT = Path(__file__).parent / "data" / "port-plan.toml"
 QUAY = Path(__file__).parents[1] / "resources" / "sites" / "quay.toml"
-SMALL = replace(PLAN, system=System(scanner=Profiler(20_000.0)))
+SMALL = replace(PLAN, system=System(scanner=Scanner(20_000.0)))
 
 
 @pytest.fixture(scope="module")

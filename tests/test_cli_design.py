@@ -58,6 +58,8 @@ def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
         rows = list(csv.DictReader(file))
     assert len(rows) == 2 * (11 + 4)
     assert {path.name for path in folder.iterdir()} == {"scenarios.csv", "lines.svg", "size.svg"}
+    # The thesis's scenarios have its own boards, wherever the plan's wall is
+    assert run(capsys, "scenarios", PORT, "--only", "size")[1].count("not determined") == 0
     found = answer(capsys, "scenarios", PORT, "--only", "distance")
     assert {each["scenario"] for each in found["outcomes"]} == {"distance"}
 

@@ -75,9 +75,7 @@ def test_a_search_can_be_cancelled_and_changes_nothing(
 
 
 def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch) -> None:
-    monkeypatch.setattr(
-        campaigns, "scenarios_of", lambda plan: ((plan, ("size",)), (plan, ("POS",)))
-    )
+    monkeypatch.setattr(campaigns, "SCENARIOS", ("size", "POS"))
     driver.bot.keyClick(design, Key.Key_F9)
     settled(driver)
     pictures = design.pictures

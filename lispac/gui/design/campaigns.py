@@ -3,19 +3,16 @@
 import os
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from typing import Any
 
-from lispac.progress import Progress, part
+from lispac.progress import Progress
 from lispac.simulation.design import Design, Mapper, search
 from lispac.simulation.objective import Objective
 from lispac.simulation.plan import Plan
 from lispac.simulation.scenarios import (
-    OF_THE_THESIS,
     SCENARIOS,
     Outcome,
     outcomes,
-    thesis_setting,
 )
 from lispac.simulation.site import Site
 from lispac.workflow.campaign import pool_of
@@ -62,22 +59,6 @@ def best_plan(
         )
 
 
-def scenarios_of(plan: Plan) -> tuple[tuple[Plan, tuple[str, ...]], ...]:
-    """Which scenarios are run with which plan.
-
-    The thesis's have boards of its own, which hang on its own wall: they are run there, with the
-    system of the plan.
-    """
-    own = tuple(name for name in SCENARIOS if name not in OF_THE_THESIS)
-    return (replace(thesis_setting(), system=plan.system), OF_THE_THESIS), (plan, own)
-
-
 def all_scenarios(plan: Plan, progress: Progress) -> tuple[Outcome, ...]:
     """What one thing changes, whichever it is."""
-    groups, found, begun = scenarios_of(plan), (), 0
-    count = sum(len(names) for _, names in groups)
-    for which, names in groups:
-        end = begun + len(names)
-        found += outcomes(which, names, progress=part(progress, begun / count, end / count))
-        begun = end
-    return found
+    return outcomes(plan, tuple(SCENARIOS), progress=progress)

@@ -115,7 +115,7 @@ class SystemPanel(QScrollArea):
         values = [
             *(1000 * v for v in pos.sigma_position), *np.degrees(pos.sigma_attitude),
             pos.time_position, pos.time_attitude, 1000 * plan.flatness,
-            system.scanner.pulses_per_second / 1000, system.scanner.profiles_per_second,
+            system.scanner.pulses_per_second / 1000, system.scanner.turns_per_second,
             1000 * system.scanner.range_sigma, system.scanner.max_range, plan.interval / 60,
         ]  # fmt: skip
         self._showing = True
@@ -162,7 +162,7 @@ class SystemPanel(QScrollArea):
         elif name == "design_pulses":
             scanner = replace(scanner, pulses_per_second=1000 * self.pulses.value())
         elif name == "design_profiles":
-            scanner = replace(scanner, profiles_per_second=self.profiles.value())
+            scanner = replace(scanner, turns_per_second=self.profiles.value())
         elif name == "design_range_sigma":
             scanner = replace(scanner, range_sigma=self.range_sigma.value() / 1000)
         elif name == "design_max_range":
