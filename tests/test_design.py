@@ -25,6 +25,7 @@ SMALL = Site(
     distances=(15.0,),
     lines=3,
     boards=2,
+    closest=3.0,
 )
 LARGE = Site((0.0, -15.0, 0.0), 270.0)
 
@@ -80,10 +81,9 @@ def test_the_search_beats_the_thesis_on_its_own_terms() -> None:
         assert found.value < usual / gain
         assert len(found.plan.lines) == 6
         assert len(found.plan.targets) == 2
-        assert all(
-            line.distance * abs(np.sin(np.radians(line.heading_deg - 270.0))) > LARGE.closest
-            for line in found.plan.lines
-        )
+        for course, (start, stop) in zip(found.plan.courses, found.plan.runs, strict=True):
+            west = course.abeam[1] + np.array([start, stop]) * course.direction[1]
+            assert (west + 15.0 >= LARGE.closest - 1e-9).all()  # the wall's face is at -15
 
 
 def test_the_search_never_ends_worse_than_it_began() -> None:
@@ -115,7 +115,12 @@ def test_planes_that_are_there_anyway_are_used() -> None:
     """Part of a tower 30 m behind the wall and 35 m up, and the quay: as good as any boards."""
     tower = Board("tower", (0.0, -45.0, 35.0), (0.0, 1.0, 0.0), 6.0, 6.0, 0.003)
     deck = Board("roof", (4.0, -25.0, -2.0), (0.0, 0.6, 0.8), 6.0, 6.0, 0.005)
-    site = replace(LARGE, boards=0, lines=4, natural=(tower, deck), distances=(15.0,))
+    # From 15 m an oblique line would be ashore before the tower is abeam
+    headings = (0.0, 45.0, 135.0, 180.0)
+    site = replace(LARGE, boards=0, lines=4, natural=(tower, deck), headings_deg=headings)
+    with pytest.raises(RankDeficient, match="nearer to the wall than allowed"):
+        search(replace(site, distances=(15.0,), headings_deg=(45.0, 135.0)))
+    site = replace(site, distances=(40.0,))
     found = search(site)
     assert found.exact
     assert {t.name for t in found.plan.targets} == {"tower", "roof"}
@@ -158,6 +163,8 @@ def test_limits_that_allow_nothing_are_refused() -> None:
         replace(SMALL, lines=1)
     with pytest.raises(InputError, match="longer than"):
         replace(SMALL, lines=50)
+    with pytest.raises(InputError, match=r"2 boards of 15 take 34\.5 minutes"):
+        replace(SMALL, time_on_site=20.0)
     with pytest.raises(InputError, match="keep 40 m from the wall"):
         replace(SMALL, closest=40.0)
     with pytest.raises(InputError, match="Say where boards may hang"):
@@ -165,6 +172,32 @@ def test_limits_that_allow_nothing_are_refused() -> None:
     with pytest.raises(InputError, match="step must be positive"):
         steps(0.0, 1.0, 0.0)
     assert steps(0.0, 1.0, 0.4) == pytest.approx((0.0, 0.4, 0.8, 1.0))
+
+
+def test_lines_keep_off_the_wall_where_they_are_straight() -> None:
+    """Targets far apart along the wall make a line long, and an oblique one nears the wall."""
+    boards = [LARGE.wall.board(f"T{k}", a, 5.0, 90.0, (1.0, 1.0)) for k, a in enumerate((-8, 8))]
+    oblique = LARGE.plan(boards, [Line(45.0, 15.0, True)])
+    assert not LARGE.keeps_off(oblique)
+    assert LARGE.keeps_off(LARGE.plan(boards, [Line(0.0, 15.0, True)]))
+    assert LARGE.keeps_off(LARGE.plan([LARGE.wall.board("T", 0, 5, 90, (1.0, 1.0))], oblique.lines))
+
+
+def test_boards_over_each_other_are_told() -> None:
+    def board(along: float, up: float) -> Board:
+        return LARGE.wall.board("T", along, up, 90.0, (1.23, 1.22))
+
+    assert not apart([board(0.0, 5.0), board(0.9, 5.9)])
+    assert apart([board(0.0, 5.0), board(1.3, 5.9)])
+    assert apart([board(0.0, 5.0), board(0.9, 6.3)])
+    assert apart([board(0.0, 5.0)])
+
+
+def test_a_part_without_which_an_angle_is_open_is_worth_all(best) -> None:
+    two = best.plan.with_lines(best.plan.lines[:2])
+    found = {each.name: each.without for each in worth(two, Objective())}
+    assert np.isinf(found["L1"])
+    assert np.isinf(found["L2"])
 
 
 def test_a_board_hangs_where_it_is_said() -> None:

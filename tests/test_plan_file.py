@@ -109,3 +109,10 @@ def test_a_site_with_unequal_sizes_is_refused(tmp_path: Path) -> None:
     path.write_text("[hang]\nwidth_m = [1, 2]\n")
     with pytest.raises(InputError, match="one of each a size"):
         read_site(path)
+
+
+def test_whole_numbers_are_whole(tmp_path: Path) -> None:
+    path = tmp_path / "site.toml"
+    path.write_text("[hang]\nboards = 2.7\n")
+    with pytest.raises(InputError, match=r"2\.7; give a whole number"):
+        read_site(path)

@@ -6,6 +6,7 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.worths import known, without
 from lispac.io.plan_file import read_site
 from lispac.simulation.choices import thesis_plan
 from lispac.simulation.closed_form import Board
@@ -55,9 +56,9 @@ def design(arguments: Namespace) -> None:
         print(f"{target.name:12s}{along:9.2f}{off:9.2f}{up:9.2f}{lean}")
     for k, line in enumerate(found.plan.lines, start=1):
         print(f"line {k}      {line.name}, {line.speed:g} m/s")
-    print(f"{'without':12s}{'deg':>10s}")
+    print(f"{'without':12s}{'deg':>16s}")
     for each in found.worth:
-        print(f"{each.name:12s}{np.degrees(each.without):10.4f}")
+        print(f"{each.name:12s}{without(each.without):>16s}")
     print(f"{'minutes':12s}{'deg':>10s}  targets x lines")
     for step in found.front:
         size = f"{len(step.plan.targets)} x {len(step.plan.lines)}"
@@ -80,7 +81,7 @@ def _values(title: str, site: Site, found: Design, usual: Plan) -> dict[str, obj
             for t in found.plan.targets
         ],
         "lines": [vars(line) for line in found.plan.lines],
-        "without_deg": {each.name: float(np.degrees(each.without)) for each in found.worth},
+        "without_deg": {each.name: known(each.without) for each in found.worth},
         "front": [
             {
                 "minutes": step.minutes,

@@ -49,7 +49,7 @@ def _design(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--for", dest="criterion", choices=CRITERIA, default="largest",
         help="what is to be small: the largest sigma (default), one angle's, or all (A, D)",
     )  # fmt: skip
-    design.add_argument("--plans", type=int, default=10_000, metavar="N",
+    design.add_argument("--plans", type=whole(1), default=10_000, metavar="N",
                         help="about how many to look at (default 10000)")  # fmt: skip
     design.add_argument(
         "--pos-factors", type=positive, nargs="+", default=[1.0], metavar="F",

@@ -6,6 +6,7 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import print_json
+from lispac.cli.worths import known, without
 from lispac.io.plan_file import read_plan
 from lispac.simulation.design import worth
 from lispac.simulation.objective import Objective
@@ -20,18 +21,18 @@ def predict(arguments: Namespace) -> None:
     found, valued = foretold(plan), worth(plan, Objective())
     words = words_of(plan)
     if arguments.json:
-        known = found.determined
+        determined = found.determined
         print_json(
             {
                 "title": titled.title,
-                "determined": known,
-                "sigma_deg": np.degrees(found.sigma).tolist() if known else None,
-                "correlation": found.correlation.tolist() if known else None,
+                "determined": determined,
+                "sigma_deg": np.degrees(found.sigma).tolist() if determined else None,
+                "correlation": found.correlation.tolist() if determined else None,
                 "points": [
                     {"target": target, "line": line, "points": round(count)}
                     for (target, line), count in found.points.items()
                 ],
-                "largest_sigma_without_deg": {v.name: float(np.degrees(v.without)) for v in valued},
+                "largest_sigma_without_deg": {v.name: known(v.without) for v in valued},
                 "words": list(words),
             }
         )
@@ -55,4 +56,4 @@ def predict(arguments: Namespace) -> None:
         print(f"{target.name:12s}{cells}")
     print(f"{'without':12s}{'largest sigma, deg':>20s}")
     for each in valued:
-        print(f"{each.name:12s}{np.degrees(each.without):20.4f}")
+        print(f"{each.name:12s}{without(each.without):>20s}")

@@ -82,7 +82,7 @@ def read_site(path: Path) -> tuple[str, Site]:
         system, flatness = _system(table)
         natural = _targets(table, wall, "natural", "natural_balls")
         with table.table("hang") as hang:
-            count = int(hang.number("boards", 2.0, least=0.0, most=6.0))
+            count = _whole(hang, "boards", 2, least=0, most=6)
             along = hang.numbers("along_m", None, Site.along)
             heights = hang.numbers("up_m", None, Site.heights)
             leans = hang.numbers(
@@ -95,7 +95,7 @@ def read_site(path: Path) -> tuple[str, Site]:
                     "height_m", "and width_m differ in number; give one of each a size"
                 )
         with table.table("sail") as sail:
-            lines = int(sail.number("lines", 6.0, least=2.0, most=12.0))
+            lines = _whole(sail, "lines", 6, least=2, most=12)
             headings = sail.numbers("headings_deg", None, Site.headings_deg)
             distances = sail.numbers("distances_m", None, Site.distances, least=1.0)
             speeds = sail.numbers("speeds_m_s", None, Site.speeds, least=0.05)
@@ -109,6 +109,13 @@ def read_site(path: Path) -> tuple[str, Site]:
             tuple(zip(width, tall, strict=True)), natural, headings, distances, speeds, count,
             lines, closest, on_site, per_line, per_board, system, flatness,
         )  # fmt: skip
+
+
+def _whole(table: Table, key: str, usual: int, *, least: int, most: int) -> int:
+    value = table.number(key, float(usual), least=float(least), most=float(most))
+    if value != int(value):
+        raise table.refuse(key, f"holds {value:g}; give a whole number")
+    return int(value)
 
 
 def _system(table: Table) -> tuple[System, float]:

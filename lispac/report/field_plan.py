@@ -102,7 +102,10 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     axes.set_xlabel("East (m)", fontsize=TEXT, color=INK)
     axes.set_ylabel("North (m)", fontsize=TEXT, color=INK)
     axes.set_title(
-        "From above; numbers stand where a line begins", fontsize=TEXT, color=INK, loc="left"
+        "From above; numbers stand where a line begins, opposite lines are drawn beside each other",
+        fontsize=TEXT,
+        color=INK,
+        loc="left",
     )
 
 

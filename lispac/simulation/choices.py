@@ -18,8 +18,8 @@ from lispac.simulation.site import Site, apart
 Array = NDArray[np.float64]
 
 NO_PLAN = 2 * BY_EYE
-"""Number of a plan whose boards hang over each other, or whose targets all face one way, which the
-adjustment refuses: worse than any."""
+"""Number of a plan whose boards hang over each other, whose lines come too near the wall, or whose
+targets all face one way, which the adjustment refuses: worse than any."""
 
 
 def faces_one_way(plan: Plan) -> bool:
@@ -84,8 +84,8 @@ class Space:
     def value(self, choice: Choice) -> float:
         """The objective's number of a choice, radians."""
         plan = self.plan(choice)
-        hung = [t for t in plan.targets[: len(choice.boards)] if isinstance(t, Board)]
-        if not apart(hung) or faces_one_way(plan):
+        boards = [target for target in plan.targets if isinstance(target, Board)]
+        if not apart(boards) or faces_one_way(plan) or not self.site.keeps_off(plan):
             return NO_PLAN
         return self.objective.of(plan)
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import RankDeficient
 from lispac.progress import Progress, no_progress
-from lispac.simulation.choices import Choice, Space, faces_one_way
+from lispac.simulation.choices import NO_PLAN, Choice, Space, faces_one_way
 from lispac.simulation.objective import Objective
 from lispac.simulation.plan import Plan
 from lispac.simulation.prediction import Prediction, predict
@@ -37,7 +37,8 @@ HARDLY = 1e-3
 
 @dataclass(frozen=True)
 class Worth:
-    """What a target or a line is worth: the number of the plan without it, radians."""
+    """What a target or a line is worth: the number of the plan without it, radians; infinite where
+    an angle would be left open."""
 
     name: str
     without: float
@@ -125,10 +126,12 @@ def search(
         chosen = _exchanged(space, _evolved(space, counted, plans, seed, start), counted)
     plan = space.plan(chosen)
     prediction = predict(plan)
-    if not prediction.determined:
+    if not prediction.determined or space.value(chosen) >= NO_PLAN:
         raise RankDeficient(
-            "No plan within these limits determines the boresight; allow more lines, other "
-            "headings, or boards of another inclination."
+            "No plan within these limits determines the boresight. Boards over each other, lines "
+            "nearer to the wall than allowed and targets that all face one way, which the "
+            "adjustment refuses, are left out: allow more lines, other headings, or two boards "
+            "of different inclinations."
         )
     progress(0.95, "Weighing what each board and line is worth")
     return Design(
@@ -147,10 +150,10 @@ def worth(plan: Plan, objective: Objective) -> tuple[Worth, ...]:
     found = []
     for k, target in enumerate(plan.targets):
         others = plan.with_targets((*plan.targets[:k], *plan.targets[k + 1 :]))
-        found.append(Worth(target.name, objective.of(others)))
+        found.append(Worth(target.name, objective.if_determined(others)))
     for k, course in enumerate(plan.courses):
         others = plan.with_lines((*plan.lines[:k], *plan.lines[k + 1 :]))
-        found.append(Worth(course.name, objective.of(others)))
+        found.append(Worth(course.name, objective.if_determined(others)))
     return tuple(sorted(found, key=lambda each: -each.without))
 
 

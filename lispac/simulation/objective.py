@@ -59,6 +59,10 @@ class Objective:
         ]
         return float(np.mean(found))
 
+    def if_determined(self, plan: Plan) -> float:
+        """The same, radians; infinite where the plan leaves an angle open."""
+        return self.of(plan) if predict(plan).determined else float("inf")
+
     def of_prediction(self, prediction: Prediction) -> float:
         """The number of what was foretold, radians; by the worst angle where one is left open."""
         covariance = np.linalg.inv(prediction.information + np.eye(3) / BY_EYE**2)

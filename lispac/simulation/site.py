@@ -109,7 +109,8 @@ class Site:
     boards, lines : int
         How many at most.
     closest : float, metres
-        No line comes nearer than this to the wall while the middle of the site is about abeam.
+        No line comes nearer than this to the wall where it is straight, that is from some metres
+        before its first target is abeam to as many after the last.
     time_on_site : float, minutes
     minutes_per_line, minutes_per_board : float
         With the turn; to hang it and take it down.
@@ -144,10 +145,12 @@ class Site:
             self.along and self.heights and self.inclinations_deg and self.sizes
         ):
             raise InputError("Say where boards may hang, how inclined and how large.")
-        if self.lines * self.minutes_per_line > self.time_on_site:
+        needed = self.lines * self.minutes_per_line + self.boards * self.minutes_per_board
+        if needed > self.time_on_site:
             raise InputError(
-                f"{self.lines} lines of {self.minutes_per_line:g} minutes take longer than the "
-                f"{self.time_on_site:g} minutes on site; allow fewer lines or more time."
+                f"{self.lines} lines of {self.minutes_per_line:g} minutes and {self.boards} boards "
+                f"of {self.minutes_per_board:g} take {needed:g} minutes, longer than the "
+                f"{self.time_on_site:g} minutes on site; allow fewer, or more time."
             )
         if not self.lines_allowed:
             raise InputError(
@@ -182,6 +185,14 @@ class Site:
             self.flatness,
         )
 
+    def keeps_off(self, plan: Plan) -> bool:
+        """Whether every line keeps off the wall wherever it is straight."""
+        for course, (start, stop) in zip(plan.courses, plan.runs, strict=True):
+            ends = np.array(course.abeam) + np.outer([start, stop], course.direction[:2])
+            if float(((ends - self.middle[:2]) @ self.wall.out).min()) < self.closest - 1e-9:
+                return False
+        return True
+
     def minutes(self, plan: Plan) -> float:
         """What a plan costs: time on the water and time for the boards."""
         hung = len(plan.targets) - sum(target in self.natural for target in plan.targets)
@@ -191,10 +202,11 @@ class Site:
 def apart(boards: Sequence[Board]) -> bool:
     """Whether no two boards hang over each other."""
     centres = np.array([board.centre for board in boards]).reshape(-1, 3)
-    half = np.array([max(board.width, board.height) / 2 for board in boards])
-    far = np.linalg.norm(centres[:, None] - centres[None], axis=2)
-    near = far < half[:, None] + half[None]
-    return not bool((near & ~np.eye(len(boards), dtype=bool)).any())
+    half = np.array([(board.width / 2, board.height / 2) for board in boards]).reshape(-1, 2)
+    between = centres[:, None] - centres[None]
+    beside = np.hypot(between[..., 0], between[..., 1]) < half[:, None, 0] + half[None, :, 0]
+    above = np.abs(between[..., 2]) < half[:, None, 1] + half[None, :, 1]
+    return not bool((beside & above & ~np.eye(len(boards), dtype=bool)).any())
 
 
 def steps(low: float, high: float, step: float) -> tuple[float, ...]:

@@ -124,7 +124,7 @@ class ResultsPanel(QScrollArea):
         rows = []
         for each in told.worths(plan):
             without = float(np.degrees(each.without))
-            times = without / largest if known else None
+            times = without / largest if known and np.isfinite(without) else None
             cells = [
                 Cell(each.name), Cell(told.sigma_words(without), without),
                 Cell("" if times is None else f"{times:.2f}", times),

@@ -60,6 +60,8 @@ class Told:
 
 def sigma_words(degrees: float) -> str:
     """A sigma as it is written."""
+    if not np.isfinite(degrees):
+        return "open"
     return f"{degrees:.4f}" if degrees < 5.0 else f"{degrees:.2f}"
 
 
