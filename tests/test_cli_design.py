@@ -120,6 +120,11 @@ def test_replay_of_the_built_in_survey(
     said = told(capsys, "replay", folder, "--plan", more)
     assert "Line 7 (020 deg, 30 m to starboard) was not sailed: with it the sigma of" in said
     assert "Target T9 was not used: with it the sigma of" in said
+    far = tmp_path / "far.toml"
+    far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
+    off = answer(capsys, "replay", folder, "--plan", far)
+    assert off["words"] == ["Line 1 (000 deg, 30 m to starboard) was sailed at 15 m."]
+    assert off["sailed_sigma_deg"] == pytest.approx(found["sailed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"
     text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')
     strange.write_text(text)

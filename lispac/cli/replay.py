@@ -33,7 +33,7 @@ def replay(arguments: Namespace) -> None:
         values["flatness_m"] = list(found.flatness)
         values["missing_targets"] = list(found.missing_targets)
         values["missing_lines"] = [line.name for line in found.missing_lines]
-        print_json(values | {"words": list(found.costs)})
+        print_json(values | {"words": [*found.off_plan, *found.costs]})
         return
     print(f"{'1 sigma, deg':32s}" + "".join(f"{angle:>9s}" for angle in ANGLES))
     words = {
@@ -49,5 +49,5 @@ def replay(arguments: Namespace) -> None:
     print(f"{'stated over foretold':32s}" + "".join(f"{value:9.2f}" for value in ratio))
     planned, came = (1000 * value for value in found.flatness)
     print(f"Targets were planned to be flat to {planned:.2f} mm; the survey found {came:.2f} mm.")
-    for sentence in found.costs:
+    for sentence in (*found.off_plan, *found.costs):
         print(sentence)

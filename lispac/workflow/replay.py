@@ -1,23 +1,28 @@
 """A survey against the plan it was sailed by: what was foretold, what came, what was missing."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
 
 from lispac.adjustment.result import ANGLES
 from lispac.errors import ProjectError
 from lispac.io.plan_file import TitledPlan
 from lispac.project import Project
+from lispac.simulation.closed_form import Ball, Board, Course, abeam
 from lispac.simulation.plan import Line, Plan
 from lispac.simulation.prediction import predict
+from lispac.workflow.calibration import observations_of
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
 SAME_HEADING = 22.5
 """Degrees by which a line may be sailed off its planned heading and still be that line."""
+
+OFF_METRES, OFF_SHARE = 2.0, 0.2
+"""A line that was sailed farther or nearer by more, metres and share of its distance, is named."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +43,8 @@ class Replay:
         Of the targets, as planned and as found.
     missing_targets : tuple of str
     missing_lines : tuple of Line
+    off_plan : tuple of str
+        Lines that were sailed at another distance, in sentences.
     costs : tuple of str
         What each that is missing cost, in sentences.
     """
@@ -49,13 +56,16 @@ class Replay:
     flatness: tuple[float, float]
     missing_targets: tuple[str, ...]
     missing_lines: tuple[Line, ...]
+    off_plan: tuple[str, ...]
     costs: tuple[str, ...]
 
 
 def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
     """Compare what a survey gave with what its plan promised.
 
-    Targets are those of the same name, lines those of the same heading, in the order of time.
+    Targets are those of the same name. Of the lines of the same heading each planned one is that
+    whose targets were measured at the distance nearest to the planned; what was sailed is foretold
+    with the distances that were sailed.
 
     Raises
     ------
@@ -67,10 +77,9 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
         raise ProjectError(f"{project.name} has no result yet; estimate the boresight first.")
     used = [target.name for target in project.of_role("target")]
     missing_targets = tuple(t.name for t in plan.targets if t.name not in used)
-    seen = {s.line for target in project.of_role("target") for s in target.sightings}
-    headings = [float(np.degrees(survey.heading[name])) for name in survey.heading if name in seen]
-    unsailed = _unsailed(plan.lines, headings)
-    kept = plan.with_lines([line for k, line in enumerate(plan.lines) if k not in unsailed])
+    sailed_as = _sailed(plan, project, survey)
+    unsailed = [k for k in range(len(plan.lines)) if k not in sailed_as]
+    kept = plan.with_lines([sailed_as[k] for k in sorted(sailed_as)])
     kept = kept.with_targets([t for t in plan.targets if t.name not in missing_targets])
     if not kept.targets or not kept.lines:
         what = "target" if not kept.targets else "line"
@@ -82,7 +91,8 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
     found_flatness = float(result.surfaces[0])
     costs = [
         _cost(f"Line {k + 1} ({plan.lines[k].name})", "sailed", kept.with_lines(
-            [line for j, line in enumerate(plan.lines) if j not in unsailed or j == k]
+            [sailed_as.get(j, line) for j, line in enumerate(plan.lines)
+             if j in sailed_as or j == k]
         ), sailed)
         for k in unsailed
     ]  # fmt: skip
@@ -100,6 +110,12 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
         (plan.flatness, found_flatness),
         missing_targets,
         tuple(plan.lines[k] for k in unsailed),
+        tuple(
+            f"Line {k + 1} ({plan.lines[k].name}) was sailed at {line.distance:.0f} m."
+            for k, line in sorted(sailed_as.items())
+            if abs(line.distance - plan.lines[k].distance)
+            > max(OFF_METRES, OFF_SHARE * plan.lines[k].distance)
+        ),
         tuple(costs),
     )
 
@@ -109,17 +125,49 @@ def _as_flat(plan: Plan, flatness: float) -> Plan:
     return replace(plan.with_targets(targets), flatness=flatness)
 
 
-def _unsailed(lines: Sequence[Line], headings: Sequence[float]) -> list[int]:
-    """Which planned lines no sailed one stands for, one sailed line for one planned."""
-    left = list(headings)
-    unsailed = []
-    for k, line in enumerate(lines):
-        off = [abs((line.heading_deg - heading + 180) % 360 - 180) for heading in left]
-        if off and min(off) <= SAME_HEADING:
-            del left[int(np.argmin(off))]
-        else:
-            unsailed.append(k)
-    return unsailed
+def _sailed(plan: Plan, project: Project, survey: Survey) -> dict[int, Line]:
+    """Which planned lines were sailed, by their number, each at the distance it was sailed."""
+    ranges = _ranges(project, survey)
+    names = sorted({line for _, line in ranges})
+    cost = np.full((len(plan.lines), len(names)), np.inf)
+    moved = np.zeros_like(cost)
+    for k, (line, course) in enumerate(zip(plan.lines, plan.courses, strict=True)):
+        for j, name in enumerate(names):
+            heading = float(np.degrees(survey.heading[name]))
+            off = abs((line.heading_deg - heading + 180) % 360 - 180)
+            farther = [
+                _farther(plan, target, course, ranges[target.name, name])
+                for target in plan.targets
+                if (target.name, name) in ranges
+            ]
+            if off <= SAME_HEADING and farther:
+                moved[k, j] = float(np.median(farther))
+                cost[k, j] = off + abs(moved[k, j])
+    # What can be no pair costs more than all pairs together
+    never = 1.0 + 2.0 * np.where(np.isfinite(cost), cost, 0.0).sum()
+    rows, columns = linear_sum_assignment(np.where(np.isfinite(cost), cost, never))
+    return {
+        int(k): replace(plan.lines[k], distance=max(plan.lines[k].distance + moved[k, j], 0.1))
+        for k, j in zip(rows, columns, strict=True)
+        if np.isfinite(cost[k, j])
+    }
+
+
+def _ranges(project: Project, survey: Survey) -> dict[tuple[str, str], float]:
+    """Usual range (metres) at which each target was measured on each line."""
+    observations = observations_of(project, survey)
+    ranges = np.linalg.norm(observations.points_lidar, axis=1)
+    return {
+        (each.target, each.line): float(np.median(ranges[observations.sighting == k]))
+        for k, each in enumerate(observations.sightings)
+    }
+
+
+def _farther(plan: Plan, target: Board | Ball, course: Course, measured: float) -> float:
+    """How much farther off, over ground, a target was than planned, metres."""
+    ray = np.array(target.centre) - abeam(plan.system.mounting, target, course)
+    planned = float(np.hypot(ray[0], ray[1]))
+    return float(np.sqrt(max(measured**2 - ray[2] ** 2, 0.0)) - planned)
 
 
 def _cost(what: str, verb: str, with_it: Plan, without: Array) -> str:
