@@ -235,6 +235,7 @@ def test_workers_of_another_version_are_refused(
 
 
 def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cluster_module, "WORKERS", 1.0)
     with distributed.LocalCluster(n_workers=0, dashboard_address=":0") as empty:
         address = empty.scheduler_address
         with pytest.raises(LispacError, match="has no workers; start one"), cluster_of(address):
@@ -249,8 +250,11 @@ def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) 
                 list(mapper(abs, range(3)))
 
 
-def test_a_lost_scheduler_is_told_of(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_lost_scheduler_is_told_of(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """As a process of its own, which is killed."""
+    monkeypatch.setattr(cluster_module, "WORKERS", 1.0)
     words = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--no-dashboard"]
     words += ["--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(tmp_path / "where")]
     scheduler = subprocess.Popen(words, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)

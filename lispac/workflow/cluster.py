@@ -26,6 +26,9 @@ from lispac.workflow.campaign import chunk_of
 CONNECT = 4.0
 """Seconds that a scheduler has to answer."""
 
+WORKERS = 15.0
+"""Seconds that a worker may take to be there: one that was lost is started again by its nanny."""
+
 LOOK = 2.0
 """Seconds without an answer after which it is asked whether there are workers at all."""
 
@@ -120,11 +123,13 @@ class _Cluster:
 
     def check(self) -> None:
         """Refuse a cluster without workers, or whose workers are not like this program."""
-        if not self._workers():
+        try:  # one that was lost is perhaps being started again
+            self.client.wait_for_workers(1, timeout=WORKERS)
+        except TimeoutError:
             raise LispacError(
                 f"{self.address}: the scheduler has no workers; start one on each machine with "
                 f"`dask worker {self.address} --nworkers auto --nthreads 1`."
-            )
+            ) from None
         try:  # it reads every chunk before it hands it on
             found = self.client.run_on_scheduler(_version)
         except Exception as error:

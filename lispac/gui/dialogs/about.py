@@ -35,8 +35,8 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     layout = widgets.column(box, 16)
     columns = QHBoxLayout()
     columns.setSpacing(32)
-    # The first heading has about as many rows as the others together.
-    for parts in (KEYS[:1], KEYS[1:]):
+    # The first two headings have about as many rows as the others together.
+    for parts in (KEYS[:2], KEYS[2:]):
         column = widgets.label("".join(map(_keys, parts)))
         columns.addWidget(column, 0, Qt.AlignmentFlag.AlignTop)
     layout.addLayout(columns)
