@@ -20,7 +20,7 @@ distances_m = [10, 15]
 [[natural]]
 name = "tower"
 along_m = 0
-off_m = -20
+off_m = 0
 up_m = 20
 width_m = 5
 height_m = 5
