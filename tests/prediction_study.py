@@ -10,9 +10,9 @@ does the same with any plan.
 import sys
 
 from lispac.cli.campaign import table
+from lispac.design.monte_carlo import Scatter, surveyed
+from lispac.design.plan import Plan, pattern
 from lispac.simulation.closed_form import Board
-from lispac.simulation.monte_carlo import Scatter, surveyed
-from lispac.simulation.plan import Plan, pattern
 from lispac.workflow.campaign import pool_of
 
 BOARDS = (

@@ -19,14 +19,14 @@ import distributed
 import numpy as np
 import pytest
 
+from lispac.design.monte_carlo import Scatter, surveyed
+from lispac.design.plan import System
+from lispac.design.search import search
+from lispac.design.simulated_plan import simulated
 from lispac.errors import Cancelled, LispacError, RankDeficient
 from lispac.io.plan_file import read_site
 from lispac.simulation.closed_form import Ball
-from lispac.simulation.design import search
-from lispac.simulation.monte_carlo import Scatter, surveyed
-from lispac.simulation.plan import System
 from lispac.simulation.scanner import Scanner
-from lispac.simulation.simulated_plan import simulated
 from lispac.workflow import cluster as cluster_module
 from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
 from lispac.workflow.cluster import cluster_of

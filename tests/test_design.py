@@ -6,14 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from lispac.design.choices import thesis_plan
+from lispac.design.objective import CRITERIA, Objective
+from lispac.design.plan import Line
+from lispac.design.prediction import predict
+from lispac.design.search import EXACTLY, search, worth
+from lispac.design.site import Site, apart, steps
 from lispac.errors import Cancelled, InputError, RankDeficient
-from lispac.simulation.choices import thesis_plan
 from lispac.simulation.closed_form import Board
-from lispac.simulation.design import EXACTLY, search, worth
-from lispac.simulation.objective import CRITERIA, Objective
-from lispac.simulation.plan import Line
-from lispac.simulation.prediction import predict
-from lispac.simulation.site import Site, apart, steps
 
 SMALL = Site(
     (0.0, -15.0, 0.0),
@@ -55,7 +55,7 @@ def test_a_small_site_is_searched_exactly(best) -> None:
 
 
 def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.simulation.design.EXACTLY", 10)
+    monkeypatch.setattr("lispac.design.search.EXACTLY", 10)
     found = search(SMALL, plans=800)
     assert not found.exact
     assert found.value == pytest.approx(best.value, rel=0.02)
@@ -64,7 +64,7 @@ def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.Mon
 def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:
     with ThreadPoolExecutor(2) as pool:
         assert search(SMALL, mapper=pool.map).plan.lines == best.plan.lines
-        monkeypatch.setattr("lispac.simulation.design.EXACTLY", 10)
+        monkeypatch.setattr("lispac.design.search.EXACTLY", 10)
         one, other = (search(SMALL, plans=200, mapper=m) for m in (map, pool.map))
     assert one.plan.targets == other.plan.targets
     assert one.plan.lines == other.plan.lines

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from lispac.design.choices import thesis_plan
+from lispac.design.plan import Line
+from lispac.design.scenarios import outcomes, thesis_setting
+from lispac.design.search import Step
+from lispac.design.site import Site, Wall
 from lispac.report.design_figures import front_figure, scenario_figure
 from lispac.report.field_plan import field_plan
-from lispac.simulation.choices import thesis_plan
 from lispac.simulation.closed_form import Ball
-from lispac.simulation.design import Step
-from lispac.simulation.plan import Line
-from lispac.simulation.scenarios import outcomes, thesis_setting
-from lispac.simulation.site import Site, Wall
 
 
 def words(figure: Figure) -> list[str]:

@@ -131,8 +131,8 @@ sys.exit(code)
 def test_core_loads_no_qt() -> None:
     code = """
 import sys
-import lispac.workflow, lispac.io, lispac.report, lispac.simulation, lispac.validation
-import lispac.adjustment, lispac.targets, lispac.survey, lispac.geometry
+import lispac.workflow, lispac.io, lispac.report, lispac.design, lispac.simulation
+import lispac.validation, lispac.adjustment, lispac.targets, lispac.survey, lispac.geometry
 print(*sorted({name.partition(".")[0] for name in sys.modules}))
 """
     done = run_python(code)

@@ -13,8 +13,8 @@ from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.shapes import points_local
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
+from lispac.design.advice import advice, further_lines
 from lispac.errors import RankDeficient
-from lispac.simulation.advice import advice, further_lines
 from lispac.simulation.closed_form import (
     BOARDS,
     Ball,

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.design.choices import thesis_plan
+from lispac.design.plan import Line, System
+from lispac.design.prediction import predict
+from lispac.design.site import Site, Wall
 from lispac.errors import InputError
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
-from lispac.simulation.choices import thesis_plan
 from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.plan import Line, System
 from lispac.simulation.pos_errors import PosErrorModel
-from lispac.simulation.prediction import predict
-from lispac.simulation.site import Site, Wall
 
 SITES = Path(__file__).parents[1] / "resources" / "sites"
 PLAN = """

@@ -9,13 +9,13 @@ import scipy.stats
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import PosErrors, StochasticModel
 from lispac.cli.campaign import table
+from lispac.design.plan import Line, Plan, System, pattern
+from lispac.design.prediction import count_of_points, foretold, predict
+from lispac.design.simulated_plan import simulated
 from lispac.errors import RankDeficient
 from lispac.simulation.closed_form import Ball, Board, abeam
-from lispac.simulation.plan import Line, Plan, System, pattern
-from lispac.simulation.prediction import count_of_points, foretold, predict
 from lispac.simulation.scanner import Scanner, scan
 from lispac.simulation.scene import Scene, upright
-from lispac.simulation.simulated_plan import simulated
 from tests.prediction_study import PLAN, compared
 
 

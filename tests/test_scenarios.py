@@ -6,8 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from lispac.errors import Cancelled
-from lispac.simulation.scenarios import (
+from lispac.design.scenarios import (
     DISTANCES,
     GRADES,
     SCENARIOS,
@@ -15,6 +14,7 @@ from lispac.simulation.scenarios import (
     outcomes,
     thesis_setting,
 )
+from lispac.errors import Cancelled
 
 
 @cache

@@ -154,7 +154,7 @@ MODULES: dict[str, set[str] | None] = {
     "adjustment/solver.py": None,
     "adjustment/iteration.py": None,
     "doubles.py": {"doubles", "_named", "where"},
-    "simulation/advice.py": None,
+    "design/advice.py": None,
     "targets/quality.py": None,
     "targets/hidden.py": None,
     "targets/expected.py": None,

@@ -6,10 +6,10 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.design.choices import faces_one_way
+from lispac.design.monte_carlo import Scatter, surveyed
 from lispac.errors import RankDeficient
 from lispac.io.plan_file import read_plan
-from lispac.simulation.choices import faces_one_way
-from lispac.simulation.monte_carlo import Scatter, surveyed
 from lispac.workflow.campaign import mapper_of
 from lispac.workflow.designing import ONE_WAY
 

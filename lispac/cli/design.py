@@ -7,14 +7,14 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.worths import known, without
+from lispac.design.choices import thesis_plan
+from lispac.design.objective import CRITERIA, Objective
+from lispac.design.plan import Plan
+from lispac.design.prediction import predict
+from lispac.design.search import Design, search
+from lispac.design.site import Site
 from lispac.io.plan_file import read_site
-from lispac.simulation.choices import thesis_plan
 from lispac.simulation.closed_form import Board
-from lispac.simulation.design import Design, search
-from lispac.simulation.objective import CRITERIA, Objective
-from lispac.simulation.plan import Plan
-from lispac.simulation.prediction import predict
-from lispac.simulation.site import Site
 from lispac.workflow.campaign import mapper_of
 from lispac.workflow.designing import words_of, write_design
 

@@ -7,10 +7,10 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import print_json
 from lispac.cli.worths import known, without
+from lispac.design.objective import Objective
+from lispac.design.prediction import predict as foretold
+from lispac.design.search import worth
 from lispac.io.plan_file import read_plan
-from lispac.simulation.design import worth
-from lispac.simulation.objective import Objective
-from lispac.simulation.prediction import predict as foretold
 from lispac.workflow.designing import words_of
 
 

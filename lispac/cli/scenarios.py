@@ -6,8 +6,8 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.design.scenarios import SCENARIOS, Outcome, outcomes, thesis_setting
 from lispac.io.plan_file import read_plan
-from lispac.simulation.scenarios import SCENARIOS, Outcome, outcomes, thesis_setting
 from lispac.workflow.designing import write_scenarios
 
 

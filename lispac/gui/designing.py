@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject
 
+from lispac.design.objective import CRITERIA
+from lispac.design.scenarios import Outcome
+from lispac.design.search import Design
 from lispac.errors import LispacError
 from lispac.gui.design import edits
 from lispac.gui.design.campaigns import all_scenarios, best_plan
@@ -16,9 +19,6 @@ from lispac.gui.panels.histograms import preload
 from lispac.gui.tasks import TaskRunner
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.progress import Progress
-from lispac.simulation.design import Design
-from lispac.simulation.objective import CRITERIA
-from lispac.simulation.scenarios import Outcome
 from lispac.workflow.designing import write_field_plan
 
 if TYPE_CHECKING:

@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 
 from lispac.adjustment.stochastic import POS_ERRORS
+from lispac.design.plan import Line, Plan, System
+from lispac.design.site import Site, Wall
 from lispac.io.files import written_whole
 from lispac.io.toml_table import Table
 from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.plan import Line, Plan, System
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.simulation.scanner import Scanner
-from lispac.simulation.site import Site, Wall
 from lispac.survey.georeferencing import Mounting
 
 SIDES = ("starboard", "port")

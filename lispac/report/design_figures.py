@@ -7,9 +7,9 @@ from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.stochastic import PosErrors
+from lispac.design.scenarios import Outcome
+from lispac.design.search import Step
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress
-from lispac.simulation.design import Step
-from lispac.simulation.scenarios import Outcome
 
 COLOURS = (BEFORE, AFTER, "#228833")
 """Of roll, pitch and yaw; told apart with any colour vision."""

@@ -8,11 +8,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from lispac.design.plan import Line, Plan
+from lispac.design.prediction import predict
+from lispac.design.site import Wall
 from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT
 from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.plan import Line, Plan
-from lispac.simulation.prediction import predict
-from lispac.simulation.site import Wall
 
 Array = NDArray[np.float64]
 

@@ -11,10 +11,10 @@ from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
+from lispac.design.advice import advice
 from lispac.errors import AdjustmentError, RankDeficient
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
-from lispac.simulation.advice import advice
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.thinning import thin
 from lispac.workflow.reselection import reselect

@@ -12,8 +12,8 @@ from contextlib import AbstractContextManager, contextmanager
 from multiprocessing import get_context
 from typing import Any
 
+from lispac.design.search import Mapper
 from lispac.errors import LispacError
-from lispac.simulation.design import Mapper
 
 CHUNK = 16
 """Most values that a process is sent at once."""

@@ -19,8 +19,8 @@ from time import monotonic
 from typing import Any
 
 from lispac import __version__
+from lispac.design.search import Mapper
 from lispac.errors import LispacError
-from lispac.simulation.design import Mapper
 from lispac.workflow.campaign import chunk_of
 
 CONNECT = 4.0

@@ -6,16 +6,16 @@ from pathlib import Path
 import numpy as np
 
 from lispac.adjustment.observability import observability
+from lispac.design.choices import faces_one_way
+from lispac.design.objective import CRITERIA, Objective
+from lispac.design.plan import Plan
+from lispac.design.prediction import UNDETERMINED, foretold, predict
+from lispac.design.scenarios import Outcome
+from lispac.design.search import Design
+from lispac.design.site import Site
 from lispac.errors import LispacError, RankDeficient
 from lispac.io.files import written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
-from lispac.simulation.choices import faces_one_way
-from lispac.simulation.design import Design
-from lispac.simulation.objective import CRITERIA, Objective
-from lispac.simulation.plan import Plan
-from lispac.simulation.prediction import UNDETERMINED, foretold, predict
-from lispac.simulation.scenarios import Outcome
-from lispac.simulation.site import Site
 
 ONE_WAY = (
     "All targets face the same way, and the adjustment refuses that: add a target of another "

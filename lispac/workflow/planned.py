@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from lispac.design.plan import Plan
 from lispac.io.plan_file import read_plan
 from lispac.io.vessel_file import Vessel, read_vessel
 from lispac.project import Triple
 from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.plan import Plan
 from lispac.simulation.scene import Rectangle, Scene, Sphere
 from lispac.simulation.survey import Setup
 from lispac.simulation.vessel import Pass

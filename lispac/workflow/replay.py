@@ -7,12 +7,12 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from lispac.adjustment.result import ANGLES
+from lispac.design.plan import Line, Plan
+from lispac.design.prediction import predict
 from lispac.errors import ProjectError
 from lispac.io.plan_file import TitledPlan
 from lispac.project import Project
 from lispac.simulation.closed_form import Ball, Board, Course, abeam
-from lispac.simulation.plan import Line, Plan
-from lispac.simulation.prediction import predict
 from lispac.workflow.calibration import observations_of
 from lispac.workflow.survey import Survey
 

@@ -8,12 +8,12 @@ from time import perf_counter
 
 import numpy as np
 
+from lispac.design.choices import Space, thesis_plan
+from lispac.design.monte_carlo import surveyed
+from lispac.design.objective import Objective
+from lispac.design.prediction import predict
+from lispac.design.search import search
 from lispac.io.plan_file import read_site
-from lispac.simulation.choices import Space, thesis_plan
-from lispac.simulation.design import search
-from lispac.simulation.monte_carlo import surveyed
-from lispac.simulation.objective import Objective
-from lispac.simulation.prediction import predict
 from lispac.workflow.campaign import pool_of
 
 QUAY = Path(__file__).parents[2] / "resources" / "sites" / "quay.toml"

@@ -5,8 +5,8 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QLineEdit
 
+from lispac.design.prediction import predict
 from lispac.gui.design.window import DesignWindow
-from lispac.simulation.prediction import predict
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 
 Shift = Qt.KeyboardModifier.ShiftModifier

@@ -5,11 +5,11 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit
 
+from lispac.design.prediction import predict
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.viewport.base import PickedPoint
 from lispac.io.plan_file import read_plan
-from lispac.simulation.prediction import predict
 from tests.gui.design_support import (
     NoModifier,
     Shift,

@@ -8,11 +8,11 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QTableWidget
 
 from lispac.adjustment.result import CrossCheck
+from lispac.design.advice import advice
 from lispac.gui.panels.diagnostics_pages import PAGES
 from lispac.gui.panels.diagnostics_table import MARKED_BACKGROUND
 from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
 from lispac.project import Project
-from lispac.simulation.advice import advice
 from tests.gui.support import (
     WAIT_MS,
     Control,

@@ -5,16 +5,16 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from lispac.progress import Progress
-from lispac.simulation.design import Design, Mapper, search
-from lispac.simulation.objective import Objective
-from lispac.simulation.plan import Plan
-from lispac.simulation.scenarios import (
+from lispac.design.objective import Objective
+from lispac.design.plan import Plan
+from lispac.design.scenarios import (
     SCENARIOS,
     Outcome,
     outcomes,
 )
-from lispac.simulation.site import Site
+from lispac.design.search import Design, Mapper, search
+from lispac.design.site import Site
+from lispac.progress import Progress
 from lispac.workflow.campaign import pool_of
 
 FEW = 600

@@ -5,11 +5,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from lispac.design.choices import thesis_plan
+from lispac.design.plan import Line, Plan, System
+from lispac.design.site import Site, Wall
 from lispac.io.plan_file import TitledPlan
-from lispac.simulation.choices import thesis_plan
 from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.plan import Line, Plan, System
-from lispac.simulation.site import Site, Wall
 
 NEAREST, FARTHEST = 1.0, 200.0
 """Metres: distances a line can be dragged to."""

@@ -5,10 +5,10 @@ from dataclasses import replace
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
 
+from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
 from lispac.gui.panels import widgets
 from lispac.io.plan_file import TitledPlan
-from lispac.simulation.site import Site
 
 # name of the site's field: (label, unit, low, high, tip)
 LISTS = {

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
+from lispac.design.plan import Line
 from lispac.gui.design import edits
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.number_table import Field, NumberTable
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
 from lispac.io.plan_file import SIDES
-from lispac.simulation.plan import Line
 
 LINE_FIELDS = (
     Field("turn", "Line", "In which turn it is sailed; the order counts", "no.", 1,

@@ -4,9 +4,9 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
+from lispac.design.scenarios import OF_THE_THESIS, Outcome
+from lispac.design.search import Step
 from lispac.gui.panels import widgets
-from lispac.simulation.design import Step
-from lispac.simulation.scenarios import OF_THE_THESIS, Outcome
 
 NOTHING = (
     "Scenarios (F9) change one thing at a time: lines, inclination, size and combination of boards "

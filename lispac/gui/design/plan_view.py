@@ -4,11 +4,11 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 
+from lispac.design.plan import Line
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import CHOSEN, INK, OTHER, REACH, TARGET, WALL, Array, Canvas
 from lispac.gui.design.workspace import Workspace
 from lispac.simulation.closed_form import Board
-from lispac.simulation.plan import Line
 
 ASIDE = 6.0
 """Pixels a line is drawn to starboard of its course: opposite lines lie beside each other."""

@@ -3,11 +3,11 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
+from lispac.design.objective import CRITERIA, Objective
 from lispac.gui.design.limits import LimitsForm
 from lispac.gui.design.told import sigma_words
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
-from lispac.simulation.objective import CRITERIA, Objective
 
 FACTORS = {
     "POS as good as stated": (1.0,),

@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QScrollArea, QWidget
 
+from lispac.design.plan import System
+from lispac.design.scenarios import GRADES
 from lispac.gui.design import edits
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
 from lispac.report.design_figures import NAMES
-from lispac.simulation.plan import System
-from lispac.simulation.scenarios import GRADES
 
 OWN = "own numbers"
 

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from lispac.design.choices import faces_one_way
+from lispac.design.objective import Objective
+from lispac.design.plan import Plan
+from lispac.design.prediction import Prediction, predict
+from lispac.design.search import Worth, worth
 from lispac.io.plan_file import TitledPlan
-from lispac.simulation.choices import faces_one_way
-from lispac.simulation.design import Worth, worth
-from lispac.simulation.objective import Objective
-from lispac.simulation.plan import Plan
-from lispac.simulation.prediction import Prediction, predict
 from lispac.workflow.designing import words_of
 
 EMPTY = "Nothing to calibrate with yet: add a target and at least two lines."

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
+from lispac.design.plan import Line
 from lispac.gui.design import edits
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.history import History
 from lispac.io.plan_file import TitledPlan
-from lispac.simulation.plan import Line
 
 
 class Workspace(QObject):

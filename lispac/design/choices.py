@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observability import one_facing
+from lispac.design.objective import BY_EYE, Objective
+from lispac.design.plan import SIX, Line, Plan, pattern
+from lispac.design.site import Site, apart
 from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.objective import BY_EYE, Objective
-from lispac.simulation.plan import SIX, Line, Plan, pattern
-from lispac.simulation.site import Site, apart
 
 Array = NDArray[np.float64]
 

@@ -16,9 +16,9 @@ from lispac.adjustment.observability import WORST_SIGMA
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.design.plan import Plan, System
 from lispac.errors import RankDeficient
 from lispac.simulation.closed_form import STEEPEST, Ball, Board, Course, abeam
-from lispac.simulation.plan import Plan, System
 from lispac.survey.georeferencing import to_lidar
 from lispac.survey.trajectory import Poses
 

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.stochastic import PosErrors
+from lispac.design.plan import SIX, Plan, System, pattern
+from lispac.design.prediction import predict
 from lispac.progress import Progress, no_progress
 from lispac.simulation.closed_form import Board
-from lispac.simulation.plan import SIX, Plan, System, pattern
 from lispac.simulation.pos_errors import PosErrorModel
-from lispac.simulation.prediction import predict
 
 Array = NDArray[np.float64]
 Case = tuple[str, Plan]

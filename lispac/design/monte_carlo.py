@@ -9,12 +9,12 @@ from lispac.adjustment.blas import one_thread
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.design.plan import Plan
+from lispac.design.prediction import UNDETERMINED, predict
+from lispac.design.search import Mapper
+from lispac.design.simulated_plan import simulated
 from lispac.errors import AdjustmentError, LispacError, RankDeficient
 from lispac.progress import Progress, no_progress
-from lispac.simulation.design import Mapper
-from lispac.simulation.plan import Plan
-from lispac.simulation.prediction import UNDETERMINED, predict
-from lispac.simulation.simulated_plan import simulated
 
 Array = NDArray[np.float64]
 
@@ -99,7 +99,7 @@ def surveyed(
     flatness_known : bool
         Whether the adjustment is told how flat the targets are, and does not ask the data.
     mapper : callable
-        As of `lispac.simulation.design.search`.
+        As of `lispac.design.search.search`.
 
     Raises
     ------

@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.design.choices import NO_PLAN, Choice, Space, faces_one_way
+from lispac.design.objective import Objective
+from lispac.design.plan import Plan
+from lispac.design.prediction import Prediction, predict
+from lispac.design.site import Site
 from lispac.errors import RankDeficient
 from lispac.progress import Progress, no_progress
-from lispac.simulation.choices import NO_PLAN, Choice, Space, faces_one_way
-from lispac.simulation.objective import Objective
-from lispac.simulation.plan import Plan
-from lispac.simulation.prediction import Prediction, predict
-from lispac.simulation.site import Site
 
 Array = NDArray[np.float64]
 Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]

@@ -1,6 +1,6 @@
 """A plan as it could come out: one survey with all its points and all its errors.
 
-Nothing of it comes from the foretelling (`lispac.simulation.prediction`) but how many points a
+Nothing of it comes from the foretelling (`lispac.design.prediction`) but how many points a
 sighting has: the boards lie off their shape, the LiDAR has noise, the POS errors drift, and the
 vessel rolls.
 """
@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations, Sighting
+from lispac.design.plan import Plan
+from lispac.design.prediction import FEWEST, UNSEEN, count_of_points
 from lispac.errors import RankDeficient
 from lispac.simulation.closed_form import Ball, Board, Sea, abeam, gathered, observed, recorded
-from lispac.simulation.plan import Plan
-from lispac.simulation.prediction import FEWEST, UNSEEN, count_of_points
 
 Array = NDArray[np.float64]
 

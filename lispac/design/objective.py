@@ -7,8 +7,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.simulation.plan import Plan
-from lispac.simulation.prediction import Prediction, predict
+from lispac.design.plan import Plan
+from lispac.design.prediction import Prediction, predict
 
 Array = NDArray[np.float64]
 

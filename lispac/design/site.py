@@ -7,9 +7,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.design.plan import BEYOND, Line, Plan, System
 from lispac.errors import InputError
 from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.plan import BEYOND, Line, Plan, System
 
 Array = NDArray[np.float64]
 
