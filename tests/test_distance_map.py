@@ -12,11 +12,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.report.catalogue import catalogue_of
+from lispac.language.catalogue import catalogue_of
+from lispac.language.translation import Translator
 from lispac.report.maps import map_figure, map_figure_of
 from lispac.report.tables import write_tables
 from lispac.report.text_width import width_of
-from lispac.report.translation import Translator
 from lispac.report.validation_values import ValidationPlane
 from lispac.validation.comparison import compare_plane
 from lispac.validation.distance_map import DistanceMap, distance_map

@@ -14,10 +14,11 @@ import pytest
 
 from lispac.adjustment.error_budget import error_budget
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.language.catalogue import catalogue_of
+from lispac.language.translation import Translator
 from lispac.project import Project
 from lispac.report.blocks import Paragraph, Signature
 from lispac.report.budget_values import Budget
-from lispac.report.catalogue import catalogue_of
 from lispac.report.content import ReportContent, report_content
 from lispac.report.document import document_of, in_english
 from lispac.report.html import html_text
@@ -25,7 +26,6 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
 from lispac.report.translated import drawn, names_of, translated
-from lispac.report.translation import Translator
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.hidden import Shown
 from lispac.targets.quality import SightingQuality

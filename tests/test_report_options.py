@@ -101,7 +101,7 @@ def test_the_template_of_the_manual_is_one(tmp_path: Path) -> None:
         ("colour = 'red'", "has no colour; it can have logo, company"),
         ("page = 'a5'", "There is no page a5; choose one of a4, letter"),
         ("page = 4", "page must be a text in quotation marks"),
-        ("language = 'de'", "There is no report in 'de'; choose one of en, fr"),
+        ("language = 'de'", "There is no translation into 'de'; choose one of en, fr"),
         ("convention = 'lidarsoft'", "There is no system named lidarsoft"),
         ("company = Fleuve", "this report template is no TOML file"),
         ("logo = 'none.png'", r"none\.png: there is no such logo file"),

@@ -21,8 +21,8 @@ from matplotlib.transforms import offset_copy
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.report.catalogue import catalogue_of
-from lispac.report.translation import Say, Translator, unchanged
+from lispac.language.catalogue import catalogue_of
+from lispac.language.translation import Say, Translator, unchanged
 from lispac.report.values import (
     Line,
     PickedPlane,

@@ -9,9 +9,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
 from numpy.typing import ArrayLike, NDArray
 
+from lispac.language.translation import Say, unchanged
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.legends import USUAL, top_below_legend
-from lispac.report.translation import Say, unchanged
 from lispac.report.validation_values import ValidationPlane
 from lispac.validation.bins import merged
 from lispac.validation.results import PlaneComparison

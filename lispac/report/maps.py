@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
+from lispac.language.translation import Say, unchanged
 from lispac.report.figures import INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.text_width import cut, fitted
-from lispac.report.translation import Say, unchanged
 from lispac.report.validation_values import Mapped, ValidationPlane
 from lispac.validation.results import PlaneComparison
 

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from lispac.language.translation import Say, unchanged
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
-from lispac.report.translation import Say, unchanged
 from lispac.report.validation_values import Against, ValidationPlane
 from lispac.validation.results import PlaneComparison
 

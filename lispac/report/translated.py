@@ -3,6 +3,8 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from lispac.language.catalogue import catalogue_of
+from lispac.language.translation import Translator
 from lispac.report.blocks import (
     Block,
     Bullets,
@@ -15,8 +17,6 @@ from lispac.report.blocks import (
     Signature,
     Table,
 )
-from lispac.report.catalogue import catalogue_of
-from lispac.report.translation import Translator
 from lispac.report.values import ReportContent
 
 POINT = "Numbers are written with a decimal point, as other programs take them."

@@ -7,7 +7,7 @@ from typing import Any
 
 from lispac.errors import InputError
 from lispac.io.files import require_file
-from lispac.report.catalogue import catalogue_of
+from lispac.language.catalogue import catalogue_of
 from lispac.report.options import PAGES, USUAL, Page, ReportOptions
 from lispac.survey.conventions.systems import system
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 from lispac.errors import InputError
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
-from lispac.report.catalogue import LANGUAGES
+from lispac.language.catalogue import LANGUAGES
 from lispac.report.options import PAGES, USUAL, ReportOptions
 from lispac.survey.conventions.systems import LISPAC, STATUS_WORDS, SYSTEMS
 from lispac.workflow.report_options import report_options

@@ -1,6 +1,7 @@
-"""What the report says in other languages: one file of sentences for each, in ``languages``.
+"""What the program says in other languages: one folder of Qt Linguist files for each.
 
-A file pairs each English text with its translation. Placeholders stand for what changes:
+``resources/i18n/fr/*.ts`` pair each English text with its translation, ``language.toml`` beside
+them holds what is true of all. Placeholders stand for what changes:
 ``{target} is the only target``. A kind after the colon says what may stand there:
 
 - ``{x}``: a text that is translated itself, or a name of the project
@@ -12,15 +13,18 @@ A file pairs each English text with its translation. Placeholders stand for what
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from importlib.resources import files
+from itertools import chain
+from pathlib import Path
+from xml.etree import ElementTree
 
 from lispac.errors import InputError
+from lispac.installed import resource
 
 LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
-"""What each is called by those who speak it, by its code; the report is made in the first."""
+"""What each is called by those who speak it, by its code; texts are made in the first."""
 
 _NUMBER = r"[+\-\u2212\u00b1]?\d(?:[\d,]*\d)?(?:\.\d+)?(?:e[+-]?\d+)?"
 _PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
@@ -94,8 +98,9 @@ class Catalogue:
 
     Attributes
     ----------
-    code : as in the report's files: ``fr``
+    code : as that of the folder: ``fr``
     thousands : sign between groups of three digits
+    decimal : sign before the decimals, where numbers are written as the language does
     conjunction : between the last two of a list
     exact : translation by English text
     templates : the one with most letters first
@@ -103,6 +108,7 @@ class Catalogue:
 
     code: str
     thousands: str
+    decimal: str
     conjunction: str
     exact: Mapping[str, str]
     templates: tuple[Template, ...]
@@ -118,26 +124,43 @@ def catalogue_of(code: str) -> Catalogue:
         Where there are none.
     """
     if code not in LANGUAGES:
-        raise InputError(f"There is no report in {code!r}; choose one of {', '.join(LANGUAGES)}.")
+        raise InputError(
+            f"There is no translation into {code!r}; choose one of {', '.join(LANGUAGES)}."
+        )
     if code == "en":
-        return Catalogue("en", ",", "and", {}, ())
-    file = files("lispac.report") / "languages" / f"{code}.toml"
-    return read_catalogue(code, file.read_text(encoding="utf-8"))
+        return Catalogue("en", ",", ".", "and", {}, ())
+    folder = resource(f"i18n/{code}")
+    rules = (folder / "language.toml").read_text(encoding="utf-8")
+    files = sorted(folder.glob("*.ts"))
+    return made(code, rules, chain.from_iterable(map(messages, files)))
 
 
-def read_catalogue(code: str, text: str) -> Catalogue:
-    """The sentences of a catalogue file; the order of its tables does not matter."""
-    tables = tomllib.loads(text)
-    language, typography = tables.pop("language"), tables.pop("typography")
-    rules = [(re.compile(rule), by) for rule, by in typography.items()]
+def messages(file: Path) -> Iterator[tuple[str, str]]:
+    """English text and translation of each message of a Qt Linguist file, as far as it has one."""
+    for message in ElementTree.parse(file).iter("message"):
+        said = message.find("translation")
+        if said is not None and said.text and said.get("type") not in _GIVEN_UP:
+            yield message.findtext("source", ""), said.text
+
+
+_GIVEN_UP = ("obsolete", "vanished")
+
+
+def made(code: str, rules: str, pairs: Iterable[tuple[str, str]]) -> Catalogue:
+    """The catalogue of a language from its rules (TOML) and its texts, in any order."""
+    tables = tomllib.loads(rules)
+    language = tables["language"]
+    typography = [(re.compile(rule), by) for rule, by in tables["typography"].items()]
     exact: dict[str, str] = {}
-    for name, sentences in tables.items():
-        for english, translation in sentences.items():
-            if english in exact:
-                raise ValueError(f"{english!r} stands twice, the second time in [{name}].")
-            for rule, by in rules:
-                translation = rule.sub(by, translation)
-            exact[english] = translation
+    for english, translation in pairs:
+        if english in exact:
+            raise ValueError(f"{english!r} stands twice.")
+        for rule, by in typography:
+            translation = rule.sub(by, translation)
+        exact[english] = translation
     templates = [Template(english, said) for english, said in exact.items() if "{" in english]
     templates.sort(key=lambda each: -sum(map(len, each.literals)))
-    return Catalogue(code, language["thousands"], language["conjunction"], exact, tuple(templates))
+    return Catalogue(
+        code, language["thousands"], language["decimal"], language["conjunction"], exact,
+        tuple(templates),
+    )  # fmt: skip

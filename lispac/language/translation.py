@@ -1,21 +1,22 @@
-"""A finished report in another language, text by text.
+"""A finished text in another language.
 
 Texts are made in English all over the program, and some are kept in project files; what is
-translated is therefore the finished document. A text that the catalogue does not know stays
-English, and the report says how many do.
+translated is therefore the finished text, where it is shown. One that the catalogue does not know
+stays English, and is counted.
 """
 
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
-from lispac.report.catalogue import Catalogue, Template
+from lispac.language.catalogue import Catalogue, Template
 
 Say = Callable[[str], str]
-"""Says an English text in the language of the report."""
+"""Says an English text in another language."""
 
 _LETTER = re.compile(r"[^\W\d_]")
 _THOUSANDS = re.compile(r"(?<=\d),(?=\d{3}(?!\d))")
+_DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 _SENTENCE = re.compile(r"(?<=[.?!])[ \u00a0](?=[^\W_])")
 
 _CLAUSE = re.compile(r"[.;:?!] ")
@@ -41,10 +42,15 @@ class Translator:
     ----------
     catalogue : the language
     names : of targets, lines, files and the like, which stay as they are
+    spoken_numbers : whether the decimal sign is the language's; else it stays a point, as other
+        programs take it
     """
 
-    def __init__(self, catalogue: Catalogue, names: Iterable[str] = ()) -> None:
+    def __init__(
+        self, catalogue: Catalogue, names: Iterable[str] = (), *, spoken_numbers: bool = False
+    ) -> None:
         self.catalogue = catalogue
+        self._decimal = catalogue.decimal if spoken_numbers else "."
         self._names = frozenset(names)
         self._said: dict[str, str] = {}
         self._unknown: dict[str, None] = {}
@@ -81,7 +87,9 @@ class Translator:
     def _known(self, text: str) -> _Said | None:
         """The text said, in part at least; None where nothing of it is known."""
         if not _LETTER.search(text):
-            return _Said(_THOUSANDS.sub(self.catalogue.thousands, text))
+            grouped = _THOUSANDS.sub("\0", text)
+            spoken = _DECIMAL.sub(self._decimal, grouped)
+            return _Said(spoken.replace("\0", self.catalogue.thousands))
         whole = self._as_one(text)
         if whole is not None and not whole.unknown:
             return whole
