@@ -10,6 +10,7 @@ from lispac.io import sbet
 from lispac.language.catalogue import Catalogue, Template, catalogue_of, made, messages
 from lispac.language.translation import Translator
 from lispac.report.settings_used import CONVENTION
+from tests.said import FRENCH, covered
 from tests.told import told
 
 ROOT = Path(__file__).resolve().parents[1] / "lispac"
@@ -136,9 +137,6 @@ def test_places_have_to_agree() -> None:
         catalogue_of("de")
 
 
-FRENCH = catalogue_of("fr")
-
-
 def test_french_is_set_as_french_is() -> None:
     for english, said in FRENCH.exact.items():
         bare = re.sub(r"\{\w+\}", "0", said)
@@ -223,28 +221,8 @@ NOT_SAID = {
 """Strings of these modules that no report says."""
 
 
-def _covered(text: str) -> bool:
-    """Whether the text is known, or each of its sentences a part of one that is."""
-    say = Translator(FRENCH, {"7"})
-    say(text)
-    if not say.unknown:
-        return True
-    return all(_part(sentence) for sentence in re.split(r"(?<=[.?!]) ", text))
-
-
-KEYS = [re.sub(r"\{\w+(:\w+)?\}", "\0", english) for english in FRENCH.exact]
-
-
-def _part(sentence: str) -> bool:
-    say = Translator(FRENCH, {"7"})
-    say(sentence)
-    pieces = [p.strip() for p in sentence.split("7") if re.search(r"[^\W\d_]{2}", p)]
-    pattern = re.compile(".*".join(map(re.escape, pieces)), re.DOTALL)
-    return not say.unknown or any(pattern.search(key) for key in KEYS)
-
-
 @pytest.mark.parametrize("module", MODULES)
 def test_what_is_told_can_be_said_in_french(module: str) -> None:
     found = told(ROOT / module, MODULES[module])
-    missing = [(line, text) for line, text in found if text not in NOT_SAID and not _covered(text)]
+    missing = [(line, text) for line, text in found if text not in NOT_SAID and not covered(text)]
     assert missing == []

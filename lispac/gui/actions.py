@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.viewing_actions import (
     COLOURED,
     INSPECT_ACTIONS,
@@ -146,7 +147,7 @@ class Actions(QObject):
     def __init__(self, window: QMainWindow, stack: QUndoStack) -> None:
         super().__init__(window)
         self._window = window
-        self.recent = QMenu("Open &recent", window)
+        self.recent = QMenu(say("Open &recent"), window)
         self.recent.setObjectName("recent_menu")
         self._by_name = {name: self._made(name) for name in _ACTIONS}
         for pair in _CHECKABLE:
@@ -173,12 +174,12 @@ class Actions(QObject):
         """Build the menu bar."""
         self._docks = list(docks)
         for title, names in _MENUS.items():
-            self._fill(self._window.menuBar().addMenu(title), names)
+            self._fill(self._window.menuBar().addMenu(say(title)), names)
 
     def _fill(self, menu: QMenu, names: Menu) -> None:
         for name in names:
             if isinstance(name, tuple):
-                self._fill(menu.addMenu(name[0]), name[1])
+                self._fill(menu.addMenu(say(name[0])), name[1])
             elif name == "RECENT":
                 menu.addMenu(self.recent)
             elif name == "DOCKS":
@@ -190,7 +191,7 @@ class Actions(QObject):
 
     def fill_toolbar(self) -> QToolBar:
         """Build the toolbar."""
-        bar = QToolBar("Toolbar", self._window)
+        bar = QToolBar(say("Toolbar"), self._window)
         bar.setObjectName("toolbar")
         bar.setMovable(False)
         bar.setIconSize(QSize(20, 20))
@@ -203,18 +204,18 @@ class Actions(QObject):
         return bar
 
     def _name_undo(self, text: str) -> None:
-        self["undo"].setText(f"&Undo {text}".strip())
-        self["undo"].setIconText("Undo")
+        self["undo"].setText(say(f"&Undo {text}".strip()))
+        self["undo"].setIconText(say("Undo"))
 
     def _name_redo(self, text: str) -> None:
-        self["redo"].setText(f"&Redo {text}".strip())
-        self["redo"].setIconText("Redo")
+        self["redo"].setText(say(f"&Redo {text}".strip()))
+        self["redo"].setIconText(say("Redo"))
 
     def _made(self, name: str) -> QAction:
         text, short, icon, keys, tip = _ACTIONS[name]
-        action = QAction(text, self._window)
+        action = QAction(say(text), self._window)
         action.setObjectName(f"action_{name}")
-        action.setIconText(short)
+        action.setIconText(say(short))
         if icon:
             action.setIcon(theme.icon(icon))
         if isinstance(keys, tuple):
@@ -222,6 +223,6 @@ class Actions(QObject):
         elif keys:
             action.setShortcut(QKeySequence(keys))
         shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{tip} ({shown})" if shown else tip)
-        action.setStatusTip(tip)
+        action.setToolTip(say(f"{tip} ({shown})" if shown else tip))
+        action.setStatusTip(say(tip))
         return action

@@ -13,6 +13,7 @@ from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.estimating import Estimating
+from lispac.gui.language import say
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.io.seed_file import looks_like_a_list
@@ -131,10 +132,10 @@ class ProjectLife(QObject):
             action = menu.addAction(str(folder))
             action.triggered.connect(lambda _=False, folder=folder: self.open_project(folder))
         if menu.isEmpty():
-            menu.addAction("No project yet").setEnabled(False)
+            menu.addAction(say("No project yet")).setEnabled(False)
         else:
             menu.addSeparator()
-            menu.addAction("Forget these").triggered.connect(self._settings.forget_recent)
+            menu.addAction(say("Forget these")).triggered.connect(self._settings.forget_recent)
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight; asks where a plane was found and not yet accepted."""

@@ -4,9 +4,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
+from PySide6.QtWidgets import QMainWindow
 
-from lispac.gui import status
+from lispac.gui import docks, status
 from lispac.gui.actions import Actions
 from lispac.gui.computing import Computing, PointCount
 from lispac.gui.controller import Controller
@@ -15,6 +15,7 @@ from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
+from lispac.gui.language import say
 from lispac.gui.life import ProjectLife
 from lispac.gui.looking import Looking
 from lispac.gui.panels.adjust import AdjustPanel
@@ -27,6 +28,7 @@ from lispac.gui.panels.histograms import HistogramsPanel
 from lispac.gui.panels.log import LogPanel
 from lispac.gui.panels.report import ReportPanel
 from lispac.gui.panels.results import ResultsPanel
+from lispac.gui.panels.section import TITLE as SECTION
 from lispac.gui.panels.sightings_table import SightingsTable
 from lispac.gui.panels.targets import TargetsPanel
 from lispac.gui.panels.validate import ValidatePanel
@@ -116,59 +118,39 @@ class MainWindow(QMainWindow):
         self.task_bar = TaskBar()
         self.setStatusBar(self.task_bar)
         self.addToolBar(self.actions_.fill_toolbar())
-        # Docks laid out half joined would leave their first tab bars lying in the window.
-        self.layout().setEnabled(False)
-        docks = {
-            "Workflow": self._dock("Workflow", self.workflow, Area.LeftDockWidgetArea),
-            "Results": self._dock("Results", self.results, Area.RightDockWidgetArea),
-            CONVENTION: self._dock(CONVENTION, self.convention, Area.RightDockWidgetArea),
-            "Targets by lines": self._dock(
-                "Targets by lines", self.table, Area.BottomDockWidgetArea
-            ),
-            DIAGNOSTICS: self._dock(DIAGNOSTICS, self.diagnostics, Area.BottomDockWidgetArea),
-            "Histograms": self._dock("Histograms", self.histograms, Area.BottomDockWidgetArea),
-            "Log": self._dock("Log", self.log, Area.BottomDockWidgetArea),
-        }
-        self.docks = docks
-        self.setTabPosition(Area.BottomDockWidgetArea, QTabWidget.TabPosition.North)
-        self.setTabPosition(Area.RightDockWidgetArea, QTabWidget.TabPosition.North)
-        self.tabifyDockWidget(docks["Targets by lines"], docks[DIAGNOSTICS])
-        self.tabifyDockWidget(docks[DIAGNOSTICS], docks["Histograms"])
-        docks |= self.tools.make_docks(docks["Histograms"])
-        self.tabifyDockWidget(docks["Histograms"], docks["Log"])
-        self.tabifyDockWidget(docks["Results"], docks[CONVENTION])
-        self.layout().setEnabled(True)
-        docks["Targets by lines"].raise_()
-        docks["Results"].raise_()
-        self.setCorner(Qt.Corner.BottomLeftCorner, Area.LeftDockWidgetArea)
-        self.setCorner(Qt.Corner.BottomRightCorner, Area.BottomDockWidgetArea)
-        self.setDockOptions(
-            QMainWindow.DockOption.AnimatedDocks | QMainWindow.DockOption.AllowTabbedDocks
-        )
-        self.actions_.fill_menus([dock.toggleViewAction() for dock in docks.values()])
+        self.docks = self._docks()
+        # A dock behind another counts as visible; only this signal tells.
+        self.docks[SECTION].visibilityChanged.connect(self.tools.sections.be_seen)
+        self.actions_.fill_menus([dock.toggleViewAction() for dock in self.docks.values()])
         screen = self.screen().availableGeometry()
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
         kept = self.settings.layout()
         if kept is None:
-            self.resizeDocks(
-                [docks["Workflow"], docks["Results"]], [350, 400], Qt.Orientation.Horizontal
-            )
-            self.resizeDocks(
-                [docks["Targets by lines"]], [3 * self.height() // 10], Qt.Orientation.Vertical
-            )
+            docks.share_out(self, self.docks)
         else:
             self.restoreGeometry(kept[0])
             self.restoreState(kept[1])
 
+    def _docks(self) -> docks.Docks:
+        left, right, below = (
+            Area.LeftDockWidgetArea, Area.RightDockWidgetArea, Area.BottomDockWidgetArea
+        )  # fmt: skip
+        return docks.laid_out(
+            self,
+            {
+                "Workflow": (self.workflow, left),
+                "Results": (self.results, right),
+                CONVENTION: (self.convention, right),
+                "Targets by lines": (self.table, below),
+                DIAGNOSTICS: (self.diagnostics, below),
+                "Histograms": (self.histograms, below),
+                **self.tools.panels,
+                "Log": (self.log, below),
+            },
+        )
+
     def sizeHint(self) -> QSize:
         return QSize(1600, 1000)
-
-    def _dock(self, title: str, widget: QWidget, area: Area) -> QDockWidget:
-        dock = QDockWidget(title, self)
-        dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")
-        dock.setWidget(widget)
-        self.addDockWidget(area, dock)
-        return dock
 
     def _join_panels(self) -> None:
         data, targets, control = self.data, self.targets, self.controller
@@ -347,7 +329,7 @@ class MainWindow(QMainWindow):
 
     def _note(self, text: str) -> None:
         self.log.note(text)
-        self.task_bar.showMessage(text, NOTE_MS)
+        self.task_bar.showMessage(say(text), NOTE_MS)
 
     def _first_open_step(self) -> int:
         project = self.document.project

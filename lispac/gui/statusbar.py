@@ -6,6 +6,7 @@ import time
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.tasks import Task
 from lispac.survey.store.pace import spoken
@@ -46,9 +47,9 @@ class TaskBar(QStatusBar):
         if task is None or not shown:
             return
         if task.cancel.is_set():
-            self.text.setText(f"{task.title}: stopping …")
+            self.text.setText(say(f"{task.title}: stopping …"))
         else:
-            self.text.setText(_words(task))
+            self.text.setText(say(_words(task)))
         self.bar.setValue(round(task.fraction * 1000))
         self.cancel.setEnabled(not task.cancel.is_set())
 

@@ -59,17 +59,11 @@ class Tools(QObject):
         targets = self._window.targets
         return Wanted(targets.threshold, targets.radius, targets.shape == "plane")
 
-    def make_docks(self, beside: QDockWidget) -> dict[str, QDockWidget]:
-        """Put the tools' panels into docks, as tabs beside another; by their titles."""
-        docks = {}
-        for title, panel in (
-            (SECTION, self.sections.panel), (CLIPPING, self.clipping.panel),
-        ):  # fmt: skip
-            docks[title] = self._window._dock(title, panel, Qt.DockWidgetArea.BottomDockWidgetArea)
-            self._window.tabifyDockWidget(beside, docks[title])
-        # A dock behind another counts as visible; only this signal tells.
-        docks[SECTION].visibilityChanged.connect(self.sections.be_seen)
-        return docks
+    @property
+    def panels(self) -> dict[str, tuple[QWidget, Qt.DockWidgetArea]]:
+        """The tools' panels by their titles, and on which side they are."""
+        below = Qt.DockWidgetArea.BottomDockWidgetArea
+        return {SECTION: (self.sections.panel, below), CLIPPING: (self.clipping.panel, below)}
 
 
 def bring(panel: QWidget) -> None:

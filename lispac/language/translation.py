@@ -11,6 +11,9 @@ from dataclasses import dataclass
 
 from lispac.language.catalogue import Catalogue, Template
 
+MOST_KEPT = 20_000
+"""Texts remembered with what was said: a window shows new numbers all day long."""
+
 Say = Callable[[str], str]
 """Says an English text in another language."""
 
@@ -51,11 +54,20 @@ class Translator:
     ) -> None:
         self.catalogue = catalogue
         self._decimal = catalogue.decimal if spoken_numbers else "."
-        self._names = frozenset(names)
-        self._said: dict[str, str] = {}
         self._unknown: dict[str, None] = {}
-        self._parting = [name for name in self._names if ", " in name or " and " in name]
+        self.names = frozenset(names)
         self._most = max((len(_SENTENCE.split(each)) for each in catalogue.exact), default=1)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Texts that stay as they are."""
+        return self._names
+
+    @names.setter
+    def names(self, names: frozenset[str]) -> None:
+        self._names = names
+        self._parting = [name for name in names if ", " in name or " and " in name]
+        self._said: dict[str, str] = {}
 
     @property
     def unknown(self) -> tuple[str, ...]:
@@ -73,6 +85,8 @@ class Translator:
         if text not in self._said:
             said = self._whole(text.replace("\u200b", ""))
             self.missed(said.unknown)
+            if len(self._said) >= MOST_KEPT:
+                self._said.clear()
             self._said[text] = said.text
         return self._said[text]
 

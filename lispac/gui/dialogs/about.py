@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, qVersion
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QMessageBox, QWidget
 
 import lispac
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.results import CONVENTION
 from lispac.gui.viewing_actions import KEYS
@@ -15,13 +16,16 @@ def about_box(parent: QWidget | None) -> QMessageBox:
     """The dialogue, not yet shown."""
     box = QMessageBox(parent)
     box.setObjectName("about_dialog")
-    box.setWindowTitle("About LISPAC")
-    box.setText(f"<h3>LISPAC {lispac.__version__}</h3>")
+    box.setWindowTitle(say("About LISPAC"))
+    box.setText(say(f"<h3>LISPAC {lispac.__version__}</h3>"))
     box.setInformativeText(
-        "<p>Boresight calibration of a LiDAR and an INS/GNSS on a vessel, with honest "
-        f"uncertainties.</p><p>{CONVENTION}</p><p>Local coordinates are North, West, Up in metres."
-        f"</p><p style='color:#586573'>Qt {qVersion()}, Python {platform.python_version()}. "
-        "BSD 3-clause licence.</p>"
+        say(
+            "<p>Boresight calibration of a LiDAR and an INS/GNSS on a vessel, with honest "
+            f"uncertainties.</p><p>{CONVENTION}</p><p>Local coordinates are North, West, "
+            "Up in metres."
+            f"</p><p style='color:#586573'>Qt {qVersion()}, Python {platform.python_version()}. "
+            "BSD 3-clause licence.</p>"
+        )
     )
     box.setStandardButtons(QMessageBox.StandardButton.Close)
     return box
@@ -31,7 +35,7 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     """Mouse and keys in two columns, not yet shown; a message box would cut them off."""
     box = QDialog(parent)
     box.setObjectName("shortcuts_dialog")
-    box.setWindowTitle("Mouse and keys")
+    box.setWindowTitle(say("Mouse and keys"))
     layout = widgets.column(box, 16)
     columns = QHBoxLayout()
     columns.setSpacing(32)

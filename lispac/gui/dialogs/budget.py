@@ -3,6 +3,7 @@
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.study import StudyDialog
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.report.budget_values import Budget
@@ -39,7 +40,7 @@ class BudgetDialog(StudyDialog):
         )
         self.beam.currentIndexChanged.connect(self._show)
         self.body.insertWidget(1, self.beam)
-        self.said.setText("\n".join(budget.in_words))
+        self.said.setText(say("\n".join(budget.in_words)))
         self.resize(1120, 620)
         self._show()
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.dialogs.study import StudyDialog
 from lispac.gui.dialogs.system_choice import HEIGHTS, system_box, system_text
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.project import Project
@@ -68,7 +69,7 @@ class CheckDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("check_dialog")
-        self.setWindowTitle("Check against a reference")
+        self.setWindowTitle(say("Check against a reference"))
         self.setMinimumWidth(620)
         self._start = project.folder.parent
         layout = widgets.column(self, 16)
@@ -81,7 +82,7 @@ class CheckDialog(QDialog):
         )  # fmt: skip
         self.file = QLineEdit()
         self.file.setObjectName("check_file")
-        self.file.setPlaceholderText("LAS, LAZ, E57 or text")
+        self.file.setPlaceholderText(say("LAS, LAZ, E57 or text"))
         browse = widgets.button("Browse…", "check_browse", tip="Choose the reference")
         browse.setAutoDefault(False)
         browse.clicked.connect(self._browse)
@@ -96,7 +97,7 @@ class CheckDialog(QDialog):
         self.system.setCurrentIndex(0)
         self.height = QLineEdit()
         self.height.setObjectName("check_height")
-        self.height.setPlaceholderText(HEIGHTS)
+        self.height.setPlaceholderText(say(HEIGHTS))
         self.sigma = widgets.number(
             "check_sigma", suffix=" mm", decimals=1, low=0, high=1000, step=1,
             tip="1 sigma of the reference: of a scan what all its points share (registration and "
@@ -112,11 +113,11 @@ class CheckDialog(QDialog):
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.addRow("Reference", row)
-        form.addRow("Coordinates", self.system)
-        form.addRow("Heights", self.height)
-        form.addRow("Reference ± 1 sigma", self.sigma)
-        form.addRow("Looked for within", self.reach)
+        form.addRow(say("Reference"), row)
+        form.addRow(say("Coordinates"), self.system)
+        form.addRow(say("Heights"), self.height)
+        form.addRow(say("Reference ± 1 sigma"), self.sigma)
+        form.addRow(say("Looked for within"), self.reach)
         layout.addLayout(form)
         self.check = widgets.button("Check", "check_run", primary=True)
         self.check.setDefault(True)
@@ -150,9 +151,9 @@ class CheckDialog(QDialog):
 
     def _browse(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
-            self, "Reference", str(self._start),
-            "Scans and lists of points (*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts);;"
-            "All files (*)",
+            self, say("Reference"), str(self._start),
+            say("Scans and lists of points (*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts);;"
+            "All files (*)"),
         )  # fmt: skip
         if name:
             self.file.setText(name)
@@ -173,7 +174,7 @@ class CheckedDialog(StudyDialog):
         )  # fmt: skip
         self.show_rows([_row(each) for each in (*found.lines, found.together)])
         unseen = [f"Not compared: {reason}" for reason in found.not_compared]
-        self.said.setText("\n".join([*found.in_words, *unseen]))
+        self.said.setText(say("\n".join([*found.in_words, *unseen])))
         absolute_figure(found, figure=self.figure())
         self.resize(1000, 760)
 

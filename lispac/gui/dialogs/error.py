@@ -6,6 +6,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QWidget
 
 from lispac.errors import LispacError
+from lispac.gui.language import say
 
 
 def describe(error: BaseException) -> tuple[str, str]:
@@ -27,13 +28,13 @@ def describe(error: BaseException) -> tuple[str, str]:
 def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
     """The dialogue, not yet shown."""
     sentence, details = describe(error)
-    box = QMessageBox(QMessageBox.Icon.Warning, "LISPAC", sentence, parent=parent)
+    box = QMessageBox(QMessageBox.Icon.Warning, "LISPAC", say(sentence), parent=parent)
     box.setObjectName("error_dialog")
     box.setStandardButtons(QMessageBox.StandardButton.Close)
     if details:
         box.setIcon(QMessageBox.Icon.Critical)
         box.setDetailedText(details)
-        copy = box.addButton("Copy details", QMessageBox.ButtonRole.ActionRole)
+        copy = box.addButton(say("Copy details"), QMessageBox.ButtonRole.ActionRole)
         copy.setObjectName("copy_details")
         # A message box closes with any of its buttons; this one is to leave it open.
         copy.clicked.disconnect()

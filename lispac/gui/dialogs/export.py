@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import InputError, LispacError
 from lispac.gui import theme
 from lispac.gui.dialogs.system_choice import HEIGHTS, REST_MS, system_box, system_text
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
@@ -59,7 +60,7 @@ class ExportDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("export_dialog")
-        self.setWindowTitle("Export")
+        self.setWindowTitle(say("Export"))
         self._project, self._trajectory = project, trajectory
         self.what = widgets.Choice("export_what", list(THINGS.values()), "What to write")
         self.boresight = widgets.Choice(
@@ -68,17 +69,19 @@ class ExportDialog(QDialog):
         self.system = system_box("export_system", project, trajectory)
         self.height = QLineEdit()
         self.height.setObjectName("export_height")
-        self.height.setPlaceholderText(HEIGHTS)
+        self.height.setPlaceholderText(say(HEIGHTS))
         self.height.setToolTip(
-            "EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid"
+            say("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid")
         )
         self.datum, self.epoch = QLineEdit(), QLineEdit()
         self.datum.setObjectName("export_datum")
-        self.datum.setPlaceholderText("As the coordinate system, nothing is shifted")
-        self.datum.setToolTip("Geographic system of the trajectory: EPSG:7912 for ITRF2014, say")
+        self.datum.setPlaceholderText(say("As the coordinate system, nothing is shifted"))
+        self.datum.setToolTip(
+            say("Geographic system of the trajectory: EPSG:7912 for ITRF2014, say")
+        )
         self.epoch.setObjectName("export_epoch")
-        self.epoch.setPlaceholderText("Where datums drift apart: 2024.5, say")
-        self.epoch.setToolTip("Date of the survey as a decimal year (yr)")
+        self.epoch.setPlaceholderText(say("Where datums drift apart: 2024.5, say"))
+        self.epoch.setToolTip(say("Date of the survey as a decimal year (yr)"))
         self._preset_datum()
         self.said = widgets.label("", "muted", wrap=True, name="export_said")
         self.form = QComboBox()
@@ -95,20 +98,20 @@ class ExportDialog(QDialog):
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         self._rows = form
-        form.addRow("Export", self.what)
-        form.addRow("Boresight", self.boresight)
-        form.addRow("Coordinates", self.system)
-        form.addRow("Heights", self.height)
-        form.addRow("Trajectory datum", self.datum)
-        form.addRow("Epoch (yr)", self.epoch)
+        form.addRow(say("Export"), self.what)
+        form.addRow(say("Boresight"), self.boresight)
+        form.addRow(say("Coordinates"), self.system)
+        form.addRow(say("Heights"), self.height)
+        form.addRow(say("Trajectory datum"), self.datum)
+        form.addRow(say("Epoch (yr)"), self.epoch)
         form.addRow("", self.said)
-        form.addRow("File format", self.form)
-        form.addRow("Folder", place)
+        form.addRow(say("File format"), self.form)
+        form.addRow(say("Folder"), place)
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
         ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
-        ok.setText("Export")
+        ok.setText(say("Export"))
         ok.setProperty("primary", True)
         for button in self.buttons.buttons():
             button.setIcon(QIcon())
@@ -132,7 +135,7 @@ class ExportDialog(QDialog):
         if project.result is None:
             self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
             self.boresight.setEnabled(False)
-            self.boresight.setToolTip("Nothing is estimated yet")
+            self.boresight.setToolTip(say("Nothing is estimated yet"))
         else:
             self.boresight.setCurrentIndex(list(BORESIGHTS).index(which))
         self.what.setCurrentIndex(list(THINGS).index(what))
@@ -201,7 +204,7 @@ class ExportDialog(QDialog):
             self._rows.setRowVisible(field, on_map)
         self._rows.setRowVisible(self.boresight, what != "trajectory")
         self.form.clear()
-        self.form.addItems([FORMS[ending] for ending in ENDINGS[what]])
+        self.form.addItems(say_all([FORMS[ending] for ending in ENDINGS[what]]))
         self.form.setEnabled(len(ENDINGS[what]) > 1)
         self._judge()
         self.adjustSize()
@@ -226,7 +229,7 @@ class ExportDialog(QDialog):
             role = "error" if DOUBT in text else "muted"
         except LispacError as error:
             text, role, good = str(error), "error", False
-        self.said.setText(text)
+        self.said.setText(say(text))
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
         self.said.style().polish(self.said)
@@ -247,7 +250,9 @@ class ExportDialog(QDialog):
         return _sentences([*(found.assumptions or (found.name,)), EPOCH_WORDS])
 
     def _browse(self) -> None:
-        chosen = QFileDialog.getExistingDirectory(self, "Folder to export to", self.folder.text())
+        chosen = QFileDialog.getExistingDirectory(
+            self, say("Folder to export to"), self.folder.text()
+        )
         if chosen:
             self.folder.setText(chosen)
 

@@ -2,6 +2,7 @@
 
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLayout, QWidget
 
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.more_fields import MoreFields
 from lispac.project import Target
@@ -14,7 +15,7 @@ class FindAgainDialog(QDialog):
     def __init__(self, target: Target, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("find_again_dialog")
-        self.setWindowTitle(f"Find {target.name} again")
+        self.setWindowTitle(say(f"Find {target.name} again"))
         layout = widgets.column(self, 16)
         layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # it follows the fold
         layout.addWidget(
@@ -36,8 +37,8 @@ class FindAgainDialog(QDialog):
         )  # fmt: skip
         self._radius.setValue(target.radius)
         form = QFormLayout()
-        form.addRow("Threshold", self._threshold)
-        form.addRow("Search radius", self._radius)
+        form.addRow(say("Threshold"), self._threshold)
+        form.addRow(say("Search radius"), self._radius)
         layout.addLayout(form)
         self._more = MoreFields("again")
         self._more.show_value(target.choices)

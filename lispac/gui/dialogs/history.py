@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.adjustment.result import ANGLES
 from lispac.gui.dialogs.study import StudyDialog
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.workflow.history import Entry, History, verdict
@@ -63,7 +64,7 @@ class HistoryDialog(StudyDialog):
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
-        self.said.setText("\n".join((*history.remarks, *self._remarks)))
+        self.said.setText(say("\n".join((*history.remarks, *self._remarks))))
         self.said.setVisible(bool(self.said.text()))
         control_figure(
             [each.day for each in history.entries],
@@ -71,7 +72,7 @@ class HistoryDialog(StudyDialog):
             self.figure(),
         )
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(f"Control chart of {history.system.in_words}")
+        self.canvas.setAccessibleName(say(f"Control chart of {history.system.in_words}"))
 
 
 def _row(entry: Entry) -> Row:

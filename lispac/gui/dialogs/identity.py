@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QPla
 
 from lispac.errors import InputError
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
 from lispac.workflow.survey_dates import NOT_TOLD
@@ -24,7 +25,7 @@ class IdentityDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("identity_dialog")
-        self.setWindowTitle("Details for the report")
+        self.setWindowTitle(say("Details for the report"))
         self.setMinimumWidth(560)
         self._dates = dates
         self.identity: Identity = identity
@@ -39,7 +40,7 @@ class IdentityDialog(QDialog):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self.fields = {name: _field(name, getattr(identity, name)) for name in NAMES}
         for name, field in self.fields.items():
-            form.addRow(LABELS[name], self._with_button(field) if name == "dates" else field)
+            form.addRow(say(LABELS[name]), self._with_button(field) if name == "dates" else field)
         layout.addLayout(form)
         self.said = widgets.label("", "error", wrap=True, name="identity_said")
         layout.addWidget(self.said)
@@ -76,7 +77,7 @@ class IdentityDialog(QDialog):
         if found:
             self.fields["dates"].setText(found)
         else:
-            self.said.setText(f"{NOT_TOLD[:1].upper()}{NOT_TOLD[1:]}")
+            self.said.setText(say(f"{NOT_TOLD[:1].upper()}{NOT_TOLD[1:]}"))
 
     def _judge(self) -> None:
         """Take over what is typed, or say what is wrong with it."""
@@ -86,7 +87,7 @@ class IdentityDialog(QDialog):
             wrong = ""
         except InputError as error:
             wrong = str(error)
-        self.said.setText(wrong)
+        self.said.setText(say(wrong))
         self.keep.setEnabled(not wrong)
 
 
@@ -99,8 +100,8 @@ def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
     else:
         field = QLineEdit(text)
     field.setObjectName(f"identity_{name}")
-    field.setAccessibleName(LABELS[name])
-    field.setToolTip(f"{HINTS[name][:1].upper()}{HINTS[name][1:]}")
+    field.setAccessibleName(say(LABELS[name]))
+    field.setToolTip(say(f"{HINTS[name][:1].upper()}{HINTS[name][1:]}"))
     return field
 
 

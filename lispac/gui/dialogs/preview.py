@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeyEvent, QPixmap
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 
 DESK = "#8d96a0"
@@ -27,7 +28,7 @@ class PreviewDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("preview_dialog")
-        self.setWindowTitle("Preview of the report")
+        self.setWindowTitle(say("Preview of the report"))
         self._save = save
         self._pages = [_page(data, k + 1, self.devicePixelRatioF()) for k, data in enumerate(pages)]
         desk = QWidget()
@@ -86,10 +87,10 @@ class PreviewDialog(QDialog):
 
     def _keep(self) -> None:
         if said := self._save():
-            self.said.setText(said)
+            self.said.setText(say(said))
 
     def _tell_place(self) -> None:
-        self.place.setText(f"Page {self.page} of {len(self._pages)}")
+        self.place.setText(say(f"Page {self.page} of {len(self._pages)}"))
 
 
 def _page(data: bytes, number: int, ratio: float) -> QLabel:
@@ -98,6 +99,6 @@ def _page(data: bytes, number: int, ratio: float) -> QLabel:
     pixmap.setDevicePixelRatio(ratio)
     page = QLabel()
     page.setObjectName(f"preview_page_{number}")
-    page.setAccessibleName(f"Page {number}")
+    page.setAccessibleName(say(f"Page {number}"))
     page.setPixmap(pixmap)
     return page

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.shown import listed
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.workflow.proposing import Proposal
 
@@ -26,15 +27,15 @@ class ProposalDialog(QDialog):
     def __init__(self, proposal: Proposal, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("proposal_dialog")
-        self.setWindowTitle("Proposed targets")
+        self.setWindowTitle(say("Proposed targets"))
         self.resize(860, 420)
         self._proposal = proposal
         layout = widgets.column(self, 16)
         layout.addWidget(widgets.label(_said(proposal), wrap=True, name="proposal_sigmas"))
         self.table = QTableWidget(len(proposal.targets), 4)
         self.table.setObjectName("proposal_table")
-        self.table.setAccessibleName("Proposed targets and validation planes")
-        self.table.setHorizontalHeaderLabels(["Name", "Role", "Lines", "Why"])
+        self.table.setAccessibleName(say("Proposed targets and validation planes"))
+        self.table.setHorizontalHeaderLabels(say_all(["Name", "Role", "Lines", "Why"]))
         self.table.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft)
         self.table.verticalHeader().hide()
         self.table.setShowGrid(False)
@@ -79,18 +80,20 @@ class ProposalDialog(QDialog):
             name = QTableWidgetItem(theme.swatch(colour), target.name)
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             name.setCheckState(Qt.CheckState.Checked)
-            name.setToolTip("Untick to leave it out")
+            name.setToolTip(say("Untick to leave it out"))
             lines = ", ".join(sighting.line for sighting in target.sightings)
             seen = QTableWidgetItem(str(len(target.sightings)))
-            seen.setToolTip(f"Seen on {lines}")
-            why = QTableWidgetItem(proposal.reasons[target.name])
-            why.setToolTip(proposal.reasons[target.name])
-            for column, item in enumerate((name, QTableWidgetItem(ROLES[target.role]), seen, why)):
+            seen.setToolTip(say(f"Seen on {lines}"))
+            why = QTableWidgetItem(say(proposal.reasons[target.name]))
+            why.setToolTip(say(proposal.reasons[target.name]))
+            for column, item in enumerate(
+                (name, QTableWidgetItem(say(ROLES[target.role])), seen, why)
+            ):
                 self.table.setItem(row, column, item)
 
     def _count(self) -> None:
         count = len(self.ticked)
-        self.accept_button.setText(f"Accept {count} of {self.table.rowCount()}")
+        self.accept_button.setText(say(f"Accept {count} of {self.table.rowCount()}"))
         self.accept_button.setEnabled(count > 0)
 
 

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QWid
 from lispac.errors import InputError, ProjectError
 from lispac.gui import theme
 from lispac.gui.dialogs.system_choice import SystemChoice
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.wishes import Wishes
 from lispac.io.text_table import coordinate, coordinates_in
@@ -28,7 +29,7 @@ class SeedDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_dialog")
-        self.setWindowTitle("Seed at coordinates")
+        self.setWindowTitle(say("Seed at coordinates"))
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._wishes = project, trajectory, wishes
         self._place: Triple | None = None
@@ -44,7 +45,7 @@ class SeedDialog(QDialog):
         )
         self.name = QLineEdit(name)
         self.name.setObjectName("seed_name")
-        self.name.setToolTip("Name of the new target")
+        self.name.setToolTip(say("Name of the new target"))
         # A sighting of its own for the selected target: its name is not to be chosen.
         self._added = wishes.line is not None and name == wishes.selected
         self.name.setEnabled(not self._added)
@@ -53,7 +54,7 @@ class SeedDialog(QDialog):
         self._form = QFormLayout()
         self._form.setVerticalSpacing(theme.SPACE)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self._form.addRow("Name", self.name)
+        self._form.addRow(say("Name"), self.name)
         self.choice.add_to(self._form)
         for field in self.fields:
             self._form.addRow(" ", field)
@@ -100,8 +101,8 @@ class SeedDialog(QDialog):
         axes = axes_of(self.choice.system)
         units = ("°", "°", "m") if axes[0] == "longitude" else ("m", "m", "m")
         for field, axis, unit in zip(self.fields, axes, units, strict=True):
-            self._form.labelForField(field).setText(f"{axis[:1].upper()}{axis[1:]} ({unit})")
-            field.setAccessibleName(f"{axis}, {unit}")
+            self._form.labelForField(field).setText(say(f"{axis[:1].upper()}{axis[1:]} ({unit})"))
+            field.setAccessibleName(say(f"{axis}, {unit}"))
         self._place = None
         role, text = "muted", ""
         if not self.choice.waiting:
@@ -109,7 +110,7 @@ class SeedDialog(QDialog):
                 text = self._meaning()
             except (InputError, ProjectError) as error:
                 role, text = "error", str(error)
-        self.said.setText(text)
+        self.said.setText(say(text))
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
         self.said.style().polish(self.said)
@@ -168,5 +169,5 @@ def _field(name: str) -> QLineEdit:
     field.setObjectName(name)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
     field.setFont(theme.tabular(field.font()))
-    field.setToolTip("Paste three numbers at once into the first field to fill all three")
+    field.setToolTip(say("Paste three numbers at once into the first field to fill all three"))
     return field

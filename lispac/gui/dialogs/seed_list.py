@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import LispacError
 from lispac.gui import theme
 from lispac.gui.dialogs.system_choice import SystemChoice
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.project import Project, Role
 from lispac.survey.trajectory import LocalTrajectory
@@ -45,7 +46,7 @@ class SeedListDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_list_dialog")
-        self.setWindowTitle(f"Seeds from {path.name}")
+        self.setWindowTitle(say(f"Seeds from {path.name}"))
         self.resize(900, 560)
         self._path, self._project, self._trajectory = path, project, trajectory
         self._read: SeedList | None = None
@@ -60,14 +61,17 @@ class SeedListDialog(QDialog):
         self.columns = QLineEdit()
         self.columns.setObjectName("list_columns")
         self.columns.setToolTip(
-            "What the columns hold, from the left: name, x, y, z, role, and - for one that is not "
-            "used. Empty: as the file names them, else in that order"
+            say(
+                "What the columns hold, from the left: name, x, y, z, role, and - for one "
+                "that is not "
+                "used. Empty: as the file names them, else in that order"
+            )
         )
-        self.columns.setPlaceholderText("As the file names them, else name, x, y, z, role")
+        self.columns.setPlaceholderText(say("As the file names them, else name, x, y, z, role"))
         self.choice = SystemChoice(project, trajectory, "list", self)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
-        form.addRow("Columns", self.columns)
+        form.addRow(say("Columns"), self.columns)
         self.choice.add_to(form)
         layout.addLayout(form)
         self.table = _table("seed_list_table", "Seeds that were read", READ)
@@ -117,7 +121,7 @@ class SeedListDialog(QDialog):
                 role, text = "muted", _sentences(self._read.notes)
             except LispacError as error:
                 text = str(error)
-        self.said.setText(text)
+        self.said.setText(say(text))
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
         self.said.style().polish(self.said)
@@ -133,7 +137,7 @@ class SeedListDialog(QDialog):
             name = _name(seed.name, seed.role)
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             name.setCheckState(Qt.CheckState.Unchecked if seed.taken else Qt.CheckState.Checked)
-            name.setToolTip(f"Row {seed.row} of the list; untick to leave it out")
+            name.setToolTip(say(f"Row {seed.row} of the list; untick to leave it out"))
             numbers = [f"{value:.3f}" for value in seed.place] + [f"{distances[row]:.1f}"]
             remark = "Picked already; tick to replace" if seed.taken else ""
             _set_row(self.table, row, name, ROLES[seed.role], numbers, remark)
@@ -143,7 +147,7 @@ class SeedListDialog(QDialog):
     def _count(self) -> None:
         count = len(self.ticked)
         rows = self.table.rowCount()
-        self.pick_button.setText(f"Pick {count} of {rows}" if rows else "Pick")
+        self.pick_button.setText(say(f"Pick {count} of {rows}" if rows else "Pick"))
         self.pick_button.setEnabled(count > 0)
 
 
@@ -153,7 +157,7 @@ class SeedsFoundDialog(QDialog):
     def __init__(self, outcomes: Sequence[Outcome], lines: int, parent: QWidget | None) -> None:
         super().__init__(parent)
         self.setObjectName("seeds_found_dialog")
-        self.setWindowTitle("Seeds picked")
+        self.setWindowTitle(say("Seeds picked"))
         self.resize(860, 520)
         found = [outcome for outcome in outcomes if outcome.target is not None]
         text = f"{len(found)} of {len(outcomes)} seeds led to a target."
@@ -189,8 +193,8 @@ class SeedsFoundDialog(QDialog):
 def _table(name: str, words: str, heads: Sequence[str]) -> QTableWidget:
     table = QTableWidget(0, len(heads))
     table.setObjectName(name)
-    table.setAccessibleName(words)
-    table.setHorizontalHeaderLabels(list(heads))
+    table.setAccessibleName(say(words))
+    table.setHorizontalHeaderLabels(say_all(list(heads)))
     header = table.horizontalHeader()
     header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     for column in range(2, len(heads) - 1):
@@ -219,9 +223,9 @@ def _set_row(
     for item in items:
         item.setTextAlignment(Right)
         item.setFont(theme.tabular(table.font()))
-    last = QTableWidgetItem(remark)
-    last.setToolTip(remark)
-    for column, item in enumerate((name, QTableWidgetItem(role), *items, last)):
+    last = QTableWidgetItem(say(remark))
+    last.setToolTip(say(remark))
+    for column, item in enumerate((name, QTableWidgetItem(say(role)), *items, last)):
         table.setItem(row, column, item)
 
 

@@ -25,6 +25,7 @@ from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
+from lispac.gui.language import say
 from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
@@ -103,16 +104,19 @@ class Dialogs:
     def add_or_new(self, name: str) -> DropAnswer:
         """What to do with files dropped while a project is open."""
         box = QMessageBox(
-            QMessageBox.Icon.Question, "LISPAC", f"Add the files to {name}?",
+            QMessageBox.Icon.Question, "LISPAC", say(f"Add the files to {name}?"),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("drop_dialog")
         box.setInformativeText(
-            "Lines are added to the open project and checked against its trajectory; what has been "
-            "picked stays. Files of another survey make a new project."
+            say(
+                "Lines are added to the open project and checked against its trajectory; "
+                "what has been "
+                "picked stays. Files of another survey make a new project."
+            )
         )
-        add = box.addButton(f"Add to {name}", QMessageBox.ButtonRole.AcceptRole)
-        new = box.addButton("New project", QMessageBox.ButtonRole.ActionRole)
+        add = box.addButton(say(f"Add to {name}"), QMessageBox.ButtonRole.AcceptRole)
+        new = box.addButton(say("New project"), QMessageBox.ButtonRole.ActionRole)
         box.setDefaultButton(add)
         box.exec()
         chosen = box.clickedButton()
@@ -124,21 +128,24 @@ class Dialogs:
     def project_to_open(self, start: Path) -> Path | None:
         """A project's folder."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, "Open project", str(start), "LISPAC project (project.json)"
+            self.parent, say("Open project"), str(start), say("LISPAC project (project.json)")
         )
         return Path(name) if name else None
 
     def folder_to_save_in(self, start: Path) -> Path | None:
         """A new folder for the project; ``start`` is proposed."""
         name, _ = QFileDialog.getSaveFileName(
-            self.parent, "Save project as: name of its new folder", str(start), "Folder (*)"
+            self.parent,
+            say("Save project as: name of its new folder"),
+            str(start),
+            say("Folder (*)"),
         )
         return Path(name) if name else None
 
     def folder_of_projects(self, start: Path) -> Path | None:
         """A folder that holds projects."""
         name = QFileDialog.getExistingDirectory(
-            self.parent, "Folder with the projects of all calibrations", str(start)
+            self.parent, say("Folder with the projects of all calibrations"), str(start)
         )
         return Path(name) if name else None
 
@@ -193,18 +200,18 @@ class Dialogs:
     def report_file(self, start: Path) -> Path | None:
         """Where the report goes; the ending chooses its kind."""
         name, kind = QFileDialog.getSaveFileName(
-            self.parent, "Export report", str(start), REPORT_FILTER
+            self.parent, say("Export report"), str(start), say(REPORT_FILTER)
         )
         if not name:
             return None
         path = Path(name)
-        endings = {"PDF": ".pdf", "HTML": ".html", "Numbers": ".json", "Tables": ".zip"}
-        return path if path.suffix else path.with_suffix(endings[kind.split(" ")[0]])
+        ending = kind.rpartition("*")[2].rstrip(")")  # "PDF (*.pdf)", whatever the language
+        return path if path.suffix else path.with_suffix(ending)
 
     def pdf_file(self, start: Path) -> Path | None:
         """Where the report that was looked at goes."""
         name, _ = QFileDialog.getSaveFileName(
-            self.parent, "Save the report as PDF", str(start), "PDF (*.pdf)"
+            self.parent, say("Save the report as PDF"), str(start), say("PDF (*.pdf)")
         )
         path = Path(name)
         return (
@@ -220,7 +227,7 @@ class Dialogs:
     def report_template(self, start: Path) -> Path | None:
         """The template of a company's reports."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, "Template of the report", str(start), "Report template (*.toml)"
+            self.parent, say("Template of the report"), str(start), say("Report template (*.toml)")
         )
         return Path(name) if name else None
 
@@ -278,8 +285,8 @@ class Dialogs:
     def seed_list_file(self, start: Path) -> Path | None:
         """A list of target coordinates."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, "Seeds from a file", str(start),
-            "Lists of coordinates (*.txt *.csv *.asc *.xyz *.pts *.dat);;All files (*)",
+            self.parent, say("Seeds from a file"), str(start),
+            say("Lists of coordinates (*.txt *.csv *.asc *.xyz *.pts *.dat);;All files (*)"),
         )  # fmt: skip
         return Path(name) if name else None
 
@@ -304,11 +311,11 @@ class Dialogs:
         box = QMessageBox(
             QMessageBox.Icon.Question,
             "LISPAC",
-            f"Save the changes to {name}?",
+            say(f"Save the changes to {name}?"),
             buttons.Save | buttons.Discard | buttons.Cancel,
             self.parent,
         )
-        box.setInformativeText("Without saving, what was picked and computed since is lost.")
+        box.setInformativeText(say("Without saving, what was picked and computed since is lost."))
         box.setDefaultButton(buttons.Save)
         chosen = box.exec()
         box.deleteLater()
@@ -319,13 +326,13 @@ class Dialogs:
     def candidate_waits(self, name: str) -> CandidateAnswer:
         """What to do with a plane that was found and not yet accepted, before estimating."""
         box = QMessageBox(
-            QMessageBox.Icon.Question, "LISPAC", f"{name} was found and is not accepted yet.",
+            QMessageBox.Icon.Question, "LISPAC", say(f"{name} was found and is not accepted yet."),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("candidate_dialog")
-        box.setInformativeText("Only accepted targets take part in the adjustment.")
-        accept = box.addButton("Accept and estimate", QMessageBox.ButtonRole.AcceptRole)
-        reject = box.addButton("Estimate without it", QMessageBox.ButtonRole.DestructiveRole)
+        box.setInformativeText(say("Only accepted targets take part in the adjustment."))
+        accept = box.addButton(say("Accept and estimate"), QMessageBox.ButtonRole.AcceptRole)
+        reject = box.addButton(say("Estimate without it"), QMessageBox.ButtonRole.DestructiveRole)
         box.setDefaultButton(accept)
         box.exec()
         chosen = box.clickedButton()

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import DiagnosticsTable, Row
 
@@ -25,7 +26,7 @@ class StudyDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"{name}_dialog")
-        self.setWindowTitle(title)
+        self.setWindowTitle(say(title))
         self.table = table
         self.body: QVBoxLayout = widgets.column(self, 16)
         self.body.addWidget(widgets.label(words, wrap=True))

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.adjustment.result import ANGLES
 from lispac.gui.dialogs.study import StudyDialog
+from lispac.gui.language import say
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.workflow.subsampling import Subsampled
 
@@ -37,7 +38,7 @@ class SubsamplingDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self.show_rows([_row(each, each.distance == used) for each in found])
-        self.said.setText(f"In orange: the {used:.2f} m of the project's settings.")
+        self.said.setText(say(f"In orange: the {used:.2f} m of the project's settings."))
         self.said.setVisible(any(each.distance == used for each in found))
         self.resize(860, 330)
 

@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLineEdit
 
 from lispac.errors import LispacError
+from lispac.gui.language import say
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
@@ -25,7 +26,7 @@ def system_box(
     found.setObjectName(name)
     found.setEditable(True)
     found.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
-    found.setToolTip("Choose, or type an EPSG code: EPSG:2959, EPSG:6347+5703")
+    found.setToolTip(say("Choose, or type an EPSG code: EPSG:2959, EPSG:6347+5703"))
     zone = utm_zone(trajectory)
     try:
         own = common_system(project)
@@ -70,9 +71,9 @@ class SystemChoice(QObject):
         self.box = system_box(f"{prefix}_system", project, trajectory, local_first=True)
         self.height = QLineEdit()
         self.height.setObjectName(f"{prefix}_height")
-        self.height.setPlaceholderText(HEIGHTS)
+        self.height.setPlaceholderText(say(HEIGHTS))
         self.height.setToolTip(
-            "EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid"
+            say("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid")
         )
         self.system: CoordinateSystem | None = None
         self.problem, self.waiting = "", False
@@ -86,8 +87,8 @@ class SystemChoice(QObject):
 
     def add_to(self, form: QFormLayout) -> None:
         """Put the two fields into a form."""
-        form.addRow("Coordinates", self.box)
-        form.addRow("Heights", self.height)
+        form.addRow(say("Coordinates"), self.box)
+        form.addRow(say("Heights"), self.height)
         self._form = form
         self._judge()
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.gui.dialogs.study import StudyDialog
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 
@@ -71,7 +72,7 @@ class VisibilityDialog(StudyDialog):
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.body.insertWidget(self.body.indexOf(self._buttons), self.reading)
         self.copy_numbers.setToolTip(
-            "Copy what the chart is drawn from as a table for a spreadsheet"
+            say("Copy what the chart is drawn from as a table for a spreadsheet")
         )
         self.site.currentIndexChanged.connect(self._another_site)
         self.error.currentIndexChanged.connect(lambda _index: self._draw())
@@ -79,7 +80,7 @@ class VisibilityDialog(StudyDialog):
         self.criterion.currentIndexChanged.connect(lambda _index: self._draw())
         canvas = self.figure().canvas
         canvas.mpl_connect("motion_notify_event", self._read)
-        canvas.mpl_connect("axes_leave_event", lambda _event: self.reading.setText(READ))
+        canvas.mpl_connect("axes_leave_event", lambda _event: self.reading.setText(say(READ)))
         self.resize(1180, 860)
         self._another_site()
 
@@ -104,7 +105,7 @@ class VisibilityDialog(StudyDialog):
         self.error.blockSignals(True)
         chosen = self.error.currentIndex()
         self.error.clear()
-        self.error.addItems([error_in_words(each) for each in found.site.errors])
+        self.error.addItems(say_all(error_in_words(each) for each in found.site.errors))
         self.error.setCurrentIndex(min(chosen, self.error.count() - 1))
         self.error.blockSignals(False)
         rows = comparison_table(found, found.site.errors).rows
@@ -129,18 +130,20 @@ class VisibilityDialog(StudyDialog):
         found, error, criterion = self._drawn
         visibility_figure(found, error, criterion, self.figure())
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(f"{self.criterion.currentText()}, {self.error.currentText()}")
-        self.reading.setText(READ)
+        self.canvas.setAccessibleName(
+            say(f"{self.criterion.currentText()}, {self.error.currentText()}")
+        )
+        self.reading.setText(say(READ))
         why = self._why[self.error.currentIndex()]
         about = f"{self.error.currentText()} beside the thesis: {why}\n" if why else ""
-        self.said.setText(f"{about}{self._for_all}")
+        self.said.setText(say(f"{about}{self._for_all}"))
 
     def _read(self, event) -> None:
         """Say what the lines show under the mouse."""
         from lispac.report.visibility_tables import reading
 
         if event.inaxes is not None:
-            self.reading.setText(reading(*self._drawn, event.xdata))
+            self.reading.setText(say(reading(*self._drawn, event.xdata)))
 
     def numbers(self) -> str:
         """What the chart is drawn from."""

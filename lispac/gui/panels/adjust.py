@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from lispac.adjustment.shown import counted
 from lispac.adjustment.stochastic import PosErrors
 from lispac.errors import InputError
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.adjust_model import ModelSettings
 from lispac.gui.panels.adjust_parameters import ParameterSwitches
@@ -66,10 +67,10 @@ class AdjustPanel(QWidget):
         layout.addWidget(widgets.label("POS errors", "heading"))
         self._models = QButtonGroup(self)
         for k, (model, title, sentence) in enumerate(MODELS):
-            choice = QRadioButton(title)
+            choice = QRadioButton(say(title))
             choice.setObjectName(f"model_{model}")
-            choice.setAccessibleDescription(sentence)
-            choice.setToolTip(sentence)
+            choice.setAccessibleDescription(say(sentence))
+            choice.setToolTip(say(sentence))
             choice.setChecked(k == 0)
             self._models.addButton(choice, k)
             layout.addWidget(choice)
@@ -81,11 +82,14 @@ class AdjustPanel(QWidget):
         self.model = ModelSettings()
         self.advanced = Fold("Advanced", "fold_advanced", self.model)
         layout.addWidget(self.advanced)
-        self.cross_check = QCheckBox("Cross-check with parts of the data")
+        self.cross_check = QCheckBox(say("Cross-check with parts of the data"))
         self.cross_check.setObjectName("cross_check")
         self.cross_check.setChecked(True)
         self.cross_check.setToolTip(
-            "Adjust again without each line and each target, and each half of the survey by itself"
+            say(
+                "Adjust again without each line and each target, and each half of the "
+                "survey by itself"
+            )
         )
         layout.addWidget(self.cross_check)
         self.problem = widgets.label("", "error", wrap=True, name="adjust_problem")
@@ -143,7 +147,7 @@ class AdjustPanel(QWidget):
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
         """Fill in the project's settings where they changed."""
         self._ready, self._project = status.ready and not busy, project
-        self.advice.setText(status.advice)
+        self.advice.setText(say(status.advice))
         settings = None if project is None else project.settings
         if settings is not None and settings != self._settings:
             self._settings = settings
@@ -162,7 +166,7 @@ class AdjustPanel(QWidget):
 
     def _check(self) -> None:
         """Say what is wrong with what is typed, and what is folded away."""
-        self.model_sentence.setText(MODELS[self._models.checkedId()][2])
+        self.model_sentence.setText(say(MODELS[self._models.checkedId()][2]))
         self.model.show_model(self.pos_errors)
         self.also.set_summary(self.parameters.summary)
         self.advanced.set_summary(self.model.summary)
@@ -177,10 +181,10 @@ class AdjustPanel(QWidget):
         self._say_count()
 
     def _tell(self, sentence: str) -> None:
-        if sentence == self.problem.text():
+        if say(sentence) == self.problem.text():
             return
         hidden = self.problem.visibleRegion().isEmpty()
-        self.problem.setText(sentence)
+        self.problem.setText(say(sentence))
         self.problem.show()
         field = QApplication.focusWidget()
         if hidden and field is not None and self.isAncestorOf(field):
@@ -196,18 +200,20 @@ class AdjustPanel(QWidget):
         kept, total, sightings, reason = self._counted
         seen = counted(sightings, "sighting")
         if not sightings:
-            self.count.setText("No target yet, so no points to thin.")
+            self.count.setText(say("No target yet, so no points to thin."))
         elif reason:  # said below the button, too
-            self.count.setText(f"{counted(total, 'point')} in {seen}: not enough to adjust.")
+            self.count.setText(say(f"{counted(total, 'point')} in {seen}: not enough to adjust."))
         elif kept is None:
-            self.count.setText(f"Counting … ({counted(total, 'point')} in {seen})")
+            self.count.setText(say(f"Counting … ({counted(total, 'point')} in {seen})"))
         elif (took := self._took_part()) is not None:
-            self.count.setText(f"<b>{counted(took, 'point')}</b> took part, in {seen}.")
+            self.count.setText(say(f"<b>{counted(took, 'point')}</b> took part, in {seen}."))
         elif kept == total:
-            self.count.setText(f"<b>All {total:,}</b> points take part, in {seen}.")
+            self.count.setText(say(f"<b>All {total:,}</b> points take part, in {seen}."))
         else:  # about: Estimate selects the points again with the boresight found
             near = round(kept, 2 - len(str(kept)))
-            self.count.setText(f"About <b>{near:,}</b> of {total:,} points take part, in {seen}.")
+            self.count.setText(
+                say(f"About <b>{near:,}</b> of {total:,} points take part, in {seen}.")
+            )
 
     def _took_part(self) -> int | None:
         """Points of the project's result; None where there is none for what is chosen."""
@@ -249,7 +255,7 @@ class AdjustPanel(QWidget):
             "subsample", suffix="", decimals=1, low=0, high=1000, step=1,
             tip="Points of a sighting nearer to each other than this are thinned; 0 keeps all",
         )  # fmt: skip
-        self.distance.setSpecialValueText("all points")
+        self.distance.setSpecialValueText(say("all points"))
         self.distance.setMinimumWidth(84)
         self.unit = widgets.Choice(
             "subsample_unit", [unit for unit, _ in UNITS], "Unit of the distance"

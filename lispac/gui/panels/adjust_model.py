@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QWidg
 from lispac.adjustment.robust import LossName
 from lispac.adjustment.stochastic import PosErrors
 from lispac.errors import InputError
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.project import Settings
@@ -59,15 +60,15 @@ class ModelSettings(QWidget):
         form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.DontWrapRows)
         self.position_time = self._time("position_time", "position")
         self.attitude_time = self._time("attitude_time", "attitude")
-        form.addRow("Position time", self.position_time)
-        form.addRow("Attitude time", self.attitude_time)
+        form.addRow(say("Position time"), self.position_time)
+        form.addRow(say("Attitude time"), self.attitude_time)
         self.times = _Sentence(TIMES, "times_sentence")
         form.addRow(self.times)
         self.surface = self._optional(
             "surface", "Surface sigma", "mm", _MM, "from the data",
             "How far what one line sees of a target may lie off the shape all lines share",
         )  # fmt: skip
-        form.addRow("Surface σ, mm", self.surface)
+        form.addRow(say("Surface σ, mm"), self.surface)
         self.loss = widgets.Choice(
             "loss", [title for _, title, _ in LOSSES],
             "What is done with points that lie far off their surface",
@@ -75,12 +76,12 @@ class ModelSettings(QWidget):
         for k, (_, _, tip) in enumerate(LOSSES):
             self.loss.setItemData(k, tip, Qt.ItemDataRole.ToolTipRole)
         self.loss.currentIndexChanged.connect(self.changed)
-        form.addRow("Stray points", self.loss)
+        form.addRow(say("Stray points"), self.loss)
         self.noise = widgets.Choice(
             "lidar_noise", NOISES, "How the noise of a LiDAR point is stated"
         )
         self.noise.currentIndexChanged.connect(self._show_noise)
-        form.addRow("LiDAR noise", self.noise)
+        form.addRow(say("LiDAR noise"), self.noise)
         self._same = widgets.label("", "muted", wrap=True, name="lidar_same")
         self.axes = []
         for axis in "XYZ":
@@ -99,20 +100,26 @@ class ModelSettings(QWidget):
         self._three, self._two = _row(*self.axes), _row(self.range, self.angle)
         for each in (self._same, self._three, self._two):
             form.addRow("", each)
-        self.components = QCheckBox("Find how large the errors are")
+        self.components = QCheckBox(say("Find how large the errors are"))
         self.components.setObjectName("variance_components")
         self.components.setToolTip(
-            "Variance components: the sigmas of LiDAR, POS position and POS attitude are scaled "
-            "by what the data say. With few sightings the data say little of the POS."
+            say(
+                "Variance components: the sigmas of LiDAR, POS position and POS attitude "
+                "are scaled "
+                "by what the data say. With few sightings the data say little of the POS."
+            )
         )
         self.components.toggled.connect(self.changed)
         form.addRow(self.components)
-        self.one_facing = QCheckBox("Accept targets that all face one way")
+        self.one_facing = QCheckBox(say("Accept targets that all face one way"))
         self.one_facing.setObjectName("accept_one_facing")
         self.one_facing.setToolTip(
-            "For boards that all hang on one wall, or a single one. Only the headings of the lines "
-            "tell the angles apart then, and nothing shows whether a board is bent or moved. A "
-            "target of another inclination, or a sphere, is better."
+            say(
+                "For boards that all hang on one wall, or a single one. Only the headings "
+                "of the lines "
+                "tell the angles apart then, and nothing shows whether a board is bent or moved. A "
+                "target of another inclination, or a sphere, is better."
+            )
         )
         self.one_facing.toggled.connect(self.changed)
         form.addRow(self.one_facing)
@@ -148,7 +155,7 @@ class ModelSettings(QWidget):
         self.attitude_time.setValue(settings.attitude_time)
         self.surface.show_value(settings.surface)
         self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
-        self._same.setText(f"{settings.lidar_sigma * _MM:.1f} mm, as typed in step 1")
+        self._same.setText(say(f"{settings.lidar_sigma * _MM:.1f} mm, as typed in step 1"))
         for field, value in zip(
             self.axes, settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3, strict=True
         ):

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QW
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.shown import QUANTITIES
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.project import Settings
@@ -77,13 +78,13 @@ class ParameterSwitches(QWidget):
             (("Prior", "The value it starts from"), ("± 1 σ", "How well that value is known"))
         ):
             head = widgets.label(word, "muted")
-            head.setToolTip(tip)
+            head.setToolTip(say(tip))
             head.setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(head, 0, 1 + column)
         for row, kind in enumerate(KINDS.values(), start=1):
-            switch = QCheckBox(kind.title.replace("Scan-angle offset", "Scan angle"))
+            switch = QCheckBox(say(kind.title.replace("Scan-angle offset", "Scan angle")))
             switch.setObjectName(f"estimate_{kind.name}")
-            switch.setToolTip(f"Estimate the {_small(kind.title)} too ({kind.tip})")
+            switch.setToolTip(say(f"Estimate the {_small(kind.title)} too ({kind.tip})"))
             switch.toggled.connect(self._switched)
             self.switches[kind.name] = switch
             grid.addWidget(switch, row, 0)
@@ -130,7 +131,7 @@ class ParameterSwitches(QWidget):
             switch.blockSignals(False)
             self.sigmas[name].show_value(sigma.get(name))
         for name, metres in zip(LEVER, settings.lever_arm, strict=True):
-            self._lever[name].setText(KINDS[name].text(metres))
+            self._lever[name].setText(say(KINDS[name].text(metres)))
         self._shown = dict(
             zip(
                 SCANNER,
@@ -158,7 +159,7 @@ class ParameterSwitches(QWidget):
             shown = widgets.label("")
             shown.setFont(theme.tabular(shown.font()))
             shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            shown.setToolTip(f"Lever arm {kind.name[-1].upper()} as typed in step 1")
+            shown.setToolTip(say(f"Lever arm {kind.name[-1].upper()} as typed in step 1"))
             self._lever[kind.name] = shown
             return shown
         field = widgets.number(

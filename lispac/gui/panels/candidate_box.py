@@ -3,6 +3,7 @@
 from PySide6.QtWidgets import QFrame, QHBoxLayout
 
 from lispac.doubles import overlap_words
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineLights
 from lispac.project import Project, Target
@@ -40,7 +41,7 @@ class CandidateBox(QFrame):
         lines = len(project.lines)
         what = "Target" if candidate.role == "target" else "Validation plane"
         again = " (in place of the present one)" if known else ""
-        self.title.setText(f"{what} {candidate.name}{again}")
+        self.title.setText(say(f"{what} {candidate.name}{again}"))
         found = candidate.sightings
         points = sum(len(sighting.indices) for sighting in found)
         worst = max((sighting.rms for sighting in found), default=0.0)
@@ -54,13 +55,13 @@ class CandidateBox(QFrame):
             text += _unexpected(candidate, survey)
         if candidate.missing:
             text += f" Not found on {', '.join(candidate.missing)}."
-        self.detail.setText(text)
+        self.detail.setText(say(text))
         self.detail.setToolTip(
-            "\n".join(f"{line}: {reason}" for line, reason in candidate.missing.items())
+            say("\n".join(f"{line}: {reason}" for line, reason in candidate.missing.items()))
         )
         self.lights.show_target(candidate)
         double = overlap_words(candidate, project.targets)
-        self.double.setText(double)
+        self.double.setText(say(double))
         self.double.setVisible(bool(double))
 
 

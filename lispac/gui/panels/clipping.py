@@ -4,6 +4,7 @@ import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
 
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.clipping import SMALLEST, Box
 
@@ -42,7 +43,7 @@ class ClippingPanel(QWidget):
             field.setKeyboardTracking(False)
             field.valueChanged.connect(lambda _value: self.sized.emit(self.lengths))
             self.fields.append(field)
-            form.addRow(word, field)
+            form.addRow(say(word), field)
         column.addLayout(form)
         row = QHBoxLayout()
         self.about = widgets.button(

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.convention_inputs import CurrentSettings, GivenBoresight, ImuAxes
 from lispac.gui.panels.convention_table import AnglesTable
@@ -81,9 +82,9 @@ class ConventionPanel(QWidget):
         layout.addWidget(widgets.label("Program", "heading"))
         self.system = QComboBox()
         self.system.setObjectName("convention_system")
-        self.system.setAccessibleName("Program the angles are for")
+        self.system.setAccessibleName(say("Program the angles are for"))
         for each in SYSTEMS:
-            self.system.addItem(f"{each.name} ({STATUS_WORDS[each.status].lower()})")
+            self.system.addItem(say(f"{each.name} ({STATUS_WORDS[each.status].lower()})"))
         self.system.setMinimumContentsLength(24)
         self.system.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -128,7 +129,9 @@ class ConventionPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         self.scanner = QComboBox()
         self.scanner.setObjectName("convention_scanner")
-        self.scanner.setToolTip("How that program's scanner axes lie to those of the raw points")
+        self.scanner.setToolTip(
+            say("How that program's scanner axes lie to those of the raw points")
+        )
         self.scanner.setMinimumContentsLength(16)
         self.scanner.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -172,7 +175,7 @@ class ConventionPanel(QWidget):
         self.scanner.clear()
         for kind, words in _SCANNER_SHORT.items():
             usual = " (usual)" if kind == convention.scanner else ""
-            self.scanner.addItem(f"{words}{usual}", kind)
+            self.scanner.addItem(say(f"{words}{usual}"), kind)
         self.scanner.setCurrentIndex(self.scanner.findData(convention.scanner))
         self.scanner.blockSignals(False)
         self.scanner.setEnabled(convention.key != LISPAC.key)
@@ -200,11 +203,11 @@ class ConventionPanel(QWidget):
         self._show_matrix(new.stated)
 
     def _show_refusal(self, sentence: str) -> None:
-        self.assumption.setText(sentence)
+        self.assumption.setText(say(sentence))
         self.assumption.show()
         for widget in (self.table, self.remarks, self.lever, self.rules, self.matrix):
             widget.setVisible(False)
-        self.values_head.setText("No values")
+        self.values_head.setText(say("No values"))
         for button in (self.copy, self.copy_angles):
             button.setEnabled(False)
 
@@ -213,16 +216,16 @@ class ConventionPanel(QWidget):
         word = STATUS_WORDS[setup.status].capitalize()
         colour = _COLOURS[setup.status]
         x, y, z = setup.axes
-        self.status.setText(f"<b style='color:{colour}'>{word}</b>: {convention.source}.")
+        self.status.setText(say(f"<b style='color:{colour}'>{word}</b>: {convention.source}."))
         rules = f"Body axes there: X {x}, Y {y}, Z {z}."
         if convention.has_angles:
             formula = convention.formula.replace("-", "−")
             rules = f"{formula}, {DIRECTION_WORDS[convention.direction]}. {rules}"
         if convention.key != LISPAC.key:
             rules += f" {setup.scanner_words(mounting.rotation_body_lidar)}"
-        self.rules.setText(rules)
+        self.rules.setText(say(rules))
         self.imu.show_z(z)
-        self.assumption.setText(f"<b>Assumed:</b> {setup.assumption}")
+        self.assumption.setText(say(f"<b>Assumed:</b> {setup.assumption}"))
         self.assumption.setVisible(bool(setup.assumption))
 
     def _show_values(self, new: Replacement) -> None:
@@ -236,13 +239,13 @@ class ConventionPanel(QWidget):
         self.copy_angles.setEnabled(stated.angles is not None)
         self.table.setVisible(convention.has_angles)
         if stated.angles is None:
-            self.values_head.setText("Taken as a matrix only: see below")
+            self.values_head.setText(say("Taken as a matrix only: see below"))
             self.remarks.setVisible(correction is not None)
             if correction is not None:
-                self.remarks.setText(_matrix_words(correction.rotation, new.transform))
+                self.remarks.setText(say(_matrix_words(correction.rotation, new.transform)))
         else:
             self.values_head.setText(
-                "Type in there, degrees" if sure else "If the assumption holds, degrees"
+                say("Type in there, degrees" if sure else "If the assumption holds, degrees")
             )
             decimals = 8 if stated.note else 4
             last = ("Type in" if sure else "If so", stated.angles, "+", True)
@@ -262,7 +265,7 @@ class ConventionPanel(QWidget):
         if new.present is not None and new.present.lever_arm is not None:
             said.append(f"Present: {_lever_words(setup.axes, new.present.lever_arm)}")
             said.append(new.lever_arm_words)
-        self.lever.setText("<br>".join(said))
+        self.lever.setText(say("<br>".join(said)))
 
     def _show_remarks(self, new: Replacement) -> None:
         stated, correction = new.stated, new.correction
@@ -284,7 +287,7 @@ class ConventionPanel(QWidget):
             lines.append(f"<b>{stated.note}</b>")
         if stated.sigmas is not None and self.given.caution:
             lines.append(self.given.caution)
-        self.remarks.setText("<br>".join(lines))
+        self.remarks.setText(say("<br>".join(lines)))
 
     def _show_words(self, mounting: Mounting) -> None:
         sentences = (
@@ -292,15 +295,15 @@ class ConventionPanel(QWidget):
             lever_arm_words(mounting.lever_arm),
             offsets_words(mounting),
         )
-        self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
+        self.words.setText(say("<br>".join(sentence for sentence in sentences if sentence)))
         self.gizmo.show_boresight(np.asarray(mounting.boresight, dtype=float))
 
     def _show_matrix(self, stated: Stated) -> None:
         name = stated.setup.convention.name
-        self.matrix_head.setText(f"Scanner to body there, with the lever arm ({name})")
+        self.matrix_head.setText(say(f"Scanner to body there, with the lever arm ({name})"))
         self.matrix.setPlainText(_rows(stated.transform, 7))
         self._all_digits = _rows(stated.transform, 12)
-        self.matrix.setToolTip(SCANNER_WORDS[stated.setup.scanner_frame])
+        self.matrix.setToolTip(say(SCANNER_WORDS[stated.setup.scanner_frame]))
 
 
 def _matrix_words(rotation: np.ndarray, transform: np.ndarray | None) -> str:

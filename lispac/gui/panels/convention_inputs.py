@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.matrix_field import MatrixField
 from lispac.project import Project
@@ -54,7 +55,7 @@ class GivenBoresight(QWidget):
         self.lever_arm = widgets.lever_arm_fields("convention_lever_arm")
         meanings = ("left side up", "bow down", "clockwise from above")
         for field, meaning in zip(self.boresight.fields, meanings, strict=True):
-            field.setToolTip(f"Degrees, positive {meaning}")
+            field.setToolTip(say(f"Degrees, positive {meaning}"))
         for field in (*self.boresight.fields, *self.lever_arm.fields):
             field.valueChanged.connect(self._typed)
         layout.addWidget(self.boresight)
@@ -86,7 +87,7 @@ class GivenBoresight(QWidget):
         self.boresight.set_value(np.degrees(self.mounting.boresight))
         self.lever_arm.set_value(self.mounting.lever_arm)
         self.has_lever_arm = True
-        self.source.setText(source)
+        self.source.setText(say(source))
         self.changed.emit()
 
     def _typed(self) -> None:
@@ -95,7 +96,7 @@ class GivenBoresight(QWidget):
         )
         self.covariance, self.caution = None, ""
         self.has_lever_arm = bool(np.any(self.mounting.lever_arm))
-        self.source.setText(BY_HAND)
+        self.source.setText(say(BY_HAND))
         self.changed.emit()
 
 
@@ -108,9 +109,11 @@ class CurrentSettings(QWidget):
         super().__init__()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        self.known = QCheckBox("Correct what is set there now")
+        self.known = QCheckBox(say("Correct what is set there now"))
         self.known.setObjectName("convention_has_current")
-        self.known.setToolTip("Give the present settings of that program to see the correction")
+        self.known.setToolTip(
+            say("Give the present settings of that program to see the correction")
+        )
         layout.addWidget(self.known)
         self._box = QWidget()
         inner = QVBoxLayout(self._box)
@@ -126,24 +129,31 @@ class CurrentSettings(QWidget):
             self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
         ]
         inner.addWidget(self.fields)
-        self.as_matrix = QCheckBox("Give them as a matrix")
+        self.as_matrix = QCheckBox(say("Give them as a matrix"))
         self.as_matrix.setObjectName("convention_as_matrix")
-        self.as_matrix.setToolTip("Paste the present matrix of that program instead of its angles")
+        self.as_matrix.setToolTip(
+            say("Paste the present matrix of that program instead of its angles")
+        )
         inner.addWidget(self.as_matrix)
         self.matrix = MatrixField(
             "convention_current_matrix", "Present matrix from scanner to body"
         )
         self.matrix.setToolTip(
-            "Present matrix from scanner to body in that program, row by row: 3x3 numbers, or 4x4 "
-            "with the lever arm in metres"
+            say(
+                "Present matrix from scanner to body in that program, row by row: 3x3 "
+                "numbers, or 4x4 "
+                "with the lever arm in metres"
+            )
         )
         self.matrix.setPlaceholderText("1 0 0\n0 1 0\n0 0 1")
         inner.addWidget(self.matrix)
-        self.applied = QCheckBox("The lines were already turned by them")
+        self.applied = QCheckBox(say("The lines were already turned by them"))
         self.applied.setObjectName("convention_applied")
         self.applied.setToolTip(
-            "Tick where that program had applied these angles before it wrote the lines: the "
-            "boresight found is then what comes on top"
+            say(
+                "Tick where that program had applied these angles before it wrote the lines: the "
+                "boresight found is then what comes on top"
+            )
         )
         inner.addWidget(self.applied)
         layout.addWidget(self._box)
@@ -191,9 +201,11 @@ class CurrentSettings(QWidget):
         for label, field, turn in zip(
             self._words, self.fields.fields, convention.turns, strict=False
         ):
-            label.setText(turn.name.capitalize())
-            field.setToolTip(f"Present {turn.name} in {convention.name}, degrees, {turn.meaning}")
-            field.setAccessibleName(f"Present {turn.name}")
+            label.setText(say(turn.name.capitalize()))
+            field.setToolTip(
+                say(f"Present {turn.name} in {convention.name}, degrees, {turn.meaning}")
+            )
+            field.setAccessibleName(say(f"Present {turn.name}"))
         # Settings given for one program mean nothing in another.
         self.fields.set_value((0.0, 0.0, 0.0))
 
@@ -210,9 +222,9 @@ class ImuAxes(QWidget):
         self.x, self.y = QComboBox(), QComboBox()
         for letter, box in (("X", self.x), ("Y", self.y)):
             box.setObjectName(f"imu_{letter.lower()}")
-            box.setToolTip(f"Where the {letter} axis of the IMU points on the vessel")
-            box.setAccessibleName(f"IMU {letter} axis")
-            box.addItems(DIRECTIONS)
+            box.setToolTip(say(f"Where the {letter} axis of the IMU points on the vessel"))
+            box.setAccessibleName(say(f"IMU {letter} axis"))
+            box.addItems(say_all(DIRECTIONS))
             row.addWidget(widgets.label(f"IMU {letter}", "muted"))
             row.addWidget(box)
         self._z = widgets.label("", "muted", name="imu_z")
@@ -224,11 +236,11 @@ class ImuAxes(QWidget):
     @property
     def axes(self) -> Axes:
         """Right-handed axes; `InputError` where X and Y lie on one line."""
-        return completed_axes(self.x.currentText(), self.y.currentText())
+        return completed_axes(DIRECTIONS[self.x.currentIndex()], DIRECTIONS[self.y.currentIndex()])
 
     def show_z(self, direction: str) -> None:
         """Tell where the third axis points."""
-        self._z.setText(f"Z {direction}")
+        self._z.setText(say(f"Z {direction}"))
 
 
 def _offer(project: Project) -> tuple[Mounting, np.ndarray | None, str, str]:

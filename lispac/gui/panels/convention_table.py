@@ -8,6 +8,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 from lispac.survey.conventions.systems import Convention
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -22,7 +23,7 @@ class AnglesTable(QTableWidget):
     def __init__(self) -> None:
         super().__init__(1, 3)
         self.setObjectName("convention_table")
-        self.setAccessibleName("Angles in the other program")
+        self.setAccessibleName(say("Angles in the other program"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -38,14 +39,14 @@ class AnglesTable(QTableWidget):
     def fill(self, convention: Convention, rows: Sequence[Row], decimals: int) -> None:
         """Name the columns as the program does and write the rows in degrees."""
         self.setRowCount(len(rows))
-        self.setHorizontalHeaderLabels([name.capitalize() for name in convention.names])
-        self.setVerticalHeaderLabels([word for word, *_ in rows])
+        self.setHorizontalHeaderLabels(say_all(name.capitalize() for name in convention.names))
+        self.setVerticalHeaderLabels(say_all([word for word, *_ in rows]))
         for column, turn in enumerate(convention.turns):
             self.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
-            self.horizontalHeaderItem(column).setToolTip(turn.meaning.capitalize())
+            self.horizontalHeaderItem(column).setToolTip(say(turn.meaning.capitalize()))
         for row, (_, values, sign, bold) in enumerate(rows):
             for column, value in enumerate(np.round(np.degrees(values), decimals)):
-                item = QTableWidgetItem(f"{value + 0.0:{sign}.{decimals}f}".replace("-", "−"))
+                item = QTableWidgetItem(say(f"{value + 0.0:{sign}.{decimals}f}".replace("-", "−")))
                 item.setTextAlignment(_RIGHT)
                 item.setFont(theme.tabular(self.font(), bold=bold))
                 self.setItem(row, column, item)

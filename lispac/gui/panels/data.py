@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.project import Project, Settings
 from lispac.workflow.survey import Survey
@@ -127,7 +128,7 @@ class DataPanel(QWidget):
             heading = f"{_degrees(survey.heading[line.name])}°" if here else "–"
             points = f"{len(survey.scans[line.name]):,}" if here else "–"
             for place, text in ((1, heading), (2, points)):
-                cell = QTableWidgetItem(text)
+                cell = QTableWidgetItem(say(text))
                 cell.setFlags(Qt.ItemFlag.ItemIsEnabled)
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 cell.setFont(theme.tabular(table.font()))
@@ -199,8 +200,8 @@ class _EmptyState(QWidget):
 def _lines_table() -> QTableWidget:
     table = QTableWidget(0, 3)
     table.setObjectName("lines_table")
-    table.setAccessibleName("Lines of the survey")
-    table.setHorizontalHeaderLabels(["Line", "Heading", "Points"])
+    table.setAccessibleName(say("Lines of the survey"))
+    table.setHorizontalHeaderLabels(say_all(["Line", "Heading", "Points"]))
     for column in (1, 2):
         table.horizontalHeaderItem(column).setTextAlignment(
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -222,8 +223,8 @@ def _lines_table() -> QTableWidget:
 
 
 def _name_file(where, path: Path | None, otherwise: str) -> None:
-    where.setText(path.name if path is not None else otherwise)
-    where.setToolTip(str(path) if path is not None else otherwise)
+    where.setText(path.name if path is not None else say(otherwise))
+    where.setToolTip(str(path) if path is not None else say(otherwise))
 
 
 def _moved(shown: tuple[float, ...], kept: tuple[float, ...]) -> bool:

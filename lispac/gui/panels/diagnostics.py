@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_pages import PAGES, Page, Sightings, Targets
 from lispac.project import Project
@@ -30,7 +31,7 @@ class DiagnosticsPanel(QWidget):
         self._stale: set[Page] = set()
         self.list = QListWidget()
         self.list.setObjectName("diagnostics_list")
-        self.list.setAccessibleName("Pages of the diagnostics")
+        self.list.setAccessibleName(say("Pages of the diagnostics"))
         self.list.setFixedWidth(128)
         self.list.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 3px; }")
         self._stack = QStackedWidget()
@@ -38,7 +39,7 @@ class DiagnosticsPanel(QWidget):
         for kind in PAGES:
             page = kind()
             self.pages[page.title] = page
-            self.list.addItem(page.title)
+            self.list.addItem(say(page.title))
             self._stack.addWidget(page)
             table = getattr(page, "table", None)
             if table is not None:

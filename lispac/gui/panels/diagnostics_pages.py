@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.adjustment.result import AdjustmentResult
+from lispac.gui.language import say
 from lispac.gui.panels import diagnostics_rows as rows
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
@@ -71,7 +72,7 @@ class Page(QWidget):
         """Select the row about a sighting or target."""
 
     def _say(self, words: str) -> None:
-        self._empty.setText(words)
+        self._empty.setText(say(words))
         self._stack.setCurrentIndex(0)
 
 
@@ -102,7 +103,7 @@ class FigurePage(Page):
             figure = Figure(figsize=(4, 2), layout="constrained", facecolor="white")
             self.canvas = FigureCanvasQTAgg(figure)
             self.canvas.setObjectName(f"{self.objectName()}_canvas")
-            self.canvas.setAccessibleName(self.title)
+            self.canvas.setAccessibleName(say(self.title))
             self.canvas.setMinimumSize(200, 120)
             self._row.addWidget(self.canvas, 1)
         getattr(diagnostic_figures, self.draws)(result, self.canvas.figure)
@@ -154,7 +155,7 @@ class Observability(FigurePage):
             f"Condition number {seen.condition:.1f}: the strongest direction is known "
             f"{sigma[0] / sigma[2]:.1f} times as well as the weakest.",
         ]
-        self.words.setText("".join(f"<p style='margin:0 0 6px 0'>{p}</p>" for p in paragraphs))
+        self.words.setText(say("".join(f"<p style='margin:0 0 6px 0'>{p}</p>" for p in paragraphs)))
         self.draw(result)
 
 
@@ -209,8 +210,11 @@ class Checks(Page):
         self.table = DiagnosticsTable("diagnostics_checks_table", self.title, rows.CHECKS)
         self.spread = widgets.label("", name="cross_check_spread")
         self.spread.setToolTip(
-            "The formal sigma, and the spread of the answers when one line, or one target, at a "
-            "time is left out; it needs three parts at least that each give an answer"
+            say(
+                "The formal sigma, and the spread of the answers when one line, or one "
+                "target, at a "
+                "time is left out; it needs three parts at least that each give an answer"
+            )
         )
         self.spread.setTextFormat(Qt.TextFormat.RichText)
         self.spread.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -232,7 +236,7 @@ class Checks(Page):
     def fill(self, project: Project, result: AdjustmentResult) -> None:
         assert project.cross_checks is not None
         self.table.show_rows(rows.check_rows(project.cross_checks))
-        self.spread.setText(rows.spread_words(project.cross_checks))
+        self.spread.setText(say(rows.spread_words(project.cross_checks)))
 
 
 PAGES: tuple[type[Page], ...] = (

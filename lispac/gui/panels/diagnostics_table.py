@@ -8,6 +8,7 @@ from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 
 Key = tuple[str, str]
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -74,14 +75,16 @@ class DiagnosticsTable(QTableWidget):
     def __init__(self, name: str, title: str, columns: Sequence[Column]) -> None:
         super().__init__(0, len(columns))
         self.setObjectName(name)
-        self.setAccessibleName(title)
+        self.setAccessibleName(say(title))
         self._columns = tuple(columns)
         self._rows: list[Row] = []
         # Units in a second line: the columns stay narrow enough to be seen together.
-        self.setHorizontalHeaderLabels([column.title.replace(" (", "\n(") for column in columns])
+        self.setHorizontalHeaderLabels(
+            say_all([column.title.replace(" (", "\n(") for column in columns])
+        )
         for k, column in enumerate(columns):
             head = self.horizontalHeaderItem(k)
-            head.setToolTip(f"{column.tip}\nClick to sort")
+            head.setToolTip(say(f"{column.tip}\nClick to sort"))
             head.setTextAlignment(_LEFT if column.words else _RIGHT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
@@ -117,7 +120,7 @@ class DiagnosticsTable(QTableWidget):
                     item.setBackground(QBrush(QColor(MARKED_BACKGROUND)))
                     item.setForeground(QBrush(QColor("#6d3703")))
                 if row.tip:
-                    item.setToolTip(row.tip)
+                    item.setToolTip(say(row.tip))
                 self.setItem(number, column, item)
         self.setSortingEnabled(True)
         self._show_arrow(header.sortIndicatorSection())

@@ -5,6 +5,7 @@ from math import radians
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.targets.expected import ExpectedTarget
 
@@ -36,7 +37,7 @@ class ExpectedFields(QWidget):
             field.setMinimumWidth(60)
             row.addWidget(field, 1)
         for field in (self._width, self._height):
-            field.setSpecialValueText("any")
+            field.setSpecialValueText(say("any"))
 
     @property
     def value(self) -> ExpectedTarget | None:

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolButton, QVBoxLayout, 
 
 from lispac.errors import InputError
 from lispac.gui import theme
+from lispac.gui.language import say
 
 
 class OptionalNumber(QLineEdit):
@@ -32,9 +33,11 @@ class OptionalNumber(QLineEdit):
     ) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName(f"{what}, {unit}")
-        self.setToolTip(f"{tip}, in {unit}" if needed else f"{tip}, in {unit}. Empty: {empty}.")
-        self.setPlaceholderText(empty)
+        self.setAccessibleName(say(f"{what}, {unit}"))
+        self.setToolTip(
+            say(f"{tip}, in {unit}" if needed else f"{tip}, in {unit}. Empty: {empty}.")
+        )
+        self.setPlaceholderText(say(empty))
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setFont(theme.tabular(self.font()))
         self.setMinimumWidth(48)
@@ -110,7 +113,7 @@ class Fold(QWidget):
 
     def set_summary(self, words: str) -> None:
         """What is set inside, in a few words."""
-        self.head.setText(f"{self._title}: {words}" if words else self._title)
+        self.head.setText(say(f"{self._title}: {words}" if words else self._title))
         self.head.setToolTip(self.head.text())
 
     def open(self, unfolded: bool = True) -> None:

@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from lispac.geometry.rotations import rotation_matrix
 from lispac.gui import theme
+from lispac.gui.language import say
 
 FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 SHOWN_DEG = 25.0
@@ -42,10 +43,12 @@ class Gizmo(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("gizmo")
-        self.setAccessibleName("Scanner axes in the body axes")
+        self.setAccessibleName(say("Scanner axes in the body axes"))
         self.setToolTip(
-            "Grey: axes of the vessel. Coloured: axes of the scanner, the turn exaggerated by "
-            "the factor shown. Drag or use the arrow keys to turn, double-click to reset."
+            say(
+                "Grey: axes of the vessel. Coloured: axes of the scanner, the turn exaggerated by "
+                "the factor shown. Drag or use the arrow keys to turn, double-click to reset."
+            )
         )
         self.setMinimumHeight(190)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -116,7 +119,7 @@ class Gizmo(QWidget):
             self._draw_axis(painter, axis, colour, word, width)
         painter.setPen(QColor(theme.MUTED))
         shown = "turn shown as it is" if self.factor == 1 else f"turn shown × {self.factor}"
-        painter.drawText(10, self.height() - 10, f"Scanner X, Y, Z: {shown}")
+        painter.drawText(10, self.height() - 10, say(f"Scanner X, Y, Z: {shown}"))
         painter.end()
 
     def _draw_axis(
@@ -131,7 +134,7 @@ class Gizmo(QWidget):
         tip = self._at(1.12 * axis)
         x = tip.x() - metrics.horizontalAdvance(word) / 2
         x = min(max(x, 4.0), self.width() - metrics.horizontalAdvance(word) - 4.0)
-        painter.drawText(QPointF(x, tip.y() + metrics.ascent() / 2 - 1), word)
+        painter.drawText(QPointF(x, tip.y() + metrics.ascent() / 2 - 1), say(word))
 
     def _at(self, point_body: np.ndarray) -> QPointF:
         x, y, _ = self.project(point_body)[0]

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import distances, pairs_table, widgets
 from lispac.project import Project
 from lispac.validation.results import PlaneComparison
@@ -74,8 +75,8 @@ class HistogramsPanel(QWidget):
         self.pairs = pairs_table.pairs_table()
         self.tabs = QTabWidget()
         self.tabs.setObjectName("comparison_tabs")
-        self.tabs.addTab(self.table, "Planes")
-        self.tabs.addTab(self.pairs, "Pairs of lines")
+        self.tabs.addTab(self.table, say("Planes"))
+        self.tabs.addTab(self.pairs, say("Pairs of lines"))
         filled.addWidget(self.tabs)
         plots = QWidget()
         self._plots = QVBoxLayout(plots)
@@ -142,11 +143,13 @@ class HistogramsPanel(QWidget):
         self.table.setRowCount(len(comparisons))
         for row, each in enumerate(comparisons):
             for column, text in enumerate(_texts(each)):
-                item = QTableWidgetItem(text)
+                item = QTableWidgetItem(say(text))
                 item.setFont(theme.tabular(self.table.font()))
                 if column:
                     item.setTextAlignment(_RIGHT)
-                item.setToolTip(f"{each.name}: {each.pooled_from} of lines, {each.model.in_words}")
+                item.setToolTip(
+                    say(f"{each.name}: {each.pooled_from} of lines, {each.model.in_words}")
+                )
                 self.table.setItem(row, column, item)
         self.table.clearSelection()
         self.table.blockSignals(False)
@@ -177,18 +180,21 @@ class HistogramsPanel(QWidget):
         from lispac.report.profiles import profile_figure
 
         self.pairs.show_rows(pairs_table.pair_rows(comparison))
-        self.tabs.setTabText(1, f"Pairs of lines on {comparison.name}")
+        self.tabs.setTabText(1, say(f"Pairs of lines on {comparison.name}"))
         canvas = self._canvas()
         if self.plot.currentIndex() == AGAINST:
             profile_figure(comparison, canvas.figure)
         else:
             histogram_figure(comparison, canvas.figure, share=self.plot.currentIndex() == 1)
         self._zooming.keep(upright=self.plot.currentIndex() == AGAINST)
-        self.reading.setText(ZOOM)
+        self.reading.setText(say(ZOOM))
         canvas.draw_idle()
         canvas.setAccessibleName(
-            f"Distances on {comparison.name}, {self.plot.currentText().lower()}, before in blue "
-            "and after in brown"
+            say(
+                f"Distances on {comparison.name}, {self.plot.currentText().lower()}, "
+                "before in blue "
+                "and after in brown"
+            )
         )
 
     def _canvas(self):
@@ -203,7 +209,9 @@ class HistogramsPanel(QWidget):
             self.canvas.setMinimumSize(260, 120)
             self._zooming = Zooming(self.canvas)
             self.canvas.mpl_connect("motion_notify_event", self._read)
-            self.canvas.mpl_connect("axes_leave_event", lambda _event: self.reading.setText(ZOOM))
+            self.canvas.mpl_connect(
+                "axes_leave_event", lambda _event: self.reading.setText(say(ZOOM))
+            )
             self._plots.insertWidget(1, self.canvas, 1)
         return self.canvas
 
@@ -216,18 +224,18 @@ class HistogramsPanel(QWidget):
             what = AGAINST_WORDS.get(axes.get_xlabel(), "")
             profile = comparison.by_height if what == "height" else comparison.by_range
             if profile is not None:
-                self.reading.setText(distances.profile_words(profile, what, event.xdata))
+                self.reading.setText(say(distances.profile_words(profile, what, event.xdata)))
             return
         edges = axes.patches[0].get_data().edges
         k = int(edges.searchsorted(event.xdata, side="right")) - 1
         if 0 <= k < len(edges) - 1:
             low, high = edges[k] / 1000.0, edges[k + 1] / 1000.0
-            self.reading.setText(distances.histogram_words(comparison, low, high))
+            self.reading.setText(say(distances.histogram_words(comparison, low, high)))
 
     def _copy_picture(self) -> None:
         if self.canvas is not None:
             QGuiApplication.clipboard().setPixmap(self.canvas.grab())
-            self.reading.setText("The picture is in the clipboard")
+            self.reading.setText(say("The picture is in the clipboard"))
 
     def _copy_numbers(self) -> None:
         comparison = self._current
@@ -241,7 +249,7 @@ class HistogramsPanel(QWidget):
             low, high = self.canvas.figure.axes[0].get_xlim()
             text = distances.histogram_text(comparison, (high - low) / 1000.0, BARS)
         QGuiApplication.clipboard().setText(text)
-        self.reading.setText("The numbers are in the clipboard, ready for a spreadsheet")
+        self.reading.setText(say("The numbers are in the clipboard, ready for a spreadsheet"))
 
 
 def _texts(each: PlaneComparison) -> list[str]:
@@ -260,11 +268,11 @@ def _texts(each: PlaneComparison) -> list[str]:
 def _table() -> QTableWidget:
     table = QTableWidget(0, len(_HEADS))
     table.setObjectName("comparison_table")
-    table.setAccessibleName("Validation planes before and after")
-    table.setHorizontalHeaderLabels(list(_HEADS))
+    table.setAccessibleName(say("Validation planes before and after"))
+    table.setHorizontalHeaderLabels(say_all(list(_HEADS)))
     for column, tip in enumerate(_TIPS):
         head = table.horizontalHeaderItem(column)
-        head.setToolTip(tip)
+        head.setToolTip(say(tip))
         if column:
             head.setTextAlignment(_RIGHT)
     table.verticalHeader().hide()

@@ -7,6 +7,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels.sightings_table import quality_words
 from lispac.project import PickedSighting, Target
 from lispac.targets.quality import SightingQuality
@@ -56,8 +57,8 @@ class LineLights(QWidget):
             points = f"{len(sighting.indices):,} points, {sighting.rms * 1000:.1f} mm RMS"
             tip = f"{line}: {points}\n{said}"
             for each in (light, words):
-                each.setToolTip(tip)
-                each.setAccessibleName(f"{line}: {said}")
+                each.setToolTip(say(tip))
+                each.setAccessibleName(say(f"{line}: {said}"))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

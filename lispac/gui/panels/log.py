@@ -5,6 +5,8 @@ from datetime import datetime
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit
 
+from lispac.gui.language import say
+
 MOST_LINES = 2000
 
 
@@ -14,7 +16,7 @@ class LogPanel(QPlainTextEdit):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("log")
-        self.setAccessibleName("Log")
+        self.setAccessibleName(say("Log"))
         self.setReadOnly(True)
         self.setMaximumBlockCount(MOST_LINES)
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
@@ -22,4 +24,4 @@ class LogPanel(QPlainTextEdit):
 
     def note(self, text: str) -> None:
         """Add a line."""
-        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {text}")
+        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {say(text)}")

@@ -5,6 +5,7 @@ from math import degrees, radians
 
 from PySide6.QtWidgets import QFormLayout, QVBoxLayout, QWidget
 
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import Fold
 from lispac.targets.settings import USUAL, FinderChoices
@@ -33,8 +34,8 @@ class MoreFields(QWidget):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
-        form.addRow("Fewest points", self.points)
-        form.addRow("Largest tilt", self.tilt)
+        form.addRow(say("Fewest points"), self.points)
+        form.addRow(say("Largest tilt"), self.tilt)
         self.fold = Fold("More", f"{prefix}_more", body)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

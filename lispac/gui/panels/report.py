@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.errors import InputError
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
 from lispac.language.catalogue import LANGUAGES
@@ -97,7 +98,7 @@ class ReportPanel(QWidget):
     def show_template(self, path: Path | None) -> None:
         """Take a template's page, convention and language over, or say what is wrong with it."""
         self._template = path
-        self.template.setText(NO_TEMPLATE if path is None else path.name)
+        self.template.setText(say(NO_TEMPLATE if path is None else path.name))
         self.template.setToolTip("" if path is None else str(path))
         self.no_template.setVisible(path is not None)
         self.said.setText("")
@@ -105,7 +106,7 @@ class ReportPanel(QWidget):
             try:
                 options = report_options(path)
             except InputError as error:
-                self.said.setText(str(error))
+                self.said.setText(say(str(error)))
             else:
                 self.page.setCurrentIndex(list(PAGES).index(options.page))
                 self.language.setCurrentIndex(list(LANGUAGES).index(options.language))
@@ -116,7 +117,7 @@ class ReportPanel(QWidget):
 
     def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
         """What can be exported now."""
-        self.advice.setText(status.advice)
+        self.advice.setText(say(status.advice))
         self.details.setEnabled(data_ready)
         self.preview.allow(status.ready and not busy)
         self.report.allow(status.ready and not busy)
@@ -150,10 +151,10 @@ class ReportPanel(QWidget):
         row.addWidget(choose)
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.addRow("Language", self.language)
-        form.addRow("Page", self.page)
-        form.addRow("Values also for", self.convention)
-        form.addRow("Template", row)
+        form.addRow(say("Language"), self.language)
+        form.addRow(say("Page"), self.page)
+        form.addRow(say("Values also for"), self.convention)
+        form.addRow(say("Template"), row)
         for box in (self.language, self.page, self.convention):
             box.activated.connect(lambda _index: self.changed.emit())
         return form

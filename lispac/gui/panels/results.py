@@ -23,6 +23,7 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.doubles import doubles
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import result_words, widgets
 from lispac.project import Project, Triple
 
@@ -78,8 +79,8 @@ class ResultsPanel(QWidget):
             return
         self._stack.setCurrentIndex(0 if result is None else 1)
         self.refusal.setVisible(bool(refusal))
-        self.refusal.setText(refusal)
-        self._empty.setText("Estimating …" if waiting else "" if refusal else EMPTY)
+        self.refusal.setText(say(refusal))
+        self._empty.setText(say("Estimating …" if waiting else "" if refusal else EMPTY))
         if project is not None and result is not None:
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
@@ -136,14 +137,14 @@ class ResultsPanel(QWidget):
 
     def _fill_words(self, project: Project, result: AdjustmentResult) -> None:
         warnings = result_words.warnings(result, project.cross_checks, doubles(project))
-        self.warnings.setText("<br><br>".join(escape(each) for each in warnings))
+        self.warnings.setText("<br><br>".join(escape(say(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)
-        self.parameters.setText(rows)
+        self.parameters.setText(say(rows))
         for each in (self._parameters_head, self.parameters):
             each.setVisible(bool(rows))
         seen = result.observability
-        self.weakest.setText("Not worked out." if seen is None else seen.sentences[0])
+        self.weakest.setText(say("Not worked out." if seen is None else seen.sentences[0]))
 
     def _fit_form(self) -> QFormLayout:
         form = QFormLayout()
@@ -178,9 +179,11 @@ class ResultsPanel(QWidget):
             "iterations": f"{result.iterations}, {result.elapsed:.2f} s",
         }
         for key, text in texts.items():
-            self._values[key].setText(text)
+            self._values[key].setText(say(text))
         words = result_words.verdict(result, project.cross_checks, doubles(project))
-        self._verdict.setText(f"{words} Errors by the data: {components}." if components else words)
+        self._verdict.setText(
+            say(f"{words} Errors by the data: {components}." if components else words)
+        )
 
 
 def _model_words(model: StochasticModel) -> str:
@@ -192,12 +195,12 @@ def _model_words(model: StochasticModel) -> str:
 def _table(name: str, rows: int) -> QTableWidget:
     table = QTableWidget(rows, len(ANGLES))
     table.setObjectName(name)
-    table.setAccessibleName(name.replace("_", " "))
+    table.setAccessibleName(say(name.replace("_", " ")))
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
     table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    table.setHorizontalHeaderLabels([angle.capitalize() for angle in ANGLES])
+    table.setHorizontalHeaderLabels(say_all(angle.capitalize() for angle in ANGLES))
     for column in range(len(ANGLES)):
         table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
     side = table.verticalHeader()
@@ -213,7 +216,7 @@ def _table(name: str, rows: int) -> QTableWidget:
 
 def _set_rows(table: QTableWidget, words: Sequence[str]) -> None:
     table.setRowCount(len(words))
-    table.setVerticalHeaderLabels(list(words))
+    table.setVerticalHeaderLabels(say_all(list(words)))
     table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW * len(words) + 3)
 
 
@@ -232,15 +235,17 @@ def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | 
     _set_rows(table, [row[0] for row in rows])
     for k, (word, numbers, form, tip) in enumerate(rows):
         _write_row(table, k, [f"{n:{form}}" for n in numbers], bold=word == "Estimated")
-        table.verticalHeaderItem(k).setToolTip(tip)
+        table.verticalHeaderItem(k).setToolTip(say(tip))
     for column in range(len(ANGLES) if truth is not None else 0):
         off = value[column] - truth[column]
         inside = abs(off) <= interval[column]
         item = table.item(4, column)
         item.setForeground(QBrush(QColor(theme.DONE if inside else theme.WARNING)))
         item.setToolTip(
-            f"Estimated minus truth: {off:+.4f}°, "
-            f"{'inside' if inside else 'outside'} the 95 % interval"
+            say(
+                f"Estimated minus truth: {off:+.4f}°, "
+                f"{'inside' if inside else 'outside'} the 95 % interval"
+            )
         )
 
 
@@ -254,7 +259,7 @@ def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
             item.setBackground(QBrush(_heat(value)))
             if row != column and abs(value) > HIGH_CORRELATION:
                 item.setToolTip(
-                    "These two angles are hardly told apart: add a target that faces elsewhere"
+                    say("These two angles are hardly told apart: add a target that faces elsewhere")
                 )
 
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
 from lispac.io.files import written_whole
@@ -67,9 +68,9 @@ class SectionPanel(QWidget):
         self.words = widgets.label(EMPTY, "muted", wrap=True, name="section_words")
         form = QFormLayout()
         form.addRow(self.through)
-        form.addRow("Strip", self.laid)
-        form.addRow("Thickness", self.thickness)
-        form.addRow("Size", self.size)
+        form.addRow(say("Strip"), self.laid)
+        form.addRow(say("Thickness"), self.thickness)
+        form.addRow(say("Size"), self.size)
         self._left = QVBoxLayout()
         self._left.addLayout(form)
         self._left.addWidget(self.points)
@@ -139,7 +140,7 @@ class SectionPanel(QWidget):
     def show_nothing(self, words: str = EMPTY) -> None:
         """Say why there is no section."""
         self.through.setText("")
-        self.words.setText(words)
+        self.words.setText(say(words))
         self.words.show()
         self._allow_pictures(False)
         if self.canvas is not None:
@@ -158,7 +159,7 @@ class SectionPanel(QWidget):
         # Imported here, so that the start of the window does not wait for Matplotlib.
         from lispac.gui.panels.section_figure import draw_section
 
-        self.through.setText(through)
+        self.through.setText(say(through))
         self.laid.setEnabled(target)
         self.words.hide()
         self._make_canvas()
@@ -169,7 +170,7 @@ class SectionPanel(QWidget):
         self.canvas.draw_idle()
         self.canvas.show()
         self._allow_pictures(True)
-        self.canvas.setAccessibleName(f"Section of the lines: {through}")
+        self.canvas.setAccessibleName(say(f"Section of the lines: {through}"))
 
     def _make_canvas(self) -> None:
         if self.canvas is not None:
@@ -182,6 +183,6 @@ class SectionPanel(QWidget):
         self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
         self.canvas.setObjectName("section_canvas")
         self.canvas.setMinimumSize(300, 150)
-        self.canvas.setToolTip(ZOOM)
+        self.canvas.setToolTip(say(ZOOM))
         self._zooming = Zooming(self.canvas)
         self._row.addWidget(self.canvas, 1)

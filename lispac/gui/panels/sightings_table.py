@@ -15,6 +15,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.quality import SightingQuality
 from lispac.workflow.survey import Survey
@@ -78,6 +79,9 @@ class SightingsModel(QAbstractTableModel):
         return 0 if parent.isValid() else len(self._lines) + 1
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+        return _said(self._head(section, orientation, role))
+
+    def _head(self, section: int, orientation: Qt.Orientation, role: int) -> Any:
         if orientation == Qt.Orientation.Vertical:
             return None
         if role == Role.TextAlignmentRole:
@@ -104,6 +108,9 @@ class SightingsModel(QAbstractTableModel):
         return flags
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
+        return _said(self._of(index, role))
+
+    def _of(self, index: Index, role: int) -> Any:
         if index.row() == len(self._targets):
             return self._of_line(index.column(), role)
         target = self._targets[index.row()]
@@ -221,7 +228,7 @@ class SightingsTable(QTableView):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("sightings_table")
-        self.setAccessibleName("Targets by lines")
+        self.setAccessibleName(say("Targets by lines"))
         self.sightings = SightingsModel()
         self.setModel(self.sightings)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -256,7 +263,9 @@ class SightingsTable(QTableView):
             painter = QPainter(self.viewport())
             painter.setPen(QColor(theme.MUTED))
             area = self.viewport().rect().adjusted(16, 8, -16, -8)
-            painter.drawText(area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, _EMPTY)
+            painter.drawText(
+                area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, say(_EMPTY)
+            )
             painter.end()
 
     def _set_current(self, row: int, column: int) -> None:
@@ -296,6 +305,10 @@ def quality_words(quality: SightingQuality) -> str:
             f"{quality.rms * 1000:.1f} mm"
         )
     return "\n".join(lines)
+
+
+def _said(value: Any) -> Any:
+    return say(value) if isinstance(value, str) else value
 
 
 def _of_name(target: Target, role: int) -> Any:

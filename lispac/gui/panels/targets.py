@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.candidate_box import CandidateBox
 from lispac.gui.panels.expected_fields import ExpectedFields
@@ -197,7 +198,7 @@ class TargetsPanel(QWidget):
                 f"<b>Ctrl</b>+click seeks a new {self.shape} on {self.line} only. To add the line "
                 "to a target, select the target in the list first."
             )
-        self.hint.setText(text)
+        self.hint.setText(say(text))
 
     def _shape_changed(self) -> None:
         """Only a target can be a sphere, and only a sphere has a radius."""
@@ -214,7 +215,7 @@ class TargetsPanel(QWidget):
 
         sought = Sought(self.shape, self.sphere_radius)
         usual = sought.threshold(self._project.settings.threshold) * 1000
-        self._threshold.setSpecialValueText(f"default ({usual:.0f} mm)")
+        self._threshold.setSpecialValueText(say(f"default ({usual:.0f} mm)"))
 
     def _roles(self) -> QHBoxLayout:
         self._target = widgets.button(
@@ -244,9 +245,12 @@ class TargetsPanel(QWidget):
     def _shape_fields(self) -> None:
         self.shape_choice = QComboBox()
         self.shape_choice.setObjectName("shape_choice")
-        self.shape_choice.addItems(["Plane", "Sphere"])
+        self.shape_choice.addItems(say_all(["Plane", "Sphere"]))
         self.shape_choice.setToolTip(
-            "Shape of the target; lines are compared on planes only, so a validation target is one"
+            say(
+                "Shape of the target; lines are compared on planes only, so a validation "
+                "target is one"
+            )
         )
         self.shape_choice.currentIndexChanged.connect(self._shape_changed)
         self._sphere_radius = widgets.number(
@@ -254,7 +258,7 @@ class TargetsPanel(QWidget):
             tip="Radius of the ball, not its diameter; 0 where it is unknown: balls of 0.05 to "
             "0.5 m are then sought and the radius is estimated",
         )  # fmt: skip
-        self._sphere_radius.setSpecialValueText("unknown")
+        self._sphere_radius.setSpecialValueText(say("unknown"))
         self._sphere_radius.valueChanged.connect(self._shape_changed)
 
     def _seed_form(self) -> QFormLayout:
@@ -263,7 +267,7 @@ class TargetsPanel(QWidget):
         self.line_choice.setObjectName("line_choice")
         self.line_choice.addItem(ALL_LINES)
         self.line_choice.setToolTip(
-            "Choose one line to seed it alone, where the search from another line failed"
+            say("Choose one line to seed it alone, where the search from another line failed")
         )
         self.line_choice.currentIndexChanged.connect(self._explain)
         self._radius = widgets.number(
@@ -271,25 +275,25 @@ class TargetsPanel(QWidget):
             tip="Only points this near to the seed can belong to the target; 0 leaves it to the "
             "program",
         )  # fmt: skip
-        self._radius.setSpecialValueText("default")
+        self._radius.setSpecialValueText(say("default"))
         self._threshold = widgets.number(
             "threshold", suffix=" mm", decimals=0, low=0, high=1000, step=5,
             tip="Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the "
             "larger of 10 mm and 3 × the LiDAR noise, for spheres at least 30 mm (a small ball: "
             "0.3 of its radius)",
         )  # fmt: skip
-        self._threshold.setSpecialValueText("default")
+        self._threshold.setSpecialValueText(say("default"))
         self._expected = ExpectedFields()
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
-        form.addRow("Shape", self.shape_choice)
-        form.addRow("Ball radius", self._sphere_radius)
-        form.addRow("Seek on", self.line_choice)
-        form.addRow("Search radius", self._radius)
-        form.addRow("Threshold", self._threshold)
-        form.addRow("Expected", self._expected)
+        form.addRow(say("Shape"), self.shape_choice)
+        form.addRow(say("Ball radius"), self._sphere_radius)
+        form.addRow(say("Seek on"), self.line_choice)
+        form.addRow(say("Search radius"), self._radius)
+        form.addRow(say("Threshold"), self._threshold)
+        form.addRow(say("Expected"), self._expected)
         return form
 
     def _buttons(self) -> QGridLayout:
@@ -333,8 +337,8 @@ class TargetsPanel(QWidget):
 def _targets_table() -> QTableWidget:
     table = QTableWidget(0, 4)
     table.setObjectName("targets_table")
-    table.setAccessibleName("Targets and validation planes")
-    table.setHorizontalHeaderLabels(["Name", "Role", "Shape", "Lines"])
+    table.setAccessibleName(say("Targets and validation planes"))
+    table.setHorizontalHeaderLabels(say_all(["Name", "Role", "Shape", "Lines"]))
     for column in (0, 1, 2):
         table.horizontalHeaderItem(column).setTextAlignment(
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -361,13 +365,13 @@ def _row(target: Target, project: Project) -> list[QTableWidgetItem]:
     name = QTableWidgetItem(theme.swatch(colour), target.name)
     name.setFlags(flags | Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsEditable)
     name.setCheckState(Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked)
-    name.setToolTip("Tick to use it; double-click or F2 to rename")
-    role = QTableWidgetItem("target" if is_target else "validation")
-    shape = QTableWidgetItem(target.shape)
+    name.setToolTip(say("Tick to use it; double-click or F2 to rename"))
+    role = QTableWidgetItem(say("target" if is_target else "validation"))
+    shape = QTableWidgetItem(say(target.shape))
     if target.shape == "sphere":
         radius = target.sphere_radius
-        shape.setToolTip(f"Radius {radius:g} m (known)" if radius else "Radius unknown")
-    lines = QTableWidgetItem(f"{len(target.used_sightings)} of {len(project.lines)}")
+        shape.setToolTip(say(f"Radius {radius:g} m (known)" if radius else "Radius unknown"))
+    lines = QTableWidgetItem(say(f"{len(target.used_sightings)} of {len(project.lines)}"))
     lines.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     for item in (role, shape, lines):
         item.setFlags(flags)

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
 from lispac.project import Project
@@ -57,8 +58,8 @@ class ValidatePanel(QWidget):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
-        form.addRow("Distance to", self.kind)
-        form.addRow("Through points", self.neighbours)
+        form.addRow(say("Distance to"), self.kind)
+        form.addRow(say("Through points"), self.neighbours)
         layout.addLayout(form)
         self.kind.currentIndexChanged.connect(self._kind_chosen)
         self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))
@@ -122,7 +123,7 @@ class ValidatePanel(QWidget):
         """What can be done now."""
         if project is not None:
             self._follow(project)
-        self.advice.setText(status.advice)
+        self.advice.setText(say(status.advice))
         self.run.allow(status.ready and not busy)
         self.after.setEnabled(project is not None and project.result is not None)
 

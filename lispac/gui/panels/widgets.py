@@ -16,11 +16,12 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 
 
 def label(text: str = "", role: str = "", *, wrap: bool = False, name: str = "") -> QLabel:
     """A label; ``role`` is one of the style sheet's: muted, heading, error, hint."""
-    made = QLabel(text)
+    made = QLabel(say(text))
     made.setProperty("role", role)
     made.setWordWrap(wrap)
     made.setObjectName(name)
@@ -53,7 +54,7 @@ def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool
     """A push button."""
     made = Button(text)
     made.setObjectName(name)
-    made.setToolTip(tip)
+    made.setToolTip(say(tip))
     if primary:
         made.setProperty("primary", True)
     if icon:
@@ -75,12 +76,12 @@ def number(
     """A field for a number with its unit; the mouse wheel does not change it in passing."""
     made = _Number()
     made.setObjectName(name)
-    made.setAccessibleName(tip or name)
+    made.setAccessibleName(say(tip or name))
     made.setDecimals(decimals)
     made.setRange(low, high)
     made.setSingleStep(step)
-    made.setSuffix(suffix)
-    made.setToolTip(tip)
+    made.setSuffix(say(suffix))
+    made.setToolTip(say(tip))
     made.setAlignment(Qt.AlignmentFlag.AlignRight)
     made.setFont(theme.tabular(made.font()))
     made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -102,8 +103,8 @@ class Choice(QComboBox):
     def __init__(self, name: str, items: Sequence[str], tip: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.addItems(list(items))
-        self.setToolTip(tip)
+        self.addItems(say_all(list(items)))
+        self.setToolTip(say(tip))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         # Long items are to be cut off rather than to widen the panel.
         if max(len(item) for item in items) > 12:

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import STEPS, State, StepStatus
 
@@ -100,9 +101,9 @@ class _Header(QPushButton):
     def show_status(self, status: StepStatus) -> None:
         glyph, colour, word = _GLYPHS[status.state]
         self._glyph.setPixmap(theme.icon(glyph, colour).pixmap(18, 18))
-        self.sentence.setText(status.sentence)
-        self.setAccessibleName(f"{self._title}: {status.sentence}")
-        self.setToolTip(f"{self._title}: {status.sentence} ({word})")
+        self.sentence.setText(say(status.sentence))
+        self.setAccessibleName(say(f"{self._title}: {status.sentence}"))
+        self.setToolTip(say(f"{self._title}: {status.sentence} ({word})"))
 
 
 def _on_top(panel: QWidget) -> QWidget:

@@ -20,6 +20,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from lispac.gui.language import say
 from lispac.gui.viewport.base import Marker, Shading
 from lispac.gui.viewport.camera import Camera, Size
 
@@ -101,11 +102,11 @@ class Overlay(QWidget):
         painter.setFont(_scaled(self.font(), 1.5))
         painter.setPen(INK)
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
-        painter.drawText(QRectF(0.0, middle.y() - 60.0, width, 56.0), flags, EMPTY_TITLE)
+        painter.drawText(QRectF(0.0, middle.y() - 60.0, width, 56.0), flags, say(EMPTY_TITLE))
         painter.setFont(_scaled(self.font(), 1.1))
         painter.setPen(FAINT)
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
-        painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, EMPTY_HINT)
+        painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, say(EMPTY_HINT))
 
     def _paint_markers(self, painter: QPainter, camera: Camera, size: Size) -> None:
         if not self.markers:
@@ -146,7 +147,7 @@ class Overlay(QWidget):
             painter.setPen(pen)
             painter.drawLine(centre, tip)
             box = QRectF(letter.x() - 10.0, letter.y() - 10.0, 20.0, 20.0)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, name)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(name))
 
     def _paint_scale(self, painter: QPainter, metres_per_pixel: float) -> None:
         metres = scale_length(metres_per_pixel)
@@ -168,7 +169,7 @@ class Overlay(QWidget):
             ]
         )
         box = QRectF(left - 60.0, base - 26.0, pixels + 120.0, 20.0)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(length_text(metres)))
 
     def taken(self) -> list[QRectF]:
         """Where no label of a target may stand."""
@@ -196,10 +197,10 @@ class Overlay(QWidget):
         painter.fillRect(bar, gradient)
         painter.setPen(INK)
         text = QRectF(bar.left(), box.top() + 6.0, width, 18.0)
-        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, shading.title)
+        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, say(shading.title))
         text.moveTop(bar.bottom() + 3.0)
-        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, shading.low)
-        painter.drawText(text, Qt.AlignmentFlag.AlignRight, shading.high)
+        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, say(shading.low))
+        painter.drawText(text, Qt.AlignmentFlag.AlignRight, say(shading.high))
 
     def _paint_help(self, painter: QPainter) -> None:
         font = _scaled(self.font(), 0.9)
@@ -219,7 +220,7 @@ class Overlay(QWidget):
             painter.setBrush(NOTE if self.hint else QColor(255, 255, 255, 215))
             painter.drawRoundedRect(box, 11.0, 11.0)
             painter.setPen(INK if self.hint else FAINT)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(text))
 
 
 class Stage(QWidget):
@@ -282,7 +283,7 @@ def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker)
     painter.setBrush(PAPER)
     painter.drawRoundedRect(box, 4.0, 4.0)
     painter.setPen(INK)
-    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, marker.label)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(marker.label))
 
 
 def _scaled(font: QFont, factor: float) -> QFont:

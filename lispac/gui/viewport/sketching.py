@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
+from lispac.gui.language import say
 from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.navigation import SNAP, Navigator
@@ -215,7 +216,7 @@ def _paint_division(painter: QPainter, x: float, size: Size) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
         painter.drawRoundedRect(box, 4.0, 4.0)
         painter.setPen(INK)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(words))
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
@@ -263,4 +264,4 @@ def _paint_words(painter: QPainter, words: str, spot: QPointF, colour: QColor, s
     painter.drawRoundedRect(QRectF(x, y, width, height), 4.0, 4.0)
     painter.setPen(INK)
     text = QRectF(x + 8.0, y + 4.0, width - 16.0, height - 8.0)
-    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)
+    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, say(words))

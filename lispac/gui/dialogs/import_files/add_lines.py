@@ -3,6 +3,7 @@
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.import_files.dialog import MOUNTING, ImportDialog
+from lispac.gui.language import say
 from lispac.gui.settings import AppSettings
 from lispac.project import LineSource, Project
 from lispac.workflow.intake import Intake
@@ -21,8 +22,8 @@ class AddLinesDialog(ImportDialog):
         self, settings: AppSettings, project: Project, parent: QWidget | None = None
     ) -> None:
         super().__init__(settings, parent)
-        self.setWindowTitle(f"Add lines to {project.name}")
-        self.ok.setText("Add to project")
+        self.setWindowTitle(say(f"Add lines to {project.name}"))
+        self.ok.setText(say("Add to project"))
         self.place.hide()
         self.tabs.setTabVisible(MOUNTING, False)
         self.work.begin(Intake.of_project(project))

@@ -32,6 +32,7 @@ from lispac.gui.dialogs.import_files.quality_page import QualityPage
 from lispac.gui.dialogs.import_files.timeline_page import TimelinePage
 from lispac.gui.dialogs.import_files.work import Work
 from lispac.gui.drops import FileDrops
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.settings import AppSettings
 from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
@@ -59,7 +60,7 @@ class ImportDialog(QDialog):
         """A project that was dropped and is to be opened instead."""
         self._own_folder = False
         self.setObjectName("import_dialog")
-        self.setWindowTitle("New project")
+        self.setWindowTitle(say("New project"))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
         self.work = Work(settings.column_mappings(), self)
         self._build()
@@ -109,10 +110,10 @@ class ImportDialog(QDialog):
         self.tabs.setObjectName("import_tabs")
         self.file_page, self.timeline = FilePage(), TimelinePage()
         self.quality, self.mounting = QualityPage(), MountingPage()
-        self.tabs.addTab(self.file_page, "Selected file")
-        self.tabs.addTab(self.timeline, "Timeline")
-        self.tabs.addTab(self.quality, "Trajectory quality")
-        self.tabs.addTab(self.mounting, "Mounting and accuracies")
+        self.tabs.addTab(self.file_page, say("Selected file"))
+        self.tabs.addTab(self.timeline, say("Timeline"))
+        self.tabs.addTab(self.quality, say("Trajectory quality"))
+        self.tabs.addTab(self.mounting, say("Mounting and accuracies"))
         split = QSplitter(Qt.Orientation.Vertical)
         split.setChildrenCollapsible(False)
         split.addWidget(self.table)
@@ -136,7 +137,7 @@ class ImportDialog(QDialog):
         self.progress.setRange(0, 1000)
         self.progress.setTextVisible(False)
         self.progress.setFixedWidth(180)
-        self.progress.setAccessibleName("Files looked into")
+        self.progress.setAccessibleName(say("Files looked into"))
         self.doing = widgets.label("", "muted", name="import_doing")
         self.stop = widgets.button("Stop", "import_stop", tip="Look into no more files")
         self.again = widgets.button(
@@ -154,11 +155,13 @@ class ImportDialog(QDialog):
     def _bottom(self) -> QVBoxLayout:
         self.folder = QLineEdit()
         self.folder.setObjectName("new_folder")
-        self.folder.setAccessibleName("Project folder")
-        self.folder.setToolTip("Where the project is kept; the survey's files stay where they are")
+        self.folder.setAccessibleName(say("Project folder"))
+        self.folder.setToolTip(
+            say("Where the project is kept; the survey's files stay where they are")
+        )
         self.browse = widgets.button("Browse…", "new_folder_browse")
         self.browse.setAutoDefault(False)
-        head = QLabel("Project folder")
+        head = QLabel(say("Project folder"))
         head.setBuddy(self.folder)
         self.place = QWidget()
         upper = QHBoxLayout(self.place)
@@ -171,7 +174,7 @@ class ImportDialog(QDialog):
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
         self.ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
-        self.ok.setText("Create project")
+        self.ok.setText(say("Create project"))
         self.ok.setObjectName("new_ok")
         self.ok.setProperty("primary", True)
         for standard in self.buttons.buttons():
@@ -239,7 +242,7 @@ class ImportDialog(QDialog):
             proposed = proposed_folder(intake)
             self.folder.setText("" if proposed is None else str(proposed))
         late = sum(bool(intake.time_remarks(line)) for line in intake.lines)
-        self.tabs.setTabText(TIMELINE, f"Timeline ({late} to look at)" if late else "Timeline")
+        self.tabs.setTabText(TIMELINE, say(f"Timeline ({late} to look at)" if late else "Timeline"))
         self._show_progress()
         self._show_reason()
 
@@ -256,14 +259,14 @@ class ImportDialog(QDialog):
             each.setVisible(busy)
         self.again.setVisible(self.work.was_stopped and not busy)
         self.progress.setValue(round(1000 * self.work.fraction))
-        self.doing.setText(self.work.words)
+        self.doing.setText(say(self.work.words))
         if not busy:
             self._show_reason()
 
     def _show_reason(self) -> None:
         problem = self._problem()
         waiting = any(entry.pending for entry in self.intake.entries)
-        self.reason.setText(problem or self._hint())
+        self.reason.setText(say(problem or self._hint()))
         wrong = bool(problem) and bool(self.intake.entries) and not waiting
         self.reason.setProperty("role", "error" if wrong else "muted")
         self.reason.style().polish(self.reason)
@@ -290,15 +293,19 @@ class ImportDialog(QDialog):
             self.work.edit(self.intake.without(path))
 
     def _ask_files(self) -> None:
-        names, _ = QFileDialog.getOpenFileNames(self, "Survey files", self._start(), SURVEY_FILES)
+        names, _ = QFileDialog.getOpenFileNames(
+            self, say("Survey files"), self._start(), say(SURVEY_FILES)
+        )
         self.add([Path(name) for name in names])
 
     def _ask_folder(self) -> None:
-        name = QFileDialog.getExistingDirectory(self, "Folder with survey files", self._start())
+        name = QFileDialog.getExistingDirectory(
+            self, say("Folder with survey files"), self._start()
+        )
         self.add([Path(name)] if name else [])
 
     def _ask_project_folder(self) -> None:
-        name = QFileDialog.getExistingDirectory(self, "Project folder", self.folder.text())
+        name = QFileDialog.getExistingDirectory(self, say("Project folder"), self.folder.text())
         if name:
             self.folder.setText(name)
             self._folder_typed(name)
@@ -318,7 +325,7 @@ class ImportDialog(QDialog):
     def _failed(self, error: BaseException) -> None:
         """A folder that cannot be listed: the one thing that has no row to stand in."""
         self._show()
-        self.reason.setText(describe(error)[0])
+        self.reason.setText(say(describe(error)[0]))
 
     # -- the end -----------------------------------------------------------------------------
 

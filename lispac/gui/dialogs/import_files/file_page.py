@@ -16,6 +16,7 @@ from lispac.gui.dialogs.import_files import words
 from lispac.gui.dialogs.import_files.options_form import OptionsForm
 from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.import_files.remarks_view import RemarksView
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
@@ -91,7 +92,7 @@ class FilePage(QWidget):
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setMinimumWidth(330)
-        area.setAccessibleName("How the file is read, and what is in it")
+        area.setAccessibleName(say("How the file is read, and what is in it"))
         area.setWidget(body)
         body.setAutoFillBackground(False)
         return area
@@ -114,7 +115,7 @@ class FilePage(QWidget):
         self.preview_head.setVisible(rows)
         self.preview.setVisible(rows)
         self.preview_head.setText(
-            "First rows – choose over each column what it is" if mapped else "First rows"
+            say("First rows – choose over each column what it is" if mapped else "First rows")
         )
 
     def _show_facts(self, entry: Entry) -> None:
@@ -134,9 +135,9 @@ class FilePage(QWidget):
             head.setAlignment(Qt.AlignmentFlag.AlignTop)
             said = widgets.label(value, wrap=True)
             said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-            self.facts.addRow(head, said)
+            self.facts.addRow(say(head), said)
         sentences = [text[:1].upper() + text[1:].rstrip(".") + "." for text in assumed]
-        self.assumptions.setText("\n".join(sentences))
+        self.assumptions.setText(say("\n".join(sentences)))
         self._assumed_head.setVisible(bool(assumed))
         self.assumptions.setVisible(bool(assumed))
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import words
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.io.registry import Kind
 from lispac.workflow.intake import Intake
@@ -49,11 +50,11 @@ class FileTable(QTableWidget):
     def __init__(self) -> None:
         super().__init__(0, len(_HEADS))
         self.setObjectName("import_files")
-        self.setAccessibleName("Files to be imported")
-        self.setHorizontalHeaderLabels(list(_HEADS))
+        self.setAccessibleName(say("Files to be imported"))
+        self.setHorizontalHeaderLabels(say_all(list(_HEADS)))
         for column, tip in enumerate(_TIPS):
             head = self.horizontalHeaderItem(column)
-            head.setToolTip(tip)
+            head.setToolTip(say(tip))
             head.setTextAlignment(_RIGHT if column in (COUNT, SPAN) else _LEFT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(ROW)
@@ -100,14 +101,16 @@ class FileTable(QTableWidget):
                 (SPAN, words.span(entry)),
                 (FRAME, words.frame(entry)),
             ):
-                self.item(row, column).setText(text)
-                self.item(row, column).setToolTip(text)
+                self.item(row, column).setText(say(text))
+                self.item(row, column).setToolTip(say(text))
             state, colour = words.state(intake, entry)
             item = self.item(row, STATE)
-            item.setText(state)
+            item.setText(say(state))
             item.setForeground(QColor(colour))
             item.setIcon(words.state_icon(intake, entry))
-            item.setToolTip("\n".join(remark.text for remark in intake.remarks(entry)) or state)
+            item.setToolTip(
+                say("\n".join(remark.text for remark in intake.remarks(entry)) or state)
+            )
             out = intake.state(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
                 self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
@@ -154,19 +157,19 @@ class FileTable(QTableWidget):
         """A list where there is something to choose, plain words where there is not."""
         path, item = entry.path, self.item(row, column)
         text = next((text for text, data in items if data == chosen), items[0][0])
-        item.setToolTip(text)
+        item.setToolTip(say(text))
         combo = self.cellWidget(row, column)
         if len(items) < 2:
             if combo is not None:
                 self.removeCellWidget(row, column)
-            item.setText(text)
+            item.setText(say(text))
             item.setForeground(QColor(theme.MUTED if chosen is None else theme.TEXT))
             return
         item.setText("")
         if combo is None:
             what = "role" if column == ROLE else "format"
             combo = widgets.Choice(f"{what}_{path.name}", ["–"], _TIPS[column])
-            combo.setAccessibleName(f"{what.capitalize()} of {path.name}")
+            combo.setAccessibleName(say(f"{what.capitalize()} of {path.name}"))
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
@@ -190,6 +193,6 @@ def _fill(combo: QComboBox, items: Sequence[tuple[str, object]], chosen: object)
     if now != list(items):
         combo.clear()
         for text, data in items:
-            combo.addItem(text, data)
+            combo.addItem(say(text), data)
     combo.setCurrentIndex(next((k for k, (_, data) in enumerate(items) if data == chosen), 0))
     combo.blockSignals(False)

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QScrollArea, QWidget
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.project import Settings
 
@@ -15,7 +16,7 @@ class MountingPage(QScrollArea):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setAccessibleName("Mounting and accuracies")
+        self.setAccessibleName(say("Mounting and accuracies"))
         self.setWidgetResizable(True)
         body = QWidget()
         grid = QGridLayout(body)
@@ -55,8 +56,8 @@ class MountingPage(QScrollArea):
         self.position_sigma.setEnabled(not name)
         self.attitude_sigma.setEnabled(not name)
         self._source.setText(
-            f"Position and attitude: from {name}." if name
-            else "Position and attitude: no accuracy file, so these hold at all times."
+            say(f"Position and attitude: from {name}." if name
+            else "Position and attitude: no accuracy file, so these hold at all times.")
         )  # fmt: skip
 
     def show_prior_needed(self, needed: bool) -> None:
@@ -67,8 +68,8 @@ class MountingPage(QScrollArea):
         form = _form()
         self.lever_arm = widgets.lever_arm_fields("new_lever_arm")
         self.boresight = widgets.boresight_fields("new_boresight")
-        form.addRow("Lever arm", self.lever_arm)
-        form.addRow("Prior boresight", self.boresight)
+        form.addRow(say("Lever arm"), self.lever_arm)
+        form.addRow(say("Prior boresight"), self.boresight)
         self._prior = widgets.label(
             "Lines on the map are taken back to the scanner: state the lever arm and the boresight "
             "that they were made with.",
@@ -76,9 +77,9 @@ class MountingPage(QScrollArea):
         )  # fmt: skip
         self._prior.hide()
         form.addRow(self._prior)
-        self.origin_given = QCheckBox("Set the origin of the local frame")
+        self.origin_given = QCheckBox(say("Set the origin of the local frame"))
         self.origin_given.setObjectName("new_origin_given")
-        self.origin_given.setToolTip("Without it, the mean position of the trajectory is used")
+        self.origin_given.setToolTip(say("Without it, the mean position of the trajectory is used"))
         self.origin = widgets.Triple(
             ("Latitude", "Longitude", "Height"),
             [
@@ -90,7 +91,7 @@ class MountingPage(QScrollArea):
         self.origin.setEnabled(False)
         self.origin_given.toggled.connect(self.origin.setEnabled)
         form.addRow(QLabel(), self.origin_given)
-        form.addRow("Origin", self.origin)
+        form.addRow(say("Origin"), self.origin)
         return form
 
     def _uncertainties(self) -> QFormLayout:
@@ -112,11 +113,11 @@ class MountingPage(QScrollArea):
             [_plain(f"new_sigma_{axis}", " °", 4, 0, 90) for axis in ("roll", "pitch", "heading")],
         )
         self.attitude_sigma.set_value(usual.attitude_sigma_deg)
-        form.addRow("LiDAR noise (1 σ)", self.lidar_sigma)
+        form.addRow(say("LiDAR noise (1 σ)"), self.lidar_sigma)
         self._source = widgets.label("", "muted", wrap=True, name="new_sigma_source")
         form.addRow(self._source)
-        form.addRow("Position (1 σ)", self.position_sigma)
-        form.addRow("Attitude (1 σ)", self.attitude_sigma)
+        form.addRow(say("Position (1 σ)"), self.position_sigma)
+        form.addRow(say("Attitude (1 σ)"), self.attitude_sigma)
         return form
 
 

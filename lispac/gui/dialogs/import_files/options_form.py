@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui.dialogs.import_files import words
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.io.registry import Format, Option
 from lispac.workflow.intake_entry import Entry
@@ -53,7 +54,7 @@ class OptionsForm(QWidget):
             self._labels[option.name].setProperty("role", "heading" if own else "")
             self._labels[option.name].style().polish(self._labels[option.name])
             origin = "Stated by you." if own else "As found in the file, or by default."
-            field.setToolTip(f"{option.meaning.rstrip('.')}.\n{origin}")
+            field.setToolTip(say(f"{option.meaning.rstrip('.')}.\n{origin}"))
         self._show_system(entry)
 
     def ask(self, name: str) -> None:
@@ -70,9 +71,9 @@ class OptionsForm(QWidget):
             field = self._field(option)
             label = widgets.label(words.option_name(option.name))
             label.setBuddy(field)
-            field.setAccessibleName(words.option_name(option.name))
+            field.setAccessibleName(say(words.option_name(option.name)))
             self.fields[option.name], self._labels[option.name] = field, label
-            self._form.addRow(label, field)
+            self._form.addRow(say(label), field)
             if option.name == "crs":
                 self._form.addRow("", self.system)
 
@@ -82,7 +83,7 @@ class OptionsForm(QWidget):
             combo = widgets.Choice(f"option_{name}", [""], option.meaning)
             combo.clear()
             for value in option.choices:
-                combo.addItem(words.option_value(name, value), value)
+                combo.addItem(say(words.option_value(name, value)), value)
             combo.setMinimumContentsLength(12)
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -92,7 +93,7 @@ class OptionsForm(QWidget):
         line = QLineEdit()
         line.setObjectName(f"option_{name}")
         if name == "crs":
-            line.setPlaceholderText("EPSG:32619, say")
+            line.setPlaceholderText(say("EPSG:32619, say"))
         line.editingFinished.connect(lambda: self._typed(name, line))
         return line
 
@@ -110,7 +111,7 @@ class OptionsForm(QWidget):
             self.system.setVisible(False)
             return
         self.system.setVisible(True)
-        self.system.setText(place.error or f"This is {place.system}.")
+        self.system.setText(say(place.error or f"This is {place.system}."))
         self.system.setProperty("role", "error" if place.error else "muted")
         self.system.style().polish(self.system)
 

@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.workflow.intake_columns import PASSED_OVER, has_columns, meanings, word_of
 from lispac.workflow.intake_entry import Entry
@@ -22,7 +23,7 @@ class Preview(QTableWidget):
     def __init__(self) -> None:
         super().__init__(0, 0)
         self.setObjectName("import_preview")
-        self.setAccessibleName("First rows of the file")
+        self.setAccessibleName(say("First rows of the file"))
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -78,8 +79,8 @@ class Preview(QTableWidget):
         combo = widgets.Choice(f"column_{column + 1}", [""], "What this column is")
         combo.clear()
         for meaning in meanings(entry.format):
-            combo.addItem(word_of(meaning), meaning)
-        combo.setAccessibleName(f"Meaning of column {column + 1}")
+            combo.addItem(say(word_of(meaning)), meaning)
+        combo.setAccessibleName(say(f"Meaning of column {column + 1}"))
         combo.setItemData(0, QColor(theme.MUTED), Qt.ItemDataRole.ForegroundRole)
         combo.activated.connect(lambda: self.meaning_chosen.emit(column, combo.currentData()))
         self.setCellWidget(0, column, combo)

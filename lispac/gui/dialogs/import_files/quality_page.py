@@ -5,6 +5,7 @@ from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.workflow.intake import Intake
 
@@ -96,10 +97,10 @@ class QualityPage(QWidget):
         quality = Quality.of(self._intake)
         assert quality is not None
         name = NAMES[self.choice.checkedId()]
-        self._hint.setText("Coloured: the lines." if name == "Track" else "Shaded: the lines.")
+        self._hint.setText(say("Coloured: the lines." if name == "Track" else "Shaded: the lines."))
         PAGES[name](quality, self.canvas.figure)
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(f"{name} of the trajectory over time, lines marked")
+        self.canvas.setAccessibleName(say(f"{name} of the trajectory over time, lines marked"))
         self.drawn.emit()
 
 

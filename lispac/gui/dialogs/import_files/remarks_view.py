@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.workflow.intake_remarks import Remark, Remedy
 
@@ -26,7 +27,7 @@ class RemarksView(QScrollArea):
     def __init__(self, name: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName("What there is to look at")
+        self.setAccessibleName(say("What there is to look at"))
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -71,7 +72,7 @@ class RemarksView(QScrollArea):
     def _button(self, remedy: Remedy, remark: Remark, place: int) -> widgets.Button:
         made = widgets.button(remedy.words, f"remedy_{len(self.buttons)}", tip=remedy.tip)
         made.setAutoDefault(False)
-        made.setAccessibleDescription(remark.text)
+        made.setAccessibleDescription(say(remark.text))
         made.clicked.connect(lambda: self.remedy_chosen.emit(remedy, place))
         self.buttons.append(made)
         return made

@@ -9,6 +9,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.io.line_times import LineTimes
 from lispac.workflow.intake import Intake
 
@@ -119,7 +120,7 @@ class TimelineView(QWidget):
         self.setObjectName("import_timeline")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName("Timeline of the lines over the trajectory")
+        self.setAccessibleName(say("Timeline of the lines over the trajectory"))
         self.bars: tuple[Bar, ...] = ()
         self._axis = ""
         self._current: Path | None = None
@@ -131,9 +132,13 @@ class TimelineView(QWidget):
         self._axis = "Time, s" if base is None else f"{base.name[:1].upper()}{base.name[1:]}"
         self._current = current
         self.setAccessibleDescription(
-            "; ".join(f"{b.name} {b.start:,.1f} to {b.end:,.1f} s, {b.words}" for b in self.bars)
+            say(
+                "; ".join(
+                    f"{b.name} {b.start:,.1f} to {b.end:,.1f} s, {b.words}" for b in self.bars
+                )
+            )
         )
-        self.setToolTip("" if self.bars else "No file with times yet")
+        self.setToolTip(say("" if self.bars else "No file with times yet"))
         self.updateGeometry()
         self.update()
 
@@ -172,7 +177,7 @@ class TimelineView(QWidget):
         if not self.bars:
             painter.setPen(QColor(theme.MUTED))
             text = "Add the trajectory and the lines: their times appear here."
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, say(text))
             return
         start, end = span_of(self.bars)
         width = max(self.width() - NAMES - WORDS, 50)
@@ -201,10 +206,10 @@ class TimelineView(QWidget):
             painter.setPen(QColor(theme.TEXT))
             text = f"{tick:,.{2 if fine else 0}f}"
             box = QRectF(x(tick) - label / 2, bottom + 4, label, 18)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(text))
         painter.setPen(QColor(theme.MUTED))
         box = QRectF(NAMES, bottom + 22, self.width() - NAMES - WORDS, 18)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._axis)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(self._axis))
 
     def _draw_bar(self, painter: QPainter, bar: Bar, top: int, x, width: int) -> None:
         middle = Qt.AlignmentFlag.AlignVCenter
@@ -212,11 +217,11 @@ class TimelineView(QWidget):
             painter.fillRect(QRectF(0, top, self.width(), ROW), QColor("#e3edf8"))
         painter.setPen(QColor(theme.TEXT))
         name = self.fontMetrics().elidedText(bar.name, Qt.TextElideMode.ElideMiddle, NAMES - 24)
-        painter.drawText(QRectF(12, top, NAMES - 20, ROW), middle, name)
+        painter.drawText(QRectF(12, top, NAMES - 20, ROW), middle, say(name))
         painter.setPen(QColor(theme.MUTED if bar.sound else theme.ERROR))
         box = QRectF(NAMES + width + 12, top, WORDS - 16, ROW)
-        painter.drawText(box, middle, self.fontMetrics().elidedText(
-            bar.words, Qt.TextElideMode.ElideRight, WORDS - 16))  # fmt: skip
+        painter.drawText(box, middle, say(self.fontMetrics().elidedText(
+            bar.words, Qt.TextElideMode.ElideRight, WORDS - 16)))  # fmt: skip
         left, right = x(bar.start), x(bar.end)
         if right < NAMES or left > NAMES + width:
             self._draw_far(painter, bar, top, NAMES if right < NAMES else NAMES + width)
@@ -237,7 +242,7 @@ class TimelineView(QWidget):
             text = f"gap {last - first:,.1f} s"
             if not bar.is_line and self.fontMetrics().horizontalAdvance(text) + 8 < b - a:
                 painter.fillRect(hole.adjusted(2, 2, -2, -2), QColor("white"))
-                painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, text)
+                painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, say(text))
 
     def _draw_far(self, painter: QPainter, bar: Bar, top: int, edge: float) -> None:
         """An arrow for a line that lies beyond the axis, and how far."""
@@ -255,7 +260,7 @@ class TimelineView(QWidget):
         where = "before the trajectory" if before else "after the trajectory"
         align = Qt.AlignmentFlag.AlignLeft if before else Qt.AlignmentFlag.AlignRight
         box = QRectF(tip + 18, top, 400, ROW) if before else QRectF(tip - 418, top, 400, ROW)
-        painter.drawText(box, align | Qt.AlignmentFlag.AlignVCenter, f"{apart:,.0f} s {where}")
+        painter.drawText(box, align | Qt.AlignmentFlag.AlignVCenter, say(f"{apart:,.0f} s {where}"))
 
 
 def _hatch() -> QBrush:

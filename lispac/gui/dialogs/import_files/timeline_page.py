@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWi
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.remarks_view import RemarksView
 from lispac.gui.dialogs.import_files.timeline import TimelineView
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_remarks import Remark, Remedy
@@ -83,13 +84,13 @@ class TimelinePage(QWidget):
         fine = f"The trajectory covers {what}." if intake.track is not None and lines else ""
         self.remarks.setVisible(bool(told or fine))
         self.remarks.show_remarks([remark for _, remark in told], fine)
-        self.lost.setText(_lost(intake))
+        self.lost.setText(say(_lost(intake)))
         offered = intake.shifts_offered
         self.all.setVisible(len(offered) > 1)
         if offered:
             shifts = {shift for _, shift in offered}
             words = f"Add {offered[0][1]:+,.3f} s to" if len(shifts) == 1 else "Shift"
-            self.all.setText(f"{words} all {len(offered)} lines outside")
+            self.all.setText(say(f"{words} all {len(offered)} lines outside"))
 
     def _remedy(self, remedy: Remedy, place: int) -> None:
         self.remedy_chosen.emit(self._owners[place], remedy)

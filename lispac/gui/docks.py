@@ -1,0 +1,53 @@
+"""The panels around the view: where each is at first, and which lie behind one another."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
+
+from lispac.gui.language import say
+
+Area = Qt.DockWidgetArea
+Docks = dict[str, QDockWidget]
+
+
+def laid_out(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) -> Docks:
+    """Docks of the panels, by their titles; those of one side are tabs, the first in front."""
+    # Docks laid out half joined would leave their first tab bars lying in the window.
+    window.layout().setEnabled(False)
+    docks: Docks = {}
+    last: dict[Area, QDockWidget] = {}
+    first: dict[Area, QDockWidget] = {}
+    for title, (panel, area) in panels.items():
+        docks[title] = dock = _dock(window, title, panel)
+        window.addDockWidget(area, dock)
+        if area in last:
+            window.tabifyDockWidget(last[area], dock)
+        last[area] = dock
+        first.setdefault(area, dock)
+    for area in first:
+        window.setTabPosition(area, QTabWidget.TabPosition.North)
+    window.layout().setEnabled(True)
+    for dock in first.values():
+        dock.raise_()
+    window.setCorner(Qt.Corner.BottomLeftCorner, Area.LeftDockWidgetArea)
+    window.setCorner(Qt.Corner.BottomRightCorner, Area.BottomDockWidgetArea)
+    window.setDockOptions(
+        QMainWindow.DockOption.AnimatedDocks | QMainWindow.DockOption.AllowTabbedDocks
+    )
+    return docks
+
+
+def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
+    """Give the panels the room they have at first."""
+    sides = [docks["Workflow"], docks["Results"]]
+    window.resizeDocks(sides, [350, 400], Qt.Orientation.Horizontal)
+    below = [docks["Targets by lines"]]
+    window.resizeDocks(below, [3 * window.height() // 10], Qt.Orientation.Vertical)
+
+
+def _dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:
+    dock = QDockWidget(say(title), window)
+    dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")
+    dock.setWidget(panel)
+    return dock

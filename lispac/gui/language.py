@@ -1,0 +1,85 @@
+"""What the window shows, in the language of the user.
+
+Texts are made in English, here and in the core, and said in the user's language where they are
+shown: `say` goes around what a widget is given. The language changes while the program runs: the
+window is made anew then, around the same document.
+"""
+
+import re
+from collections.abc import Iterable
+
+from PySide6.QtCore import QLibraryInfo, QLocale, QTranslator
+from PySide6.QtWidgets import QApplication
+
+from lispac.language.catalogue import catalogue_of
+from lispac.language.translation import Translator
+from lispac.project import Project
+
+_PIECE = re.compile(r"(\n|<br>|</?(?:p|h\d|ul|ol|li|table|tr|td|th)\b[^>]*>)")
+_own = Translator(catalogue_of("en"), spoken_numbers=True)
+_qt: QTranslator | None = None
+
+
+def speak(code: str) -> None:
+    """Use a language from now on, for our texts, for those of Qt and for numbers typed in.
+
+    Raises
+    ------
+    InputError
+        Where the language is not known.
+    """
+    global _own, _qt
+    _own = Translator(catalogue_of(code), _own.names, spoken_numbers=True)
+    # English as numbers are written in files and reports, with a point and no grouping by habit
+    QLocale.setDefault(QLocale(code) if code != "en" else QLocale.c())
+    application = QApplication.instance()
+    if application is None:
+        return
+    if _qt is not None:
+        application.removeTranslator(_qt)
+    _qt = QTranslator(application)
+    if _qt.load(f"qtbase_{code}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
+        application.installTranslator(_qt)
+
+
+def language() -> str:
+    """Code of the language in use."""
+    return _own.catalogue.code
+
+
+def leave_alone(project: Project | None) -> None:
+    """Names of the project are no words: they stay as they are."""
+    _own.names = frozenset(() if project is None else _names(project))
+
+
+def _names(project: Project) -> Iterable[str]:
+    yield project.name
+    for line in project.lines:
+        yield from (line.name, line.path.name)
+    for path in (project.trajectory, project.accuracy):
+        if path is not None:
+            yield path.name
+    for target in project.targets:
+        yield target.name
+
+
+def say(text: str) -> str:
+    """The text in the user's language; names, and what is not known, stay as they are."""
+    if not text or language() == "en":
+        return text
+    return "".join(piece if k % 2 else _said(piece) for k, piece in enumerate(_PIECE.split(text)))
+
+
+def _said(piece: str) -> str:
+    bare = piece.strip(" ")
+    return piece.replace(bare, _own.cell(bare)) if bare else piece
+
+
+def say_all(texts: Iterable[str]) -> list[str]:
+    """Each of the texts in the user's language."""
+    return [say(each) for each in texts]
+
+
+def unsaid() -> tuple[str, ...]:
+    """Texts that stayed English so far, for the tests."""
+    return _own.unknown
