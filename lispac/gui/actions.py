@@ -85,11 +85,14 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     **VIEW_ACTIONS,
     **INSPECT_ACTIONS,
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
+    "english": ("&English", "English", "", "", "The window in English"),
+    "french": ("&Français", "Français", "", "", "La fenêtre en français"),
     "about": ("&About LISPAC", "About", "information-outline", "", "Version and conventions"),
 }  # fmt: skip
 
 _CHECKABLE = (
     ("seed_target", "seed_validation"), ("before", "after"), tuple(COLOURED.values()),
+    ("english", "french"),
 )  # fmt: skip
 _MENUS: dict[str, Menu] = {
     "&File": (

@@ -11,7 +11,6 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 import lispac
-from lispac.gui import theme
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -30,13 +29,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     application = QApplication.instance() or QApplication(sys.argv[:1])
     application.setApplicationName("LISPAC")
     application.setApplicationVersion(lispac.__version__)
-    theme.apply_theme(application)
 
     # Imported when the application exists: VTK and Qt set up their graphics together.
-    from lispac.gui.main_window import MainWindow
+    from lispac.gui.session import Session
     from lispac.gui.viewport.vtk import VtkViewport
 
-    window = MainWindow(VtkViewport())
+    session = Session(application, VtkViewport)
 
     def unforeseen(
         _kind: type[BaseException], error: BaseException, _trace: TracebackType | None
@@ -44,14 +42,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         if isinstance(error, KeyboardInterrupt):
             application.quit()
         else:
-            window.dialogs.show_error(error)
+            session.window.dialogs.show_error(error)
 
     sys.excepthook = unforeseen
-    window.show()
     if arguments.project is not None:
-        QTimer.singleShot(0, lambda: window.open_project(arguments.project))
+        QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
     elif arguments.demo:
-        QTimer.singleShot(0, window.controller.open_demo)
+        QTimer.singleShot(0, session.window.controller.open_demo)
     try:
         return application.exec()
     finally:

@@ -113,7 +113,13 @@ class Document(QObject):
         self.undo_stack.clear()
         self._state = None if project is None else _State(project)
         self._folder = None if project is None else project.folder
-        self.set_survey(project, survey)
+        self.survey = survey
+        self._key = data_key(project) if project is not None and survey is not None else None
+        self.show_again()
+
+    def show_again(self) -> None:
+        """Tell of the project as of one that was just opened."""
+        self.survey_changed.emit()
         self.opened.emit()
         self.changed.emit()
 
@@ -177,6 +183,25 @@ class Document(QObject):
         self.undo_stack.setClean()
         self.set_survey(project, survey)
         self.changed.emit()
+
+    def handed_over(self, parent: QObject | None = None) -> "Document":
+        """The same project with the same way back, for a window made anew."""
+        heir = Document(parent)
+        heir._folder, heir.survey, heir._key = self._folder, self.survey, self._key
+        stack = self.undo_stack
+        steps = [stack.command(k) for k in range(stack.count())]
+        first = steps[0]._before if steps else self._state
+        heir._state = first
+        for k, step in enumerate(steps):
+            if stack.cleanIndex() == k:
+                heir.undo_stack.setClean()
+            heir.undo_stack.push(_Edit(step.text(), heir, step._before, step._after))
+        if stack.cleanIndex() == len(steps):
+            heir.undo_stack.setClean()
+        elif stack.cleanIndex() < 0:
+            heir.undo_stack.resetClean()
+        heir.undo_stack.setIndex(stack.index())
+        return heir
 
     def _here(self, project: Project) -> Project:
         """The project in the folder it has now; an edit before it moved knows another."""

@@ -2,20 +2,20 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QMainWindow
 
 from lispac.gui import docks, status
 from lispac.gui.actions import Actions
-from lispac.gui.computing import Computing, PointCount
+from lispac.gui.computing import Computing
 from lispac.gui.controller import Controller
 from lispac.gui.designing import Designing
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
-from lispac.gui.language import say
+from lispac.gui.language import language, say
 from lispac.gui.life import ProjectLife
 from lispac.gui.looking import Looking
 from lispac.gui.panels.adjust import AdjustPanel
@@ -37,6 +37,7 @@ from lispac.gui.reporting import Reporting
 from lispac.gui.scene import Scene
 from lispac.gui.seeding import Seeding
 from lispac.gui.settings import AppSettings
+from lispac.gui.showing import Showing
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.studies import Studies
 from lispac.gui.target_work import TargetWork
@@ -44,12 +45,9 @@ from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import undressed
 from lispac.gui.tools import Tools
 from lispac.gui.viewport.base import PickedPoint, Viewport
-from lispac.project import Project
-from lispac.workflow.survey import Survey
 
 Area = Qt.DockWidgetArea
 NOTE_MS = 6000
-DATA, TARGETS, ADJUST, VALIDATE, REPORT = range(5)
 
 
 class MainWindow(QMainWindow):
@@ -61,13 +59,19 @@ class MainWindow(QMainWindow):
         Belongs to the window from now on.
     settings, dialogs
         Others than the user's own, for tests.
+    document : Document, optional
+        Shown at once; it belongs to the window from now on.
     """
+
+    renewal_asked = Signal()
+    """Another language or other looks: a window is to be made in place of this one."""
 
     def __init__(
         self,
         viewport: Viewport,
         settings: AppSettings | None = None,
         dialogs: Dialogs | None = None,
+        document: Document | None = None,
     ) -> None:
         super().__init__()
         self.setObjectName("main_window")
@@ -75,7 +79,8 @@ class MainWindow(QMainWindow):
         self.dialogs = dialogs or Dialogs()
         self.dialogs.parent = self
         self.viewport = viewport
-        self.document = Document(self)
+        self.document = document or Document()
+        self.document.setParent(self)
         self.runner = TaskRunner(self)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
@@ -86,6 +91,7 @@ class MainWindow(QMainWindow):
             self.dialogs, self.settings,
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
+        self.actions_["french" if language() == "fr" else "english"].setChecked(True)
         self.looking = Looking(viewport, self.scene, self.controller, self.actions_, self.settings)
         self.tools = Tools(self)
         with undressed():
@@ -93,13 +99,17 @@ class MainWindow(QMainWindow):
         self._join_panels()
         self._join_actions()
         self._join_work()
+        self.showing = Showing(self)
         TargetWork(self)
         Seeding(self)
         Reporting(self)
         Studies(self)
         self.designing = Designing(self)
         FileDrops(self).dropped.connect(self.life.take_in)
-        self._refresh()
+        if document is None:
+            self.showing.refresh()
+        else:
+            document.show_again()
 
     # -- assembly ----------------------------------------------------------------------------
 
@@ -183,7 +193,7 @@ class MainWindow(QMainWindow):
         self.validate.shown_changed.connect(self.computing.show)
         self.validate.model_changed.connect(self.computing.measure_to)
         self.report.lines_asked.connect(self.life.export)
-        self.workflow.step_opened.connect(lambda _step: self._refresh())
+        self.workflow.step_opened.connect(lambda _step: self.showing.refresh())
 
     def _join_actions(self) -> None:
         actions = self.actions_
@@ -206,6 +216,8 @@ class MainWindow(QMainWindow):
             "before": lambda: self.computing.show("prior"),
             "after": lambda: self.computing.show("estimated"),
             "toggle": self._toggle,
+            "english": lambda: self._speak("en"),
+            "french": lambda: self._speak("fr"),
             "keys": self.dialogs.shortcuts,
             "about": self.dialogs.about,
         }.items():
@@ -213,133 +225,23 @@ class MainWindow(QMainWindow):
         actions.recent.aboutToShow.connect(self._list_recent)
 
     def _join_work(self) -> None:
-        self.document.changed.connect(self._refresh)
-        self.document.survey_changed.connect(self._refresh)
-        self.document.changed.connect(self._count)
-        self.document.survey_changed.connect(self._count)
-        self.document.modified.connect(lambda _modified: self._name_window())
-        self.document.opened.connect(lambda: self.workflow.open(self._first_open_step()))
-        self.runner.changed.connect(self._show_task)
-        self.runner.moved.connect(self._show_progress)
         self.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(lambda title: self._note(f"{title}: cancelled"))
         self.runner.too_late.connect(self._note)
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.noted.connect(self._note)
-        self.controller.candidate_changed.connect(self._show_candidate)
         self.controller.candidate_changed.connect(self.docks["Targets by lines"].raise_)
-        self.computing.counted.connect(self._show_count)
         self.computing.validated.connect(self.docks["Histograms"].raise_)
-        self.scene.which_changed.connect(self._show_which)
         self.scene.placing_wanted.connect(lambda: self.computing.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._seeded)
         self.viewport.signals.missed.connect(
             lambda: self._note("No point there: Ctrl+click right on a target")
         )
 
-    # -- what is shown -----------------------------------------------------------------------
-
-    def _refresh(self) -> None:
-        project, survey, statuses = self._state()
-        waiting = self.document.awaits_result
-        busy = self.runner.busy
-        self.workflow.show_status(statuses)
-        self.data.show_project(project, survey)
-        self.targets.show_project(project, survey)
-        self.adjust.show_project(project, statuses[ADJUST], busy)
-        self.validate.show_project(project, statuses[VALIDATE], busy)
-        self.report.show_status(statuses[REPORT], survey is not None, busy)
-        self.table.show_project(project, survey)
-        self.results.show_project(project, waiting=waiting, refusal=self.document.refusal)
-        self.diagnostics.show_project(project, waiting=waiting)
-        self.convention.show_project(project)
-        self.histograms.show_project(project)
-        self._enable(statuses, busy)
-        self._name_window()
-
-    def _state(self) -> tuple[Project | None, Survey | None, tuple[status.StepStatus, ...]]:
-        document = self.document
-        survey = document.survey if document.survey_is_current else None
-        statuses = status.steps(
-            document.project, survey, waiting=document.awaits_result, refusal=document.refusal
-        )
-        return document.project, survey, statuses
-
-    def _enable(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
-        project, actions = self.document.project, self.actions_
-        ready = statuses[DATA].ready and not busy
-        estimated = project is not None and project.result is not None
-        for name, enabled in {
-            "save": self.document.is_modified,
-            "new": not busy,
-            "open": not busy,
-            "demo": not busy,
-            **dict.fromkeys(("add_lines", "save_as"), statuses[DATA].ready and not busy),
-            "report": statuses[REPORT].ready and not busy,
-            **dict.fromkeys(self.life.exports, ready),
-            "accept": self.controller.candidate is not None,
-            "reject": self.controller.candidate is not None,
-            "estimate": statuses[ADJUST].ready and not busy,
-            "validate": statuses[VALIDATE].ready and not busy,
-            "cancel": self.runner.active,
-            "before": project is not None,
-            "after": estimated,
-            "toggle": estimated,
-        }.items():
-            actions[name].setEnabled(enabled)
-        actions.recent.setEnabled(not busy)
-
-    def _show_progress(self) -> None:
-        task = self.runner.current
-        self.task_bar.show_task(task)
-        self.adjust.show_task(task if task is not None and task.key == "estimate" else None)
-
-    def _show_task(self) -> None:
-        project, survey, statuses = self._state()
-        busy = self.runner.busy
-        self.adjust.show_project(project, statuses[ADJUST], busy)
-        self.validate.show_project(project, statuses[VALIDATE], busy)
-        self.report.show_status(statuses[REPORT], survey is not None, busy)
-        self._enable(statuses, busy)
-
-    def _show_candidate(self) -> None:
-        candidate, project = self.controller.candidate, self.document.project
-        if candidate is not None:
-            self.workflow.open(TARGETS)
-        self.targets.show_candidate(candidate, project)
-        for name in ("accept", "reject"):
-            self.actions_[name].setEnabled(candidate is not None)
-
-    def _show_count(self, count: PointCount) -> None:
-        self.adjust.show_count(count.kept, count.total, count.sightings, count.reason)
-
-    def _count(self) -> None:
-        self.computing.count(self.adjust.subsample)
-
-    def _show_which(self, which: str) -> None:
-        self.validate.show_which(which)
-        self.actions_["after" if which == "estimated" else "before"].setChecked(True)
-
-    def _name_window(self) -> None:
-        project = self.document.project
-        self.setWindowTitle("LISPAC" if project is None else f"{project.name}[*] – LISPAC")
-        self.setWindowModified(self.document.is_modified)
-        self.actions_["save"].setEnabled(self.document.is_modified)
-
     def _note(self, text: str) -> None:
         self.log.note(text)
         self.task_bar.showMessage(say(text), NOTE_MS)
-
-    def _first_open_step(self) -> int:
-        project = self.document.project
-        if project is None:
-            return DATA
-        if not project.of_role("target"):
-            return TARGETS
-        if project.result is None:
-            return ADJUST
-        return REPORT if project.validation else VALIDATE
 
     # -- what is asked -----------------------------------------------------------------------
 
@@ -352,7 +254,7 @@ class MainWindow(QMainWindow):
 
     def _seed_as(self, role: str) -> None:
         self.targets.set_role(role)
-        self.workflow.open(TARGETS)
+        self.workflow.open(status.TARGETS)
 
     def _seeded(self, point: PickedPoint) -> None:
         self.controller.seed(point, self.targets.wishes)
@@ -364,6 +266,19 @@ class MainWindow(QMainWindow):
         self.diagnostics.select(name, line)
         self.histograms.select(name)
 
+    def _speak(self, language: str) -> None:
+        if language != self.settings.language:
+            self.settings.language = language
+            self.renew()
+
+    def renew(self) -> None:
+        """Ask for a window in the language and looks of the settings."""
+        if self.runner.busy:
+            self._note("The window changes when the running task has ended")
+            self.runner.idle.connect(self.renewal_asked, Qt.ConnectionType.SingleShotConnection)
+        else:
+            self.renewal_asked.emit()
+
     def _toggle(self) -> None:
         self.computing.show("prior" if self.scene.which == "estimated" else "estimated")
 
@@ -373,10 +288,19 @@ class MainWindow(QMainWindow):
         if not (self.life.may_leave() and self.designing.leave()):
             event.ignore()
             return
+        self.keep_layout()
+        self.retire()
+        event.accept()
+
+    def keep_layout(self) -> None:
+        """Remember where window and panels are."""
         self.settings.keep_layout(self.saveGeometry(), self.saveState())
         self.settings.sync()
+
+    def retire(self) -> None:
+        """Stop all work, and go without asking."""
         self.adjust.stop()
         self.estimating.stop()
         self.runner.close()
         self.viewport.close()
-        event.accept()
+        self.hide()

@@ -3,7 +3,9 @@
 import json
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSettings, QStandardPaths
+from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
+
+from lispac.language.catalogue import LANGUAGES
 
 MOST_RECENT = 8
 REPORT_KEYS = ("template", "page", "convention", "language")
@@ -79,6 +81,17 @@ class AppSettings:
     @point_size.setter
     def point_size(self, pixels: int) -> None:
         self._store.setValue("point_size", pixels)
+
+    @property
+    def language(self) -> str:
+        """Code of the window's language; the system's where none was chosen and we speak it."""
+        chosen = str(self._store.value("language", ""))
+        system = QLocale.system().name().partition("_")[0]
+        return next((code for code in (chosen, system) if code in LANGUAGES), "en")
+
+    @language.setter
+    def language(self, code: str) -> None:
+        self._store.setValue("language", code)
 
     def report_choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language of the report, as they were chosen last."""

@@ -11,6 +11,7 @@ from lispac.workflow.survey import Survey
 State = Literal["empty", "todo", "done", "warning"]
 
 STEPS = ("Data", "Targets", "Adjust", "Validate", "Report")
+DATA, TARGETS, ADJUST, VALIDATE, REPORT = range(5)
 
 
 @dataclass(frozen=True)

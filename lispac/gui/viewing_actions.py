@@ -97,6 +97,7 @@ VIEW_MENU: Menu = (
     "copy_picture",
     "",
     ("&Panels", ("DOCKS",)),
+    ("Language · &Langue", ("english", "french")),
 )
 INSPECT_MENU: Menu = (
     "section",

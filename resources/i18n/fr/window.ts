@@ -19,5 +19,25 @@
         <source>Log</source>
         <translation>Journal</translation>
     </message>
+    <message>
+        <source>Language · &amp;Langue</source>
+        <translation>&amp;Langue · Language</translation>
+    </message>
+    <message>
+        <source>&amp;English</source>
+        <translation>&amp;English</translation>
+    </message>
+    <message>
+        <source>&amp;Français</source>
+        <translation>&amp;Français</translation>
+    </message>
+    <message>
+        <source>The window in English</source>
+        <translation>La fenêtre en anglais</translation>
+    </message>
+    <message>
+        <source>The window changes when the running task has ended</source>
+        <translation>La fenêtre changera quand la tâche en cours sera terminée</translation>
+    </message>
 </context>
 </TS>

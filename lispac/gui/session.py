@@ -1,0 +1,60 @@
+"""The window on the screen, and another in its place where language or looks change.
+
+Widgets are given their texts and colours when they are made. So the window is made anew around the
+same document: the project, its data and every undo step stay.
+"""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtWidgets import QApplication
+
+from lispac.gui import theme
+from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.language import speak
+from lispac.gui.main_window import MainWindow
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.base import Viewport
+
+
+class Session(QObject):
+    """Shows one window at a time.
+
+    Parameters
+    ----------
+    viewport : makes the view of a window
+    settings, dialogs : others than the user's own, for tests
+    """
+
+    def __init__(
+        self,
+        application: QApplication,
+        viewport: Callable[[], Viewport],
+        settings: AppSettings | None = None,
+        dialogs: Dialogs | None = None,
+    ) -> None:
+        super().__init__(application)
+        self._application, self._viewport = application, viewport
+        self._settings, self._dialogs = settings or AppSettings(), dialogs or Dialogs()
+        self.window = self._made(None)
+
+    def _made(self, former: MainWindow | None) -> MainWindow:
+        speak(self._settings.language)
+        theme.apply_theme(self._application)
+        document = None if former is None else former.document.handed_over()
+        window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
+        # Queued: the action that asks for it belongs to the window that goes.
+        window.renewal_asked.connect(self.renew, Qt.ConnectionType.QueuedConnection)
+        window.show()
+        window.activateWindow()
+        return window
+
+    def renew(self) -> None:
+        """Put a window in the language and looks of the settings in place of this one."""
+        former = self.window
+        if not former.designing.leave():
+            return
+        former.keep_layout()
+        self.window = self._made(former)  # shown before the other goes: the last one ends Qt
+        former.retire()
+        former.deleteLater()

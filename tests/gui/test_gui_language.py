@@ -1,0 +1,100 @@
+"""The window in another language: made anew around the same project."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtWidgets import QApplication, QMenu
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.language import language, say, speak
+from lispac.gui.main_window import MainWindow
+from lispac.gui.session import Session
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.recording import RecordingViewport
+from tests.gui.support import Demo, ScriptedDialogs
+
+SOON_MS = 20_000
+
+
+@pytest.fixture
+def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
+    """A program with a window in English."""
+    settings = AppSettings(tmp_path / "settings.ini")
+    settings.language = "en"
+    made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
+    qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
+    yield made
+    made.window.retire()
+    made.window.deleteLater()
+    made.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    speak("en")
+
+
+def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
+    """Click through menus as the mouse does."""
+    for name in names:
+        action = next(a for a in menu.actions() if name in a.text())
+        bot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(action).center())
+        if action.menu() is not None:
+            menu = action.menu()
+            bot.waitUntil(menu.isVisible, timeout=SOON_MS)
+
+
+def open_menu(bot: QtBot, window: MainWindow, name: str) -> QMenu:
+    """Open a menu of the menu bar by a click."""
+    bar = window.menuBar()
+    action = next(a for a in bar.actions() if name in a.text().replace("&", ""))
+    at: QPoint = bar.actionGeometry(action).center()
+    bot.mouseClick(bar, Qt.MouseButton.LeftButton, pos=at)
+    bot.waitUntil(action.menu().isVisible, timeout=SOON_MS)
+    return action.menu()
+
+
+def test_the_language_changes_and_nothing_is_lost(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
+    english = session.window
+    english.document.open(demo.picked, demo.survey)
+    english.controller.rename("T1", "North wall")
+    english.controller.rename("T2", "South wall")
+    english.document.undo_stack.undo()
+    edited = english.document.project
+    assert english.isWindowModified()
+
+    choose(qtbot, open_menu(qtbot, english, "View"), "Langue", "ran")
+    qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
+    french = session.window
+    qtbot.waitUntil(french.isActiveWindow, timeout=SOON_MS)
+    assert language() == "fr"
+    assert french.docks["Results"].windowTitle() == say("Results") == "Résultats"
+    assert french.document.project is edited
+    assert french.isWindowModified()
+    assert french.document.survey is demo.survey
+    stack = french.document.undo_stack
+    assert (stack.canUndo(), stack.canRedo()) == (True, True)
+    stack.redo()
+    assert {target.name for target in french.document.project.targets} >= {"South wall"}
+    stack.undo()
+    stack.undo()
+    assert {target.name for target in french.document.project.targets} >= {"T1", "T2"}
+    assert not french.isWindowModified()
+    assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == [french]
+
+
+def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo) -> None:
+    english = session.window
+    english.document.open(demo.picked, demo.survey)
+    english.controller.rename("T1", "North wall")
+    english.document.mark_saved()
+    english.controller.rename("T2", "South wall")
+    english.settings.language = "fr"
+    english.renew()
+    qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
+    document = session.window.document
+    assert document.is_modified
+    document.undo_stack.undo()
+    assert not document.is_modified
+    document.undo_stack.undo()
+    assert document.is_modified
