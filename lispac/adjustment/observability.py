@@ -10,6 +10,7 @@ from lispac.adjustment.parameters import LIMITS, Estimate
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import ANGLES, Observability
 from lispac.errors import RankDeficient
+from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import CALIBRATION
 
 Array = NDArray[np.float64]
@@ -195,14 +196,15 @@ def _one_facing(linearised: Linearised) -> bool:
     return one_facing(linearised.state.shapes[:, :3], linearised.problem.observations.is_sphere)
 
 
-def observability(linearised: Linearised) -> Observability:
+def observability(linearised: Linearised, *, progress: Progress = no_progress) -> Observability:
     """How well lines and targets see the three angles."""
     information = linearised.normal.information(3)
     eigenvalues, directions = np.linalg.eigh(information)
     sigma = np.sqrt(np.diag(np.linalg.inv(information)))
     observations = linearised.problem.observations
     without = {}
-    for line in observations.lines:
+    for k, line in enumerate(observations.lines):
+        progress(k / len(observations.lines))
         gone = np.array([sighting.line == line for sighting in observations.sightings])
         without[line] = _sigma(linearised, gone)
     sentences = [

@@ -11,7 +11,7 @@ from lispac.design.objective import Objective
 from lispac.design.prediction import predict as foretold
 from lispac.design.search import worth
 from lispac.io.plan_file import read_plan
-from lispac.workflow.designing import words_of
+from lispac.workflow.designing import cautions, words_of
 
 
 def predict(arguments: Namespace) -> None:
@@ -19,7 +19,7 @@ def predict(arguments: Namespace) -> None:
     titled = read_plan(arguments.plan)
     plan = titled.plan
     found, valued = foretold(plan), worth(plan, Objective())
-    words = words_of(plan)
+    words = (*cautions(titled), *words_of(plan))
     if arguments.json:
         determined = found.determined
         print_json(

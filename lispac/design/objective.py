@@ -54,14 +54,21 @@ class Objective:
 
     def of(self, plan: Plan) -> float:
         """The number of a plan, radians."""
-        found = [
-            self.of_prediction(predict(_with_pos(plan, factor))) for factor in self.pos_factors
-        ]
-        return float(np.mean(found))
+        return self._mean(plan, None)
 
     def if_determined(self, plan: Plan) -> float:
         """The same, radians; infinite where the plan leaves an angle open."""
-        return self.of(plan) if predict(plan).determined else float("inf")
+        found = predict(plan)
+        return self._mean(plan, found) if found.determined else float("inf")
+
+    def _mean(self, plan: Plan, as_stated: Prediction | None) -> float:
+        found = [
+            as_stated
+            if as_stated is not None and factor == 1.0
+            else predict(_with_pos(plan, factor))
+            for factor in self.pos_factors
+        ]
+        return float(np.mean([self.of_prediction(each) for each in found]))
 
     def of_prediction(self, prediction: Prediction) -> float:
         """The number of what was foretold, radians; by the worst angle where one is left open."""

@@ -145,13 +145,18 @@ def search(
     )
 
 
-def worth(plan: Plan, objective: Objective) -> tuple[Worth, ...]:
+def worth(
+    plan: Plan, objective: Objective, *, progress: Progress = no_progress
+) -> tuple[Worth, ...]:
     """What each target and each line is worth, the most valuable first."""
-    found = []
+    found: list[Worth] = []
+    every = len(plan.targets) + len(plan.lines)
     for k, target in enumerate(plan.targets):
+        progress(len(found) / every)
         others = plan.with_targets((*plan.targets[:k], *plan.targets[k + 1 :]))
         found.append(Worth(target.name, objective.if_determined(others)))
     for k, course in enumerate(plan.courses):
+        progress(len(found) / every)
         others = plan.with_lines((*plan.lines[:k], *plan.lines[k + 1 :]))
         found.append(Worth(course.name, objective.if_determined(others)))
     return tuple(sorted(found, key=lambda each: -each.without))

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,9 @@ from lispac.errors import InputError
 from lispac.simulation.closed_form import Ball, Board
 
 Array = NDArray[np.float64]
+
+LARGER = 3.0
+"""A plane so many times as wide as a board carries it, as a quay's face does."""
 
 
 @dataclass(frozen=True)
@@ -187,16 +190,34 @@ class Site:
 
     def keeps_off(self, plan: Plan) -> bool:
         """Whether every line keeps off the wall wherever it is straight."""
-        for course, (start, stop) in zip(plan.courses, plan.runs, strict=True):
-            ends = np.array(course.abeam) + np.outer([start, stop], course.direction[:2])
-            if float(((ends - self.middle[:2]) @ self.wall.out).min()) < self.closest - 1e-9:
-                return False
-        return True
+        return all(off >= self.closest - 1e-9 for off in least_off(plan, self.wall))
 
     def minutes(self, plan: Plan) -> float:
         """What a plan costs: time on the water and time for the boards."""
         hung = len(plan.targets) - sum(target in self.natural for target in plan.targets)
         return len(plan.lines) * self.minutes_per_line + hung * self.minutes_per_board
+
+
+def least_off(plan: Plan, wall: Wall) -> tuple[float, ...]:
+    """How near each line comes to the wall where it is straight, metres; negative behind it."""
+    if not plan.targets:
+        return ()
+    found = []
+    for course, (start, stop) in zip(plan.courses, plan.runs, strict=True):
+        ends = np.array(course.abeam) + np.outer([start, stop], course.direction[:2])
+        found.append(float(((ends - wall.middle[:2]) @ wall.out).min()))
+    return tuple(found)
+
+
+def overlapping(targets: Sequence[Board | Ball]) -> tuple[tuple[str, str], ...]:
+    """Names of any two boards that hang over each other; one on a far larger plane does not."""
+    boards = [target for target in targets if isinstance(target, Board)]
+    return tuple(
+        (one.name, other.name)
+        for one, other in combinations(boards, 2)
+        if max(one.width, other.width) < LARGER * min(one.width, other.width)
+        and not apart((one, other))
+    )
 
 
 def apart(boards: Sequence[Board]) -> bool:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
-from lispac.design.site import Wall
+from lispac.design.site import Wall, least_off
 from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT
 from lispac.simulation.closed_form import Ball, Board
 
@@ -172,11 +172,8 @@ def _leans(degrees: float) -> str:
 
 def _line_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
-    for k, (line, (start, stop)) in enumerate(zip(plan.lines, plan.runs, strict=True), start=1):
-        abeam, direction = np.array(line.abeam(plan.middle)), _direction(line)
-        off = min(
-            float((abeam + s * direction - plan.middle[:2]) @ wall.out) for s in (start, stop)
-        )
+    each = zip(plan.lines, plan.runs, least_off(plan, wall), strict=True)
+    for k, (line, (start, stop), off) in enumerate(each, start=1):
         rows.append(
             (
                 f"{k}", f"{line.heading_deg % 360:.0f}", f"{line.distance:g}",

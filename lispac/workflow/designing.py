@@ -12,34 +12,57 @@ from lispac.design.plan import Plan
 from lispac.design.prediction import UNDETERMINED, foretold, predict
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Design
-from lispac.design.site import Site
+from lispac.design.site import Site, least_off, overlapping
 from lispac.errors import LispacError, RankDeficient
 from lispac.io.files import written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
+from lispac.progress import Progress, no_progress
 
 ONE_WAY = (
     "All targets face the same way, and the adjustment refuses that: add a target of another "
     "inclination."
 )
 
+NEAR_WALL = 3.0
+"""Metres: a vessel's half width, its helmsman and its wash want more."""
 
-def words_of(plan: Plan) -> tuple[str, ...]:
+
+def words_of(plan: Plan, *, progress: Progress = no_progress) -> tuple[str, ...]:
     """What the geometry of a plan sees, in sentences, as after an adjustment."""
     try:
         if faces_one_way(plan):
             return (ONE_WAY,)
         if not predict(plan).determined:
             return (UNDETERMINED,)
-        return observability(foretold(plan)).sentences
+        return observability(foretold(plan), progress=progress).sentences
     except RankDeficient as error:
         return (str(error),)
+
+
+def cautions(titled: TitledPlan) -> tuple[str, ...]:
+    """What of a plan cannot be done on the water or on the wall, in sentences."""
+    plan, said = titled.plan, []
+    for k, off in enumerate(least_off(plan, titled.wall), start=1):
+        if off < 0:
+            said.append(
+                f"Line {k} would run through the wall, to {-off:.1f} m behind it: sail it farther "
+                "off, or turn it."
+            )
+        elif off < NEAR_WALL:
+            said.append(
+                f"Line {k} comes within {off:.1f} m of the wall where it is straight: sail it "
+                "farther off, or turn it."
+            )
+    for one, other in overlapping(plan.targets):
+        said.append(f"{one} and {other} hang over each other: move one of them.")
+    return tuple(said)
 
 
 def write_field_plan(path: Path, titled: TitledPlan) -> None:
     """Write the page for the field as PDF."""
     from lispac.report.field_plan import field_plan
 
-    page = field_plan(titled.plan, titled.wall, titled.title)
+    page = field_plan(titled.plan, titled.wall, titled.title, cautions(titled))
     with written_whole(Path(path)) as temporary:
         page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
 

@@ -1,5 +1,7 @@
 """The workspace of a site in the tests: what is shown, and how it is dragged and typed into."""
 
+import time
+
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
@@ -26,7 +28,16 @@ def plan(design: DesignWindow):
     return design.workspace.titled.plan
 
 
+def followed(design: DesignWindow) -> None:
+    """Wait until the numbers are those of the plan."""
+    began = time.monotonic()
+    while design.results.following.behind:
+        QApplication.processEvents()
+        assert time.monotonic() - began < WAIT_MS / 1000
+
+
 def shown(design: DesignWindow) -> list[float]:
+    followed(design)
     return [float(design.results.sigma[a].text()) for a in ("roll", "pitch", "yaw")]
 
 
@@ -45,6 +56,7 @@ def drag(driver: Driver, view, start: QPointF, stop: QPointF, modifier=NoModifie
         at = QPointF(first + (last - first) * share)
         event = mouse_move(view, at, modifier)
         QApplication.sendEvent(view, event)
+        followed(design)
         seen.append(design.results.sigma["roll"].text())
     driver.bot.mouseRelease(view, Left, pos=last)
     return seen

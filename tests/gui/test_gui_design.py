@@ -14,6 +14,7 @@ from tests.gui.design_support import (
     NoModifier,
     Shift,
     drag,
+    followed,
     foretold,
     middle_of,
     mouse_move,
@@ -34,6 +35,7 @@ def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
     driver.bot.waitUntil(lambda: "weakest direction" in design.results.words.text())
     assert "pitch" in design.results.words.text().split(";")[0]
     assert design.results.thesis["yaw"].text() == design.results.sigma["yaw"].text()
+    driver.bot.waitUntil(lambda: not design.results.following.active)
     assert design.results.worth.rowCount() == 8
     assert "L6" in design.results.points.text()
     assert "9 min for 6 lines" in design.results.minutes.text()
@@ -125,6 +127,7 @@ def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
     for _ in range(8):
         bot.keyClick(view, Key.Key_Delete)
     assert plan(design).lines == ()
+    followed(design)
     assert design.results.sigma["yaw"].text() == "–"
     bot.waitUntil(lambda: "add a target and at least two lines" in design.results.words.text())
     bot.keyClick(view, Key.Key_Insert)

@@ -1,20 +1,22 @@
-"""What the plan would give: the sigmas at once, sentences and worths after a pause."""
+"""What the plan would give: cautions at once, sigmas in a drag, sentences and worths later."""
 
 import numpy as np
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
 
 from lispac.adjustment.result import ANGLES
+from lispac.design.search import Worth
 from lispac.gui import theme
-from lispac.gui.design import edits, told
+from lispac.gui.design import told
+from lispac.gui.design.following import Following, Said
 from lispac.gui.design.told import Told
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
+from lispac.workflow.designing import cautions
 
-PAUSE_MS = 250
-"""Stillness after which what takes longer is computed."""
 HEADS = ("", "this plan", "thesis")
+LOOKING = "Looking at this plan …"
 PAIRS = ("roll–pitch", "roll–yaw", "pitch–yaw")
 WORTH = (
     Column("Without", "Target or line that is left out", words=True),
@@ -33,6 +35,8 @@ class ResultsPanel(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMinimumWidth(330)
         self._work = workspace
+        self.following = Following(workspace, self)
+        self._told = Told(workspace.titled.plan, None, True)
         body = QWidget()
         layout = widgets.column(body, 12)
         layout.addWidget(widgets.label("Expected sigmas (deg, 1 sigma)", "heading"))
@@ -60,6 +64,8 @@ class ResultsPanel(QScrollArea):
         layout.addWidget(self.correlation)
         self.minutes = widgets.label("", "muted", name="design_minutes")
         layout.addWidget(self.minutes)
+        self.cautions = widgets.label("", "warning", wrap=True, name="design_cautions")
+        layout.addWidget(self.cautions)
         self.words = widgets.label("", "hint", wrap=True, name="design_words")
         self.words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
         layout.addWidget(self.words)
@@ -67,32 +73,53 @@ class ResultsPanel(QScrollArea):
         self.points = widgets.label("", name="design_points")
         self.points.setTextFormat(Qt.TextFormat.RichText)
         self.points.setAccessibleName("Points per sighting")
-        layout.addWidget(self.points)
+        self._beside = QScrollArea()
+        self._beside.setFrameShape(QFrame.Shape.NoFrame)
+        self._beside.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._beside.setWidgetResizable(True)
+        self._beside.setWidget(self.points)
+        layout.addWidget(self._beside)
         layout.addWidget(widgets.label("What each is worth", "heading"))
         self.worth = DiagnosticsTable("design_worth", "What each target and line is worth", WORTH)
         self.worth.setMinimumHeight(170)
         layout.addWidget(self.worth, 1)
         self.setWidget(body)
-        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
-        self._pause.timeout.connect(self.say)
+        self.following.foretold.connect(self._show_sigmas)
+        self.following.said.connect(self._show_said)
+        self.following.weighed.connect(self._show_worths)
+        self.following.late.connect(self._show_late)
         workspace.changed.connect(self._show)
         self._show()
+        self.following.start()
 
     def _show(self) -> None:
+        """What costs nothing."""
+        titled = self._work.titled
+        self.minutes.setText(f"On site: {told.minutes(titled)}")
+        said = "\n".join(cautions(titled))
+        self.cautions.setText(said)
+        self.cautions.setVisible(bool(said))
+
+    def _show_late(self) -> None:
+        """Numbers of an earlier plan are not this plan's."""
+        if self.following.behind:
+            for label in self.sigma.values():
+                label.setStyleSheet(f"color: {theme.MUTED};")
+        self.words.setText(LOOKING)
+        self.worth.show_rows([])
+
+    def _show_sigmas(self, found: Told) -> None:
         """The numbers, which follow a drag."""
-        plan = self._work.titled.plan
-        self._told = Told.of(plan)
+        self._told = found
         for angle, said in zip(ANGLES, self._told.sigmas, strict=True):
             self.sigma[angle].setText(said)
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._told.refused else "")
         pairs = zip(PAIRS, self._told.correlations, strict=True)
         self.correlation.setText(f"Correlation: {', '.join(f'{p} {c}' for p, c in pairs)}")
-        self.minutes.setText(f"On site: {told.minutes(self._work.titled)}")
         self._show_points()
-        self._pause.start()
 
     def _show_points(self) -> None:
-        found, plan = self._told.prediction, self._work.titled.plan
+        found, plan = self._told.prediction, self._told.plan
         counts = {} if found is None else found.points
         lines = [course.name for course in plan.courses] if plan.targets else []
         names = [target.name for target in plan.targets]
@@ -106,23 +133,24 @@ class ResultsPanel(QScrollArea):
             for line in lines
         )  # fmt: skip
         self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
+        size = self.points.sizeHint()
+        bar = self._beside.horizontalScrollBar().sizeHint().height()
+        self._beside.setFixedHeight(size.height() + bar)
 
-    def say(self) -> None:
-        """Sentences, worths and the thesis's plan, which take longer."""
-        self._pause.stop()
-        plan = self._work.titled.plan
+    def _show_said(self, said: Said) -> None:
         refused = self._told.refused
         self.words.setProperty("role", "warning" if refused else "hint")
         self.words.style().unpolish(self.words)
         self.words.style().polish(self.words)
-        self.words.setText("\n".join(told.sentences(plan)))
-        beside = Told.of(edits.thesis_beside(self._work.titled))
-        for angle, said in zip(ANGLES, beside.sigmas, strict=True):
-            self.thesis[angle].setText(said)
+        self.words.setText("\n".join(said.sentences))
+        for angle, sigma in zip(ANGLES, said.thesis.sigmas, strict=True):
+            self.thesis[angle].setText(sigma)
+
+    def _show_worths(self, worths: tuple[Worth, ...]) -> None:
         known = self._told.prediction is not None and self._told.prediction.determined
         largest = float(np.degrees(self._told.prediction.sigma.max())) if known else np.nan
         rows = []
-        for each in told.worths(plan):
+        for each in worths:
             without = float(np.degrees(each.without))
             times = without / largest if known and np.isfinite(without) else None
             cells = [
@@ -134,7 +162,7 @@ class ResultsPanel(QScrollArea):
 
     def stop(self) -> None:
         """Compute nothing any more."""
-        self._pause.stop()
+        self.following.stop()
 
 
 def _count(counts, target: str, line: str) -> str:

@@ -10,6 +10,7 @@ from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
 from lispac.design.search import Worth, worth
 from lispac.io.plan_file import TitledPlan
+from lispac.progress import Progress, no_progress
 from lispac.workflow.designing import words_of
 
 EMPTY = "Nothing to calibrate with yet: add a target and at least two lines."
@@ -27,6 +28,7 @@ class Told:
     refused : whether the adjustment would refuse such a survey
     """
 
+    plan: Plan
     prediction: Prediction | None
     refused: bool
 
@@ -34,9 +36,9 @@ class Told:
     def of(cls, plan: Plan) -> "Told":
         """Foretell a plan."""
         if not plan.targets or not plan.lines:
-            return cls(None, True)
+            return cls(plan, None, True)
         found = predict(plan)
-        return cls(found, not found.determined or faces_one_way(plan))
+        return cls(plan, found, not found.determined or faces_one_way(plan))
 
     @property
     def sigmas(self) -> tuple[str, str, str]:
@@ -65,9 +67,9 @@ def sigma_words(degrees: float) -> str:
     return f"{degrees:.4f}" if degrees < 5.0 else f"{degrees:.2f}"
 
 
-def sentences(plan: Plan) -> tuple[str, ...]:
+def sentences(plan: Plan, progress: Progress = no_progress) -> tuple[str, ...]:
     """What the geometry of a plan sees, as after an adjustment."""
-    return words_of(plan) if plan.targets and plan.lines else (EMPTY,)
+    return words_of(plan, progress=progress) if plan.targets and plan.lines else (EMPTY,)
 
 
 def minutes(titled: TitledPlan) -> str:
@@ -78,6 +80,6 @@ def minutes(titled: TitledPlan) -> str:
     return f"{plan.duration / 60:.0f} min for {len(plan.lines)} lines, turns included"
 
 
-def worths(plan: Plan) -> tuple[Worth, ...]:
+def worths(plan: Plan, progress: Progress = no_progress) -> tuple[Worth, ...]:
     """What each target and line is worth; nothing where one is all there is."""
-    return worth(plan, Objective()) if plan.targets and plan.lines else ()
+    return worth(plan, Objective(), progress=progress) if plan.targets and plan.lines else ()

@@ -1,0 +1,136 @@
+"""What follows from a plan, computed beside the window: the sigmas at once, the rest later."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from lispac.gui.design import edits, told
+from lispac.gui.design.told import Told
+from lispac.gui.design.workspace import Workspace
+from lispac.gui.tasks import Task, TaskRunner
+from lispac.progress import Progress
+
+PAUSE_MS = 250
+"""Stillness after which what takes longer is computed."""
+LATE_MS = 400
+"""Numbers of an earlier plan that stand for longer than this are shown as such."""
+
+
+@dataclass(frozen=True, eq=False)
+class Said:
+    """What takes longer than sigmas.
+
+    Attributes
+    ----------
+    sentences : what the geometry sees
+    thesis : the thesis's plan on this wall, with this system
+    """
+
+    sentences: tuple[str, ...]
+    thesis: Told
+
+
+class Following(QObject):
+    """Has a worker of its own: sigmas follow while a search runs.
+
+    The plan that is shown when the worker is free is foretold next; those before it are left out.
+    """
+
+    foretold = Signal(object)
+    """The `Told` of a plan, which in a drag may be one of a moment ago."""
+    said = Signal(object)
+    weighed = Signal(object)
+    """What each is worth, as `lispac.design.search.Worth`; all has been computed."""
+    late = Signal()
+    """What is shown is that of an earlier plan."""
+    failed = Signal(object)
+
+    def __init__(self, workspace: Workspace, parent: QObject) -> None:
+        super().__init__(parent)
+        self._work = workspace
+        self._titled = workspace.titled
+        self._runner = TaskRunner(self)
+        self._runner.failed.connect(self._fail)
+        self._foretelling = False
+        self._slow: Task | None = None
+        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
+        self._pause.timeout.connect(self._say)
+        self._late = QTimer(self, singleShot=True, interval=LATE_MS)
+        self._late.timeout.connect(self.late)
+        workspace.changed.connect(self._follow)
+
+    @property
+    def behind(self) -> bool:
+        """Whether the sigmas shown are not yet the plan's."""
+        return self._foretelling
+
+    @property
+    def active(self) -> bool:
+        """Whether anything is still to be computed."""
+        return self._runner.active or self._pause.isActive()
+
+    def start(self) -> None:
+        """Follow from now on."""
+        self._begin()
+
+    def stop(self) -> None:
+        """Compute nothing any more."""
+        self._pause.stop()
+        self._late.stop()
+        self._runner.close()
+
+    def _follow(self) -> None:
+        if self._work.titled.plan is not self._titled.plan:
+            self._begin()
+
+    def _begin(self) -> None:
+        self._titled = self._work.titled
+        if self._slow is not None:
+            self._slow.cancel.set()
+        self._pause.start()
+        self._late.start()
+        if not self._foretelling:
+            self._foretell()
+
+    def _foretell(self) -> None:
+        self._foretelling = True
+        plan = self._titled.plan
+        self._runner.run("Foretelling", lambda _progress: Told.of(plan), self._tell, quiet=True)
+
+    def _tell(self, found: Told) -> None:
+        self._foretelling = False
+        if found.plan is not self._titled.plan:
+            self._foretell()
+        self.foretold.emit(found)
+
+    def _say(self) -> None:
+        if self._foretelling:
+            self._pause.start()
+            return
+        titled = self._titled
+
+        def work(progress: Progress) -> Said:
+            thesis = Told.of(edits.thesis_beside(titled))
+            return Said(told.sentences(titled.plan, progress), thesis)
+
+        def done(found: Said) -> None:
+            self.said.emit(found)
+            self._weigh()
+
+        self._slow = self._runner.run("Looking at this plan", work, done, quiet=True)
+
+    def _weigh(self) -> None:
+        plan = self._titled.plan
+
+        def done(found: object) -> None:
+            self._late.stop()
+            self.weighed.emit(found)
+
+        self._slow = self._runner.run(
+            "Weighing", lambda progress: told.worths(plan, progress), done, quiet=True
+        )
+
+    def _fail(self, error: BaseException) -> None:
+        self._foretelling = False
+        self._late.stop()
+        self.failed.emit(error)

@@ -1,0 +1,96 @@
+"""The workspace of a site keeps up with the mouse, however large the plan."""
+
+import time
+
+from PySide6.QtCore import QPointF, Qt, QTimer
+from PySide6.QtWidgets import QApplication
+
+from lispac.design.objective import Objective
+from lispac.design.search import worth
+from lispac.gui.design import edits
+from lispac.gui.design.window import DesignWindow
+from tests.gui.design_support import NoModifier, followed, foretold, mouse_move, plan, shown
+from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
+
+WAITS_MS = 200
+"""What follows from 12 lines and 4 targets takes 3 seconds; the window waits for none of it."""
+
+
+class Heartbeat:
+    """How long the window does nothing else."""
+
+    def __init__(self, parent) -> None:
+        self._timer = QTimer(parent, interval=5, timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._beat)
+        self._last, self.longest = time.perf_counter(), 0.0
+        self._timer.start()
+
+    def _beat(self) -> None:
+        now = time.perf_counter()
+        self.longest = max(self.longest, 1000 * (now - self._last))
+        self._last = now
+
+
+def test_a_large_plan_is_weighed_beside_the_window(driver: Driver, design: DesignWindow) -> None:
+    for _ in range(6):
+        driver.bot.keyClick(design, Key.Key_D, Control)
+    for _ in range(2):
+        driver.bot.keyClick(design, Key.Key_B, Control)
+    assert (len(plan(design).lines), len(plan(design).targets)) == (12, 4)
+    following = design.results.following
+    heart = Heartbeat(design)
+    driver.bot.waitUntil(lambda: not following.active, timeout=WAIT_MS)
+    assert heart.longest < WAITS_MS
+    assert shown(design) == foretold(design)
+    rows = design.results.worth
+    best = worth(plan(design), Objective())[0]
+    assert (rows.rowCount(), rows.item(0, 0).text()) == (16, best.name)
+
+
+def test_an_edit_stops_what_was_being_weighed(driver: Driver, design: DesignWindow) -> None:
+    for _ in range(6):
+        driver.bot.keyClick(design, Key.Key_D, Control)
+    following = design.results.following
+    driver.bot.waitUntil(lambda: following._slow is not None, timeout=WAIT_MS)
+    slow = following._slow
+    driver.bot.keyClick(design.plan_view, Key.Key_Up)
+    assert slow.cancel.is_set()
+    assert shown(design) == foretold(design)
+    driver.bot.waitUntil(lambda: not following.active, timeout=WAIT_MS)
+    assert "weakest direction" in design.results.words.text()
+
+
+def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindow) -> None:
+    view = design.wall_view
+    spot = view._box(edits.hung(design.workspace.titled)[0]).center()
+    before = shown(design)
+    driver.bot.mousePress(view, Left, pos=spot.toPoint())
+    QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -80), NoModifier))
+    followed(design)
+    assert design.workspace.dragging
+    assert shown(design) == foretold(design) != before
+    driver.bot.mouseRelease(view, Left, pos=spot.toPoint())
+
+
+def test_what_cannot_be_sailed_or_hung_is_said(driver: Driver, design: DesignWindow) -> None:
+    said = design.results.cautions
+    assert not said.isVisible()
+    view = design.plan_view
+    view.setFocus()
+    for _ in range(3):
+        driver.bot.keyClick(view, Key.Key_PageDown)  # line 4, 225 deg
+    for _ in range(10):
+        driver.bot.keyClick(view, Key.Key_Down)
+    assert plan(design).lines[3].distance == 5.0
+    # Abeam of the middle the line is 5 cos 45 = 3.54 m off the wall; it is straight up to 5 m
+    # beyond its last target, 0.8 cos 45 m farther on: 5.57 cos 45 = 3.94 m nearer.
+    assert said.text() == (
+        "Line 4 would run through the wall, to 0.4 m behind it: sail it farther off, or turn it."
+    )
+    driver.bot.keyClick(design, Key.Key_Z, Control)
+    assert not said.isVisible()
+    wall = design.wall_view
+    wall.setFocus()
+    for _ in range(10):
+        driver.bot.keyClick(wall, Key.Key_Right)
+    assert said.text() == "T1 and T2 hang over each other: move one of them."
