@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from io import BytesIO
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -63,6 +64,44 @@ def test_the_tables_say_what_the_plan_says() -> None:
     ):  # fmt: skip
         assert text in said, text
     assert any("Ask the harbour master first." in text for text in said)
+
+
+def test_north_is_up_and_the_bar_is_as_long_as_it_says() -> None:
+    site = Site((0.0, 0.0, 0.0), 130.0)
+    page = field_plan(thesis_plan(site), site.wall, "Quay")
+    page.draw_without_rendering()
+    above = page.axes[0]
+    north = next(text for text in above.texts if text.get_text() == "N")
+    tip = above.patches[-1].get_xy().max(axis=0)
+    assert north.get_position()[1] > tip[1] > above.patches[-1].get_xy().min(axis=0)[1]
+    said = next(text.get_text() for text in above.texts if text.get_text().endswith(" m"))
+    bar = above.lines[-1].get_xdata()
+    assert bar[1] - bar[0] == pytest.approx(float(said.split()[0]))
+    (left, right), (low, high) = above.get_xlim(), above.get_ylim()
+    box = above.get_window_extent()
+    assert (right - left) / (high - low) == pytest.approx(box.width / box.height, rel=1e-3)
+
+
+@pytest.mark.parametrize(("lines", "balls"), [(6, 1), (24, 10)])
+def test_all_of_it_is_on_the_page(lines: int, balls: int) -> None:
+    site = Site((0.0, 0.0, 0.0), 270.0)
+    plan = thesis_plan(site)
+    plan = plan.with_lines((plan.lines * 4)[:lines])
+    plan = plan.with_targets(
+        (*plan.targets, *(Ball(f"B{k}", (k, 0.0, 4.0), 0.1) for k in range(balls)))
+    )
+    page = field_plan(
+        plan, site.wall, "Quay", cautions=["Line 1 would run through the wall."] * balls
+    )
+    page.draw_without_rendering()
+    whole = page.bbox
+    for text in filter(lambda each: each.get_text(), page.texts):
+        box = text.get_window_extent()
+        assert whole.x0 <= box.x0 < box.x1 <= whole.x1, text.get_text()
+        assert whole.y0 <= box.y0 < box.y1 <= whole.y1, text.get_text()
+    rows = [text for text in page.texts if text.get_position()[0] == pytest.approx(0.07)]
+    boxes = sorted((text.get_window_extent() for text in rows), key=lambda box: box.y0)
+    assert all(one.y1 <= other.y0 + 0.5 for one, other in pairwise(boxes)), "no row over another"
 
 
 def test_a_plan_that_determines_nothing_says_so() -> None:

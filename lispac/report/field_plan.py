@@ -19,17 +19,27 @@ Array = NDArray[np.float64]
 PAGE = (8.27, 11.69)
 """Inches: A4."""
 
-WALL = "#8a8f98"
+WALL, WRONG = "#8a8f98", "#b3261e"
 ASSUMED = (
     "Heights are above the vessel's POS. The distance is from the middle of the site to the line; "
     "off wall: the least on the way; straight from, to: metres along the line before and after the "
     "middle is abeam. Keep course "
     "and speed there. The order of the lines counts. Hang the boards flat and firm: the sigmas "
-    "rest on their not moving by a millimetre."
+    "rest on their not moving by a millimetre. Headings are from true north. Along is counted to "
+    "the right from the middle of the site: mark it on the wall first."
 )
+PITCH, CLOSEST, ROOM, LIFT = 0.019, 0.0115, 0.24, 0.26
+"""Shares of the page: height of a row, the least of it, what rows have beside usual drawings, and
+what drawings give of theirs where there are many."""
+MOST_CAUTIONS, WIDE = 3, 140
+"""Cautions that are printed, and letters in a line."""
+BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+"""Metres: lengths of the scale."""
 
 
-def field_plan(plan: Plan, wall: Wall, title: str, notes: Sequence[str] = ()) -> Figure:
+def field_plan(
+    plan: Plan, wall: Wall, title: str, notes: Sequence[str] = (), *, cautions: Sequence[str] = ()
+) -> Figure:
     """Drawing, boards, lines and what is to be expected, on one page.
 
     Parameters
@@ -38,17 +48,29 @@ def field_plan(plan: Plan, wall: Wall, title: str, notes: Sequence[str] = ()) ->
         On the water.
     notes : sequence of str
         Printed below: what the plan rests on.
+    cautions : sequence of str
+        What of the plan cannot be done.
     """
+    if len(cautions) > MOST_CAUTIONS:
+        others = len(cautions) - MOST_CAUTIONS
+        cautions = (*cautions[:MOST_CAUTIONS], f"And {others} more like these.")
+    rows = len(plan.targets) + len(plan.lines) + 4.6 + len(cautions)
+    lift = float(np.clip(rows * CLOSEST - ROOM, 0.0, LIFT)) if rows * PITCH > ROOM else 0.0
+    pitch = min(PITCH, (ROOM + lift) / rows)
     figure = Figure(figsize=PAGE)
     figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK)
     figure.text(0.07, 0.933, _expected(plan), fontsize=TEXT + 1, color=INK)
-    _from_above(figure.add_axes((0.09, 0.52, 0.85, 0.39)), plan, wall)
-    _front(figure.add_axes((0.09, 0.365, 0.85, 0.105)), plan, wall)
-    _table(figure, 0.325, "Targets", TARGET_HEADS, _target_rows(plan, wall))
-    low = 0.325 - 0.019 * (len(plan.targets) + 2.3)
-    _table(figure, low, "Lines, in this order", LINE_HEADS, _line_rows(plan, wall))
-    low -= 0.019 * (len(plan.lines) + 2.3)
-    text = "\n".join(fill(note, 125) for note in (ASSUMED, *notes))
+    _from_above(figure.add_axes((0.09, 0.52 + lift, 0.85, 0.39 - lift)), plan, wall)
+    _front(figure.add_axes((0.09, 0.365 + lift, 0.85, 0.105)), plan, wall)
+    low = 0.325 + lift
+    _table(figure, low, pitch, "Targets", TARGET_HEADS, _target_rows(plan, wall))
+    low -= pitch * (len(plan.targets) + 2.3)
+    _table(figure, low, pitch, "Lines, in this order", LINE_HEADS, _line_rows(plan, wall))
+    low -= pitch * (len(plan.lines) + 2.3)
+    for caution in cautions:
+        figure.text(0.07, low, caution, fontsize=TEXT, color=WRONG, va="top", weight="bold")
+        low -= pitch
+    text = "\n".join(fill(note, WIDE) for note in (ASSUMED, _rests_on(plan), *notes))
     figure.text(0.07, low, text, fontsize=SMALL, color=INK, va="top", linespacing=1.4)
     return figure
 
@@ -61,6 +83,16 @@ def _expected(plan: Plan) -> str:
     return (
         f"Expected (1 sigma): roll {sigma[0]:.4f}, pitch {sigma[1]:.4f}, yaw {sigma[2]:.4f} deg; "
         f"{plan.duration / 60:.0f} minutes of lines"
+    )
+
+
+def _rests_on(plan: Plan) -> str:
+    pos = plan.system.pos
+    mm = ", ".join(f"{1000 * value:g}" for value in pos.sigma_position)
+    deg = ", ".join(f"{value:.3g}" for value in np.degrees(pos.sigma_attitude))
+    return (
+        f"Expected with a POS of {mm} mm (north, east, up) and {deg} deg (roll, pitch, heading), "
+        f"and targets flat to {1000 * plan.flatness:g} mm."
     )
 
 
@@ -101,12 +133,31 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     axes.tick_params(labelsize=SMALL, colors=INK)
     axes.set_xlabel("East (m)", fontsize=TEXT, color=INK)
     axes.set_ylabel("North (m)", fontsize=TEXT, color=INK)
+    _north_and_scale(axes)
     axes.set_title(
         "From above; numbers stand where a line begins, opposite lines are drawn beside each other",
         fontsize=TEXT,
         color=INK,
         loc="left",
     )
+
+
+def _north_and_scale(axes: Axes) -> None:
+    """An arrow to the north, which is up, and a bar as long as is written on it."""
+    axes.apply_aspect()
+    axes.autoscale(False)
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    wide, tall = right - left, high - low
+    x, y = right - 0.04 * wide, high - 0.22 * tall
+    axes.arrow(
+        x, y, 0.0, 0.1 * tall, width=0.003 * wide, head_width=0.016 * wide,
+        head_length=0.04 * tall, length_includes_head=True, color=INK,
+    )  # fmt: skip
+    axes.text(x, y + 0.11 * tall, "N", fontsize=TEXT + 2, weight="bold", color=INK, ha="center")
+    bar = max((each for each in BARS if each <= 0.2 * wide), default=BARS[0])
+    x, y = left + 0.03 * wide, low + 0.05 * tall
+    axes.plot([x, x + bar], [y, y], color=INK, linewidth=3, solid_capstyle="butt")
+    axes.text(x + bar / 2, y + 0.015 * tall, f"{bar:g} m", fontsize=TEXT, color=INK, ha="center")
 
 
 def _front(axes: Axes, plan: Plan, wall: Wall) -> None:
@@ -139,6 +190,8 @@ TARGET_HEADS = (
     "target", "along (m)", "off the wall (m)", "above POS (m)", "size (m)", "from level (deg)",
     "faces (deg)",
 )  # fmt: skip
+AT = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
+"""Where columns begin."""
 LINE_HEADS = (
     "line", "heading (deg)", "distance (m)", "site on", "off wall (m)", "speed (m/s)",
     "straight from, to (m)",
@@ -185,13 +238,13 @@ def _line_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
 
 
 def _table(
-    figure: Figure, top: float, title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]
-) -> None:
+    figure: Figure, top: float, pitch: float, title: str, heads: Sequence[str],
+    rows: Sequence[Sequence[str]],
+) -> None:  # fmt: skip
     figure.text(0.07, top, title, fontsize=TEXT + 1, weight="bold", color=INK, va="top")
-    at = np.linspace(0.07, 0.95, len(heads) + 1)[:-1]
     for k, row in enumerate([heads, *rows]):
-        for x, value in zip(at, row, strict=True):
-            figure.text(x, top - 0.019 * (k + 1), value, fontsize=TEXT, color=INK, va="top",
+        for x, value in zip(AT, row, strict=True):
+            figure.text(x, top - pitch * (k + 1), value, fontsize=TEXT, color=INK, va="top",
                         weight="bold" if k == 0 else "normal")  # fmt: skip
 
 

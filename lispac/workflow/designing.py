@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.adjustment.blas import one_thread
 from lispac.adjustment.observability import observability
 from lispac.design.choices import faces_one_way
 from lispac.design.objective import CRITERIA, Objective
@@ -34,7 +35,8 @@ def words_of(plan: Plan, *, progress: Progress = no_progress) -> tuple[str, ...]
             return (ONE_WAY,)
         if not predict(plan).determined:
             return (UNDETERMINED,)
-        return observability(foretold(plan), progress=progress).sentences
+        with one_thread():
+            return observability(foretold(plan), progress=progress).sentences
     except RankDeficient as error:
         return (str(error),)
 
@@ -62,7 +64,7 @@ def write_field_plan(path: Path, titled: TitledPlan) -> None:
     """Write the page for the field as PDF."""
     from lispac.report.field_plan import field_plan
 
-    page = field_plan(titled.plan, titled.wall, titled.title, cautions(titled))
+    page = field_plan(titled.plan, titled.wall, titled.title, cautions=cautions(titled))
     with written_whole(Path(path)) as temporary:
         page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
 
