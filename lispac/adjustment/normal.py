@@ -72,6 +72,11 @@ class Layout:
         return cls(active, shapes, tuple(slices), size, index)
 
 
+AT_ONCE = 32
+"""Unknowns that are solved for together: SciPy keeps the interpreter meanwhile, and a window that
+works on the same plan would stand still."""
+
+
 @dataclass(frozen=True, eq=False)
 class Normal:
     """Normal equations at one point of linearisation.
@@ -108,7 +113,11 @@ class Normal:
     @cached_property
     def by_unknowns(self) -> Array:
         """Change of the POS error by each other unknown, shape (6 knots, u), times minus one."""
-        return np.asarray(scipy.linalg.cho_solve_banded((self.factor, True), self.mixed.T))
+        solved = np.empty_like(self.mixed)
+        for first in range(0, len(solved), AT_ONCE):
+            some = slice(first, first + AT_ONCE)
+            solved[some] = scipy.linalg.cho_solve_banded((self.factor, True), self.mixed[some].T).T
+        return solved.T
 
     @cached_property
     def reduced(self) -> Array:

@@ -66,6 +66,7 @@ class Designing(QObject):
         self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
         self.runner.moved.connect(lambda: window.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self._dialogs.show_error)
+        window.results.following.failed.connect(self._dialogs.show_error)
         self.runner.stopped.connect(lambda title: window.note(f"{title}: cancelled"))
         window.show_busy(False)
         return window

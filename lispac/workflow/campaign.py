@@ -73,8 +73,8 @@ def pool_of(workers: int, *, start_method: str | None = None) -> Iterator[Mapper
             yield from pool.map(function, values, chunksize=chunk_of(len(values), workers))
         except BrokenProcessPool as error:
             raise LispacError(
-                "A process of this run ended from outside, perhaps for want of memory; start again "
-                "with fewer --workers."
+                "A process of this run ended from outside, perhaps for want of memory; close other "
+                "programs, or use fewer processes (--workers), and start again."
             ) from error
 
     try:

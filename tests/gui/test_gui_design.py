@@ -245,6 +245,9 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
     assert shown(design) != before or foretold(design) == before
     viewport.signals.handle_let_go.emit("target 0")
     assert design.workspace.history.to_undo == "move T1"
+    viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[1].centre))
+    assert (design.workspace.target, design.workspace.history.to_undo) == (1, "move T1")
+    viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[0].centre))
     viewport.signals.seed_clicked.emit(PickedPoint("wall", wall.place(3.02, 0.0, 7.98)))
     assert wall.seen(plan(design).targets[0].centre) == pytest.approx((3.0, 0.5, 8.0))
     corners = np.array(viewport.sketches["target 0"].points)

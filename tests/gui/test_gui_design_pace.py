@@ -56,8 +56,11 @@ def test_an_edit_stops_what_was_being_weighed(driver: Driver, design: DesignWind
     driver.bot.keyClick(design.plan_view, Key.Key_Up)
     assert slow.cancel.is_set()
     assert shown(design) == foretold(design)
+    driver.bot.waitUntil(lambda: following.has_said, timeout=WAIT_MS)
+    following.late.emit()
+    assert "weakest direction" in design.results.words.text(), "said, and not taken back"
     driver.bot.waitUntil(lambda: not following.active, timeout=WAIT_MS)
-    assert "weakest direction" in design.results.words.text()
+    assert design.results.worth.rowCount() == 14
 
 
 def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindow) -> None:

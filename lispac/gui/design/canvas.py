@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui import theme
 from lispac.gui.design.workspace import Workspace
+from lispac.io.plan_file import TitledPlan
 
 Array = NDArray[np.float64]
 
@@ -42,6 +43,7 @@ class Canvas(QWidget):
         self.setMinimumSize(240, 180)
         self.workspace, self._axes = workspace, axes
         self._frozen: tuple[float, Array] | None = None
+        self._known: tuple[tuple[TitledPlan, int, int], tuple[float, Array]] | None = None
         workspace.changed.connect(self.update)
         workspace.selected.connect(self.update)
 
@@ -59,6 +61,12 @@ class Canvas(QWidget):
         """Pixels a metre, and the place in the middle of the picture; a drag leaves them."""
         if self._frozen is not None:
             return self._frozen
+        of = (self.workspace.titled, self.width(), self.height())
+        if self._known is None or self._known[0] != of:
+            self._known = of, self._fitted()
+        return self._known[1]
+
+    def _fitted(self) -> tuple[float, Array]:
         places = self.bounds()
         low, high = places.min(axis=0), places.max(axis=0)
         room = np.array([self.width(), self.height()]) - 2 * MARGIN
@@ -102,6 +110,8 @@ class Canvas(QWidget):
         font = theme.tabular(self.font())
         font.setPixelSize(10)
         painter.setFont(font)
+        across, up = self._axes
+        clear = self.width() - painter.fontMetrics().horizontalAdvance(across) - 30
         for axis in (0, 1):
             for k in range(int(np.ceil(low[axis] / step)), int(np.floor(high[axis] / step)) + 1):
                 at = np.array([k * step, k * step])
@@ -111,14 +121,13 @@ class Canvas(QWidget):
                 if axis == 0:
                     painter.drawLine(QPointF(spot.x(), 0), QPointF(spot.x(), self.height()))
                     painter.setPen(MUTED)
-                    if 26 < spot.x() < self.width() - 60:
+                    if 26 < spot.x() < clear:
                         painter.drawText(QPointF(spot.x() + 2, self.height() - 4), said)
                 else:
                     painter.drawLine(QPointF(0, spot.y()), QPointF(self.width(), spot.y()))
                     painter.setPen(MUTED)
                     if 26 < spot.y() < self.height() - 18:
                         painter.drawText(QPointF(4, spot.y() - 2), said)
-        across, up = self._axes
         painter.setPen(MUTED)
         corner = QRectF(0, self.height() - 17, self.width() - 4, 15)
         painter.drawText(corner, Qt.AlignmentFlag.AlignRight, across)

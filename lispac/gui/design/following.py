@@ -34,6 +34,10 @@ class Following(QObject):
     """Has a worker of its own: sigmas follow while a search runs.
 
     The plan that is shown when the worker is free is foretold next; those before it are left out.
+
+    Attributes
+    ----------
+    has_said : whether the sentences shown are the plan's
     """
 
     foretold = Signal(object)
@@ -51,7 +55,7 @@ class Following(QObject):
         self._titled = workspace.titled
         self._runner = TaskRunner(self)
         self._runner.failed.connect(self._fail)
-        self._foretelling = False
+        self._foretelling = self.has_said = False
         self._slow: Task | None = None
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._say)
@@ -84,7 +88,7 @@ class Following(QObject):
             self._begin()
 
     def _begin(self) -> None:
-        self._titled = self._work.titled
+        self._titled, self.has_said = self._work.titled, False
         if self._slow is not None:
             self._slow.cancel.set()
         self._pause.start()
@@ -114,6 +118,7 @@ class Following(QObject):
             return Said(told.sentences(titled.plan, progress), thesis)
 
         def done(found: Said) -> None:
+            self.has_said = True
             self.said.emit(found)
             self._weigh()
 

@@ -105,7 +105,8 @@ class ResultsPanel(QScrollArea):
         if self.following.behind:
             for label in self.sigma.values():
                 label.setStyleSheet(f"color: {theme.MUTED};")
-        self.words.setText(LOOKING)
+        if not self.following.has_said:
+            self.words.setText(LOOKING)
         self.worth.show_rows([])
 
     def _show_sigmas(self, found: Told) -> None:

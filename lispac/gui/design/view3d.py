@@ -73,8 +73,19 @@ class View3D(QObject):
         self.viewport.look_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
 
     def _hang(self, at: PickedPoint) -> None:
-        """The selected target is hung where the wall was clicked."""
-        along, _, up = self._work.titled.wall.seen(at.position)
+        """A click on a target selects it; on the wall it hangs the selected one there."""
+        titled = self._work.titled
+        if at.line == "targets":
+            away = [
+                float(np.linalg.norm(np.array(target.centre) - at.position))
+                / (target.radius if isinstance(target, Ball) else max(target.width, target.height))
+                for target in titled.plan.targets
+            ]
+            self._work.select(target=int(np.argmin(away)))
+            return
+        if self._work.target < 0:
+            self._work.add_target()
+        along, _, up = titled.wall.seen(at.position)
         self._work.change_target(
             "hang target", lambda each: replace(each, along=round(along, 1), up=round(up, 1))
         )

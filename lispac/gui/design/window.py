@@ -205,8 +205,8 @@ class DesignWindow(QMainWindow):
             self._stage.layout().addWidget(viewport.widget)
             self.view3d = View3D(self.workspace, viewport)
             viewport.widget.setToolTip(
-                "Ctrl+click on the wall hangs the selected target there; drag a dot beside it to "
-                "move it along the wall, up, or off it"
+                "Ctrl+click on a target selects it, on the wall hangs the selected one there; drag "
+                "a dot beside it to move it along the wall, up, or off it"
             )
         self.view3d.show()
         self.view3d.fit()

@@ -315,7 +315,7 @@ class Dialogs:
             buttons.Save | buttons.Discard | buttons.Cancel,
             self.parent,
         )
-        box.setInformativeText(say("Without saving, what was picked and computed since is lost."))
+        box.setInformativeText(say("Without saving, what was changed since is lost."))
         box.setDefaultButton(buttons.Save)
         chosen = box.exec()
         box.deleteLater()
