@@ -32,6 +32,8 @@ class Designing(QObject):
     ----------
     window : DesignWindow or None
         None until it is asked for.
+    paper : TaskRunner
+        Writes field plans, also while a search runs.
     """
 
     def __init__(self, window: "MainWindow") -> None:
@@ -39,7 +41,7 @@ class Designing(QObject):
         self._main, self._dialogs = window, window.dialogs
         self.window: DesignWindow | None = None
         self.workspace = Workspace(self)
-        self.runner = TaskRunner(self)
+        self.runner, self.paper = TaskRunner(self), TaskRunner(self)
         self._path: Path | None = None
         window.actions_["design"].triggered.connect(lambda _=False: self.open())
 
@@ -66,6 +68,7 @@ class Designing(QObject):
         self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
         self.runner.moved.connect(lambda: window.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self._dialogs.show_error)
+        self.paper.failed.connect(self._dialogs.show_error)
         window.results.following.failed.connect(self._dialogs.show_error)
         self.runner.stopped.connect(lambda title: window.note(f"{title}: cancelled"))
         window.show_busy(False)
@@ -123,11 +126,14 @@ class Designing(QObject):
             return
         try:
             self._whole()
-            write_field_plan(path, self.workspace.titled)
-        except (LispacError, OSError) as error:
+        except LispacError as error:
             self._dialogs.show_error(error)
             return
-        self._note(f"Wrote {path}")
+        titled = self.workspace.titled
+        self.paper.run(
+            "Writing the field plan", lambda _progress: write_field_plan(path, titled),
+            lambda _nothing: self._note(f"Wrote {path}"), lasting=True,
+        )  # fmt: skip
 
     def read_site(self) -> None:
         """Take the limits of a site from its file."""
@@ -214,6 +220,7 @@ class Designing(QObject):
         if not self._may_lose():
             return False
         self.runner.close()
+        self.paper.close()
         if self.window is not None:
             self.window.release()
         return True

@@ -22,7 +22,7 @@ from tests.gui.design_support import (
     shown,
     type_cell,
 )
-from tests.gui.support import Control, Driver, Key, Left, press
+from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, press
 
 
 def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
@@ -208,7 +208,12 @@ def test_a_plan_is_saved_and_read_again_and_asked_about(
     assert read_plan(dialogs.path).plan.lines[0].distance == 16.0
     dialogs.path = tmp_path / "page.pdf"
     driver.bot.keyClick(design, Key.Key_E, Control)
+    driver.bot.waitUntil(lambda: not driver.window.designing.paper.active, timeout=WAIT_MS)
     assert dialogs.path.read_bytes().startswith(b"%PDF")
+    dialogs.path = tmp_path / "page.pdf" / "page.pdf"
+    driver.bot.keyClick(design, Key.Key_E, Control)
+    driver.bot.waitUntil(lambda: len(dialogs.errors) == 1, timeout=20_000)
+    assert "page.pdf" in str(dialogs.errors.pop())
     sigma = shown(design)
     dialogs.asked.clear()
     driver.bot.keyClick(design, Key.Key_N, Control)
@@ -235,6 +240,10 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
 ) -> None:
     design.views.setCurrentIndex(1)
     viewport = design.view3d.viewport
+    station = viewport.station
+    viewport.set_station((0.0, 0.0, 0.0))
+    driver.bot.keyClick(design, Key.Key_0, Control)
+    assert viewport.station == station
     assert {"wall", "line 0", "line 5", "target 1"} <= set(viewport.sketches)
     assert len(viewport.sketches["target 0"].handles) == 3
     wall = design.workspace.titled.wall

@@ -42,6 +42,8 @@ ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "later": ("Line la&ter", "Later", "", "Alt+Down", "Sail the selected line a turn later"),
     "add_board": ("Add &board", "Board", "square-outline", "Ctrl+B", "Hang one more board"),
     "add_ball": ("Add b&all", "Ball", "circle-outline", "Ctrl+Shift+B", "Put up one more ball"),
+    "fit": ("&Fit the 3D view", "Fit", "fit-to-page-outline", "Ctrl+0",
+            "Look at all of the site in 3D again"),
     "scenarios": ("S&cenarios", "Scenarios", "chart-bar", "F9",
                   "Change one thing at a time, in both stochastic models"),
     "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
@@ -54,6 +56,7 @@ MENUS = {
         "undo", "redo", "", "add_line", "duplicate", "earlier", "later", "", "add_board",
         "add_ball",
     ),
+    "&View": ("fit",),
     "&Work": ("scenarios", "", "cancel"),
     "&Help": ("keys",),
 }  # fmt: skip
@@ -91,7 +94,7 @@ class DesignWindow(QMainWindow):
             "duplicate": lambda: workspace.add_line(again=True),
             "earlier": lambda: workspace.sail_line(True),
             "later": lambda: workspace.sail_line(False),
-            "add_ball": lambda: workspace.add_target(ball=True),
+            "add_ball": lambda: workspace.add_target(ball=True), "fit": self.fit,
         }.items():  # fmt: skip
             self.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
         self._show()
@@ -195,6 +198,13 @@ class DesignWindow(QMainWindow):
     def show_pictures(self) -> None:
         """Bring what long work found to the front."""
         self.views.setCurrentWidget(self.pictures)
+
+    def fit(self) -> None:
+        """Look at all of it in 3D, which comes to the front."""
+        if self.views.currentWidget() is self._stage and self.view3d is not None:
+            self.view3d.fit()
+        else:
+            self.views.setCurrentWidget(self._stage)
 
     def _view_chosen(self, index: int) -> None:
         if self.views.widget(index) is not self._stage:
