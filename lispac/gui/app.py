@@ -47,6 +47,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     sys.excepthook = unforeseen
     if arguments.project is not None:
         QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
+    elif (crashed := session.left_by_a_crash()) is not None:
+        QTimer.singleShot(0, lambda: session.window.open_project(crashed))
     elif arguments.demo:
         QTimer.singleShot(0, session.window.controller.open_demo)
     try:

@@ -1,6 +1,6 @@
 """Intents become edits: opening and saving, seeds, and the list of targets."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QStandardPaths, Signal
@@ -47,6 +47,7 @@ class Controller(QObject):
         self._settings = settings
         self._based: tuple[Task, Project] | None = None
         self.candidate: Target | None = None
+        self.may_save: Callable[[Project], bool] = lambda _project: True
         document.changed.connect(self._follow)
 
     @property
@@ -133,6 +134,8 @@ class Controller(QObject):
         project = self._document.project
         if project is None:
             return True
+        if not self.may_save(project):
+            return False
         try:
             save_project(project)
         except LispacError as error:

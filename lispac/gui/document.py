@@ -67,6 +67,8 @@ class Document(QObject):
     opened = Signal()
     """Another project, or none, is in the document."""
     modified = Signal(bool)
+    saved = Signal()
+    """The project on disk is the one in memory."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -174,6 +176,7 @@ class Document(QObject):
     def mark_saved(self) -> None:
         """The project on disk is the one in memory."""
         self.undo_stack.setClean()
+        self.saved.emit()
 
     def move(self, project: Project, survey: Survey) -> None:
         """The project was saved in another folder and goes on there, with every edit before."""

@@ -34,6 +34,7 @@ from lispac.gui.panels.targets import TargetsPanel
 from lispac.gui.panels.validate import ValidatePanel
 from lispac.gui.panels.workflow import WorkflowPanel
 from lispac.gui.reporting import Reporting
+from lispac.gui.safekeeping import Safekeeping
 from lispac.gui.scene import Scene
 from lispac.gui.seeding import Seeding
 from lispac.gui.settings import AppSettings
@@ -105,6 +106,7 @@ class MainWindow(QMainWindow):
         Reporting(self)
         Studies(self)
         self.designing = Designing(self)
+        self.safekeeping = Safekeeping(self)
         FileDrops(self).dropped.connect(self.life.take_in)
         if document is None:
             self.showing.refresh()
@@ -289,6 +291,8 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.keep_layout()
+        self.safekeeping.forget()
+        self.settings.left_open = None
         self.retire()
         event.accept()
 
@@ -302,5 +306,6 @@ class MainWindow(QMainWindow):
         self.adjust.stop()
         self.estimating.stop()
         self.runner.close()
+        self.safekeeping.stop()
         self.viewport.close()
         self.hide()

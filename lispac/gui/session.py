@@ -5,6 +5,7 @@ same document: the project, its data and every undo step stay.
 """
 
 from collections.abc import Callable
+from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QApplication
@@ -15,6 +16,7 @@ from lispac.gui.language import speak
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import Viewport
+from lispac.io.project_file import UNSAVED_NAME
 
 
 class Session(QObject):
@@ -49,12 +51,20 @@ class Session(QObject):
         window.activateWindow()
         return window
 
+    def left_by_a_crash(self) -> Path | None:
+        """The project with unsaved work that the program did not come to close."""
+        folder = self._settings.left_open
+        if folder is None or not (folder / UNSAVED_NAME).is_file():
+            return None
+        return folder
+
     def renew(self) -> None:
         """Put a window in the language and looks of the settings in place of this one."""
         former = self.window
         if not former.designing.leave():
             return
         former.keep_layout()
+        former.safekeeping.stop()
         self.window = self._made(former)  # shown before the other goes: the last one ends Qt
         former.retire()
         former.deleteLater()

@@ -45,6 +45,17 @@ class AppSettings:
         """Empty the list."""
         self._store.setValue("recent", [])
 
+    @property
+    def left_open(self) -> Path | None:
+        """The project that was open when the program ended without being closed."""
+        name = str(self._store.value("left_open", ""))
+        return Path(name) if name else None
+
+    @left_open.setter
+    def left_open(self, folder: Path | None) -> None:
+        self._store.setValue("left_open", "" if folder is None else str(folder))
+        self._store.sync()
+
     def layout(self) -> tuple[QByteArray, QByteArray] | None:
         """Geometry and dock state of the window, if it has been open before."""
         geometry, state = self._store.value("geometry"), self._store.value("docks")

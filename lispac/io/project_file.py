@@ -3,7 +3,8 @@
 ``project.json`` holds paths (relative to the folder where they can be), settings, targets and
 results. The indices of each target's points go to ``sightings/NAME-HASH.npz``, named by their
 content: a new state never overwrites the file that the old ``project.json`` refers to, so a crash
-between the two writes leaves the old project whole.
+between the two writes leaves the old project whole. ``unsaved.json`` beside it is of the same form
+and holds what is not saved yet, as long as it is not.
 """
 
 import hashlib
@@ -13,6 +14,7 @@ import re
 import tokenize
 import zipfile
 import zlib
+from contextlib import suppress
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -45,6 +47,7 @@ from lispac.validation.absolute import AbsoluteCheck
 from lispac.validation.comparison import PlaneComparison
 
 FILE_NAME = "project.json"
+UNSAVED_NAME = "unsaved.json"
 
 
 def write_project(project: Project) -> None:
@@ -55,12 +58,51 @@ def write_project(project: Project) -> None:
     InputError
         Where the folder cannot be written.
     """
+    used = _write(project, FILE_NAME)
+    forget_unsaved(project.folder)
+    _remove_unused(project.folder, used)
+    remove_abandoned(project.folder / FILE_NAME)
+
+
+def _write(project: Project, name: str) -> set[str]:
+    """Write a state, and give the files its points are in."""
     files = {target.name: _write_indices(project.folder, target) for target in project.targets}
     content = _encode(project, files)
-    with written_whole(project.folder / FILE_NAME) as temporary:
+    with written_whole(project.folder / name) as temporary:
         temporary.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
-    _remove_unused(project.folder, set(files.values()))
-    remove_abandoned(project.folder / FILE_NAME)
+    return set(files.values())
+
+
+def keep_unsaved(project: Project) -> None:
+    """Write the project beside its saved state, to be found again after a crash.
+
+    Raises
+    ------
+    InputError
+        Where the folder cannot be written.
+    """
+    _write(project, UNSAVED_NAME)
+
+
+def forget_unsaved(folder: Path) -> None:
+    """Remove what was kept against a crash; its points go with the next save."""
+    with suppress(OSError):
+        (folder / UNSAVED_NAME).unlink(missing_ok=True)
+
+
+def read_unsaved(folder: Path) -> Project | None:
+    """What was not saved before a crash; None where there is nothing.
+
+    Raises
+    ------
+    ProjectError
+        Where it is damaged.
+    """
+    path = folder / UNSAVED_NAME
+    # A crash between the save and the removal leaves one that says the same
+    if not path.is_file() or path.read_bytes() == (folder / FILE_NAME).read_bytes():
+        return None
+    return _read(path)
 
 
 def read_project(folder: Path) -> Project:
@@ -75,6 +117,12 @@ def read_project(folder: Path) -> Project:
     path = folder if folder.name == FILE_NAME else folder / FILE_NAME
     if not path.is_file():
         raise ProjectError(f"{folder}: there is no project here ({FILE_NAME} is missing).")
+    project = _read(path)
+    remove_abandoned(path)
+    return project
+
+
+def _read(path: Path) -> Project:
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
         version = content["schema_version"]
@@ -93,7 +141,6 @@ def read_project(folder: Path) -> Project:
         raise ProjectError(
             f"{path}: the project file is damaged ({in_one_line(error)}); restore it from a copy."
         ) from error
-    remove_abandoned(path)
     return project
 
 

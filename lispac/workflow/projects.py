@@ -3,12 +3,18 @@
 import shutil
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import require_file
-from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project_file import (
+    FILE_NAME,
+    UNSAVED_NAME,
+    read_project,
+    read_unsaved,
+    write_project,
+)
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
@@ -203,6 +209,35 @@ def open_project(folder: Path) -> Project:
     ProjectError
     """
     return read_project(folder)
+
+
+@dataclass(frozen=True, eq=False)
+class Unsaved:
+    """What a project was when the program last wrote it down, and had no time to save it.
+
+    Attributes
+    ----------
+    kept, saved : seconds since 1970
+    """
+
+    project: Project
+    kept: float
+    saved: float
+
+
+def unsaved_work(folder: Path) -> Unsaved | None:
+    """What was not saved before a crash; None where there is nothing.
+
+    Raises
+    ------
+    ProjectError
+        Where it is damaged.
+    """
+    project = read_unsaved(folder)
+    if project is None:
+        return None
+    kept, saved = (folder / name for name in (UNSAVED_NAME, FILE_NAME))
+    return Unsaved(project, kept.stat().st_mtime, saved.stat().st_mtime)
 
 
 def save_project(project: Project) -> None:

@@ -9,7 +9,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.service import Answer, CandidateAnswer, Dialogs, DropAnswer
+from lispac.gui.dialogs.questions import Answer, CandidateAnswer, DropAnswer
+from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint, Viewport
@@ -39,6 +40,7 @@ class ScriptedDialogs(Dialogs):
         self.about_dropped: DropAnswer = "cancel"
         self.lines: tuple[LineSource, ...] | None = None
         self.about_candidate: CandidateAnswer = "cancel"
+        self.agreed = True
         self.asked: list[str] = []
         self.errors: list[BaseException] = []
 
@@ -96,6 +98,18 @@ class ScriptedDialogs(Dialogs):
     def save_changes(self, name: str) -> Answer:
         self.asked.append(name)
         return self.answer
+
+    def recover(self, name: str, when: str) -> bool:
+        self.asked.append(f"recover {name}")
+        return self.agreed
+
+    def open_elsewhere(self, name: str, where: str) -> bool:
+        self.asked.append(f"{name} is open in {where}")
+        return self.agreed
+
+    def overwrite(self, name: str) -> bool:
+        self.asked.append(f"overwrite {name}")
+        return self.agreed
 
     def candidate_waits(self, name: str) -> CandidateAnswer:
         self.asked.append(name)

@@ -7,12 +7,11 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Literal
 
-from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QDialog, QFileDialog
 
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.budget import BudgetDialog
 from lispac.gui.dialogs.check import CheckDialog, CheckedDialog, CheckRequest
-from lispac.gui.dialogs.error import error_box
 from lispac.gui.dialogs.export import ExportDialog
 from lispac.gui.dialogs.find_again import FindAgainDialog
 from lispac.gui.dialogs.history import HistoryDialog
@@ -21,6 +20,7 @@ from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.preview import PreviewDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
+from lispac.gui.dialogs.questions import Questions
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
@@ -43,10 +43,6 @@ from lispac.workflow.proposing import Proposal
 from lispac.workflow.seed_lists import ListedSeed, Outcome
 from lispac.workflow.subsampling import Subsampled
 
-Answer = Literal["save", "discard", "cancel"]
-DropAnswer = Literal["add", "new", "cancel"]
-CandidateAnswer = Literal["accept", "reject", "cancel"]
-
 DesignFile = Literal["open", "save", "page", "site"]
 DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {
     "open": ("Open plan", "Plan (*.toml)", False),
@@ -60,12 +56,8 @@ REPORT_FILTER = (
 )
 
 
-class Dialogs:
+class Dialogs(Questions):
     """Asks the user."""
-
-    def __init__(self) -> None:
-        self.parent: QWidget | None = None
-        self._error_open = False
 
     def new_project(
         self, settings: AppSettings, paths: Sequence[Path] = ()
@@ -100,30 +92,6 @@ class Dialogs:
         answer = dialog.sources() if accepted else dialog.project
         dialog.deleteLater()
         return answer
-
-    def add_or_new(self, name: str) -> DropAnswer:
-        """What to do with files dropped while a project is open."""
-        box = QMessageBox(
-            QMessageBox.Icon.Question, "LISPAC", say(f"Add the files to {name}?"),
-            QMessageBox.StandardButton.Cancel, self.parent,
-        )  # fmt: skip
-        box.setObjectName("drop_dialog")
-        box.setInformativeText(
-            say(
-                "Lines are added to the open project and checked against its trajectory; "
-                "what has been "
-                "picked stays. Files of another survey make a new project."
-            )
-        )
-        add = box.addButton(say(f"Add to {name}"), QMessageBox.ButtonRole.AcceptRole)
-        new = box.addButton(say("New project"), QMessageBox.ButtonRole.ActionRole)
-        box.setDefaultButton(add)
-        box.exec()
-        chosen = box.clickedButton()
-        box.deleteLater()
-        if chosen is add:
-            return "add"
-        return "new" if chosen is new else "cancel"
 
     def project_to_open(self, start: Path) -> Path | None:
         """A project's folder."""
@@ -305,54 +273,7 @@ class Dialogs:
         dialog.exec()
         dialog.deleteLater()
 
-    def save_changes(self, name: str) -> Answer:
-        """What to do with a changed project that is to be closed."""
-        buttons = QMessageBox.StandardButton
-        box = QMessageBox(
-            QMessageBox.Icon.Question,
-            "LISPAC",
-            say(f"Save the changes to {name}?"),
-            buttons.Save | buttons.Discard | buttons.Cancel,
-            self.parent,
-        )
-        box.setInformativeText(say("Without saving, what was changed since is lost."))
-        box.setDefaultButton(buttons.Save)
-        chosen = box.exec()
-        box.deleteLater()
-        if chosen == buttons.Save:
-            return "save"
-        return "discard" if chosen == buttons.Discard else "cancel"
-
-    def candidate_waits(self, name: str) -> CandidateAnswer:
-        """What to do with a plane that was found and not yet accepted, before estimating."""
-        box = QMessageBox(
-            QMessageBox.Icon.Question, "LISPAC", say(f"{name} was found and is not accepted yet."),
-            QMessageBox.StandardButton.Cancel, self.parent,
-        )  # fmt: skip
-        box.setObjectName("candidate_dialog")
-        box.setInformativeText(say("Only accepted targets take part in the adjustment."))
-        accept = box.addButton(say("Accept and estimate"), QMessageBox.ButtonRole.AcceptRole)
-        reject = box.addButton(say("Estimate without it"), QMessageBox.ButtonRole.DestructiveRole)
-        box.setDefaultButton(accept)
-        box.exec()
-        chosen = box.clickedButton()
-        box.deleteLater()
-        if chosen is accept:
-            return "accept"
-        return "reject" if chosen is reject else "cancel"
-
-    def show_error(self, error: BaseException) -> None:
-        """Say what went wrong; a second error while one is shown does not pile up."""
-        if self._error_open:
-            return
-        self._error_open = True
-        try:
-            box = error_box(self.parent, error)
-            box.exec()
-            box.deleteLater()
-        finally:
-            self._error_open = False
-
+    @staticmethod
     def about(self) -> None:
         """Say what the program is."""
         box = about_box(self.parent)

@@ -1,0 +1,170 @@
+"""Nothing is lost: unsaved work is kept against a crash, and a project open twice is noticed.
+
+After every edit the project is written beside its saved state, by a worker of its own so that it is
+on the disk also while an adjustment runs. Saving it, or letting the changes go, removes it; what is
+found when a project is opened was left by a crash, and is offered.
+"""
+
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QLockFile, QObject, Signal
+
+from lispac.errors import LispacError
+from lispac.io.project_file import FILE_NAME, forget_unsaved, keep_unsaved
+from lispac.project import Project
+from lispac.workflow.projects import Unsaved, unsaved_work
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+LOCK_NAME = "open.lock"
+Signature = tuple[int, int]
+
+
+class Safekeeping(QObject):
+    """Joined to the window's parts."""
+
+    _failed = Signal(object)
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._document, self._dialogs = window.document, window.dialogs
+        self._settings, self._note = window.settings, window.controller.noted.emit
+        self._writer = ThreadPoolExecutor(1, "lispac-keeping")
+        self._wanted: Project | None = None
+        self._failed.connect(self._cannot_keep)
+        self._folder: Path | None = None
+        self._lock: QLockFile | None = None
+        self._keeps = False
+        self._saved: Signature | None = None
+        window.controller.may_save = self._may_save
+        window.document.opened.connect(self._take)
+        window.document.changed.connect(self._keep)
+        # An edit is told of before the stack knows that it is no longer clean
+        window.document.modified.connect(
+            lambda modified: self._keep() if modified else self.forget()
+        )
+        window.document.saved.connect(self._see)
+
+    # -- a project comes and goes ----------------------------------------------------------------
+
+    def _take(self) -> None:
+        """Another project, or none, is in the window."""
+        project = self._document.project
+        self.forget()
+        self.let_go()
+        if project is None:
+            return
+        self._folder, self._keeps = project.folder, True
+        self._saved = _signature(project.folder)
+        self._settings.left_open = project.folder
+        if not self._alone(project):
+            self._keeps = False
+            if not self._dialogs.open_elsewhere(project.name, self._holder()):
+                self._document.open(None, None)
+        elif not self._document.is_modified:
+            self._offer(project)
+
+    def _alone(self, project: Project) -> bool:
+        """Whether no other window has the project; where nothing can be written nobody can tell."""
+        lock = QLockFile(str(project.folder / LOCK_NAME))
+        lock.setStaleLockTime(0)  # one whose program has ended is stale, however young
+        self._lock = lock
+        return lock.tryLock(0) or lock.error() != QLockFile.LockError.LockFailedError
+
+    def _holder(self) -> str:
+        """Where the other window is."""
+        process, host, _ = self._lock.getLockInfo()
+        return f"{host}, process {process}" if process else "another program"
+
+    def _offer(self, project: Project) -> None:
+        """Ask about work that a crash left unsaved."""
+        try:
+            found = unsaved_work(project.folder)
+        except LispacError as error:
+            self._note(str(error))
+            return
+        if found is None:
+            forget_unsaved(project.folder)
+        elif self._dialogs.recover(project.name, _when(found)):
+            self._document.edit("recovery of unsaved work", found.project)
+            self._note("What was not saved is back; save the project to keep it")
+        else:
+            forget_unsaved(project.folder)
+
+    def forget(self) -> None:
+        """Let the unsaved changes of the project go."""
+        if self._folder is not None and self._keeps:
+            self._wanted = None
+            self._write(forget_unsaved, self._folder)
+
+    def let_go(self) -> None:
+        """Leave the project to others."""
+        if self._lock is not None:
+            self._lock.unlock()
+        self._lock = self._folder = None
+
+    def stop(self) -> None:
+        """Write what is still to be written, and end."""
+        self._writer.shutdown(wait=True)
+        self.let_go()
+
+    # -- an edit, a save -------------------------------------------------------------------------
+
+    def _keep(self) -> None:
+        project = self._document.project
+        if project is None:
+            return
+        if project.folder != self._folder:  # saved as another
+            self._folder = project.folder
+            self._saved = _signature(project.folder)
+            self._settings.left_open = project.folder
+            self._keeps = self._alone(project)
+        if self._keeps and self._document.is_modified:
+            self._wanted = project
+            self._write(self._keep_wanted, project)
+
+    def _keep_wanted(self, project: Project) -> None:
+        if project is self._wanted:  # else there was another edit meanwhile
+            keep_unsaved(project)
+
+    def _write(self, write: Callable[[Any], None], what: object) -> None:
+        def ended(done: Future[None]) -> None:
+            if (error := done.exception()) is not None:
+                self._failed.emit(error)
+
+        self._writer.submit(write, what).add_done_callback(ended)
+
+    def _see(self) -> None:
+        """The project on the disk is ours."""
+        assert self._folder is not None
+        self._saved = _signature(self._folder)
+
+    def _may_save(self, project: Project) -> bool:
+        """Whether a save overwrites nothing that somebody else wrote; asks where it does."""
+        changed = project.folder == self._folder and _signature(project.folder) != self._saved
+        return not changed or self._dialogs.overwrite(project.name)
+
+    def _cannot_keep(self, error: BaseException) -> None:
+        self._keeps = False
+        self._note(f"Unsaved work is not kept against a crash: {error}")
+
+
+def _signature(folder: Path) -> Signature | None:
+    try:
+        found = (folder / FILE_NAME).stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size
+
+
+def _when(found: Unsaved) -> str:
+    """When it was written down, and whether the project was saved since."""
+    kept, saved = (
+        f"{datetime.fromtimestamp(each):%Y-%m-%d %H:%M}" for each in (found.kept, found.saved)
+    )
+    return f"{kept}; the project was saved later, at {saved}" if found.saved > found.kept else kept

@@ -1,0 +1,178 @@
+"""A crash loses at most the last edit, and nobody overwrites what he has not seen."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.safekeeping import LOCK_NAME
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.io.project_file import FILE_NAME, UNSAVED_NAME, read_project, read_unsaved
+from tests.gui.support import WAIT_MS, Driver
+
+WINDOW = """
+import sys
+from pathlib import Path
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+from lispac.gui.main_window import MainWindow
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.recording import RecordingViewport
+
+folder = Path(sys.argv[1])
+application = QApplication([])
+window = MainWindow(RecordingViewport(), AppSettings(folder.parent / "settings.ini"))
+window.show()
+
+def edit():
+    window.controller.rename("T1", "North wall")
+    window.controller.rename("T2", "South wall")
+    print("edited", flush=True)
+
+window.document.opened.connect(lambda: QTimer.singleShot(0, edit))
+window.open_project(folder)
+application.exec()
+"""
+
+
+@pytest.fixture
+def folder(demo, demo_copy: Path) -> Path:
+    """A project folder with picked targets."""
+    from dataclasses import replace
+
+    from lispac.workflow.projects import save_project
+
+    save_project(replace(demo.picked, folder=demo_copy))
+    return demo_copy
+
+
+def names(project) -> set[str]:
+    return {target.name for target in project.targets}
+
+
+def opened(driver: Driver, folder: Path) -> None:
+    driver.window.open_project(folder)
+    driver.bot.waitUntil(lambda: driver.window.document.project is not None, timeout=WAIT_MS)
+    driver.rest()
+
+
+def unsaved(driver: Driver, folder: Path, wanted: bool) -> None:
+    driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).exists() == wanted, timeout=WAIT_MS)
+
+
+def killed_after_editing(folder: Path) -> None:
+    """A program that edits the project and is killed as soon as that is written down."""
+    program = subprocess.Popen(
+        [sys.executable, "-c", WINDOW, str(folder)], stdout=subprocess.PIPE, text=True
+    )
+    assert program.stdout is not None
+    assert program.stdout.readline() == "edited\n"
+    until = time.monotonic() + 60
+    while time.monotonic() < until:
+        found = read_unsaved(folder)
+        if found is not None and "South wall" in names(found):
+            break
+        time.sleep(0.02)
+    os.kill(program.pid, signal.SIGKILL)
+    program.wait()
+    program.stdout.close()
+
+
+def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> None:
+    killed_after_editing(folder)
+    assert "North wall" not in names(read_project(folder))
+    assert (folder / LOCK_NAME).exists(), "left by the killed program, and stale"
+    opened(driver, folder)
+    assert driver.dialogs.asked == [f"recover {folder.name}"]
+    assert {"North wall", "South wall"} <= names(driver.project)
+    assert driver.window.isWindowModified()
+    driver.window.document.undo_stack.undo()
+    assert {"T1", "T2"} <= names(driver.project)
+    driver.window.document.undo_stack.redo()
+    driver.window.actions_["save"].trigger()
+    assert {"North wall", "South wall"} <= names(read_project(folder))
+    unsaved(driver, folder, wanted=False)
+
+
+def test_what_is_not_wanted_back_is_gone(driver: Driver, folder: Path) -> None:
+    killed_after_editing(folder)
+    driver.dialogs.agreed = False
+    opened(driver, folder)
+    assert {"T1", "T2"} <= names(driver.project)
+    assert not driver.window.isWindowModified()
+    assert not (folder / UNSAVED_NAME).exists()
+
+
+def test_unsaved_work_is_kept_as_long_as_it_is_unsaved(driver: Driver, folder: Path) -> None:
+    opened(driver, folder)
+    driver.window.controller.rename("T1", "North wall")
+    unsaved(driver, folder, wanted=True)
+    driver.window.document.undo_stack.undo()
+    unsaved(driver, folder, wanted=False)
+    driver.window.document.undo_stack.redo()
+    unsaved(driver, folder, wanted=True)
+    driver.window.close()  # the changes are discarded
+    assert not (folder / UNSAVED_NAME).exists()
+    assert not (folder / LOCK_NAME).exists()
+    assert {"T1", "T2"} <= names(read_project(folder))
+
+
+def test_a_project_open_twice_is_noticed(
+    driver: Driver, folder: Path, qtbot: QtBot, qapp: QApplication, tmp_path: Path
+) -> None:
+    opened(driver, folder)
+    driver.window.controller.rename("T1", "North wall")
+    unsaved(driver, folder, wanted=True)
+    other = Driver(qtbot, RecordingViewport(), tmp_path / "other")
+    other.dialogs.agreed = False
+    other.window.open_project(folder)
+    qtbot.waitUntil(lambda: other.dialogs.asked != [], timeout=WAIT_MS)
+    other.rest()
+    assert f"process {os.getpid()}" in other.dialogs.asked[0]
+    assert other.window.document.project is None
+
+    other.dialogs.agreed = True
+    opened(other, folder)
+    other.window.controller.rename("T2", "South wall")
+    other.window.actions_["save"].trigger()
+    assert "South wall" in names(read_project(folder))
+    other.window.hide()
+    other.window.close()
+    other.window.deleteLater()
+
+    driver.dialogs.agreed = False
+    driver.window.actions_["save"].trigger()
+    assert driver.dialogs.asked == [f"overwrite {folder.name}"]
+    assert "South wall" in names(read_project(folder)), "it is not overwritten unasked"
+    assert driver.window.isWindowModified()
+    driver.dialogs.agreed = True
+    driver.window.actions_["save"].trigger()
+    assert "North wall" in names(read_project(folder))
+    driver.window.controller.rename("T1", "Northern wall")
+    driver.window.actions_["save"].trigger()
+    assert driver.dialogs.asked == [f"overwrite {folder.name}"] * 2, "its own save is no news"
+
+
+def test_where_nothing_can_be_kept_it_is_said(driver: Driver, folder: Path) -> None:
+    opened(driver, folder)
+    (folder / UNSAVED_NAME).mkdir()
+    (folder / UNSAVED_NAME / "held").touch()
+    driver.window.controller.rename("T1", "North wall")
+    driver.bot.waitUntil(
+        lambda: "not kept against a crash" in driver.window.log.toPlainText(), timeout=WAIT_MS
+    )
+    assert driver.dialogs.errors == []
+
+
+def test_damaged_unsaved_work_does_not_keep_the_project_shut(driver: Driver, folder: Path) -> None:
+    (folder / UNSAVED_NAME).write_text((folder / FILE_NAME).read_text()[:1000])
+    opened(driver, folder)
+    assert driver.dialogs.asked == []
+    assert UNSAVED_NAME in driver.window.log.toPlainText()
+    assert {"T1", "T2"} <= names(driver.project)
