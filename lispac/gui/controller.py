@@ -6,7 +6,6 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QStandardPaths, Signal
 
 from lispac.errors import LispacError
-from lispac.gui import edits
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene
@@ -16,6 +15,7 @@ from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.wishes import Wishes
 from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Settings, Target, Triple
+from lispac.workflow import edits
 from lispac.workflow.intake import ImportRequest
 from lispac.workflow.seeking import thinned_words
 from lispac.workflow.survey import Survey, load_survey

@@ -8,24 +8,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from lispac.project import Project
 from lispac.workflow.survey import Survey
-
-
-def data_key(project: Project) -> tuple[object, ...]:
-    """Everything the loaded data depend on: when it changes they are read again."""
-    settings = project.settings
-    return (
-        project.trajectory,
-        project.accuracy,
-        project.lines,
-        settings.lever_arm,
-        settings.boresight_deg,
-        settings.origin_deg_m,
-        settings.position_sigma,
-        settings.attitude_sigma_deg,
-        settings.range_offset,
-        settings.scan_angle_offset_deg,
-        settings.latency,
-    )
+from lispac.workflow.survey import data_key as data_key
 
 
 @dataclass(eq=False)

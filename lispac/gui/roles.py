@@ -5,10 +5,10 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject
 
 from lispac.errors import LispacError
-from lispac.gui import edits
 from lispac.gui.actions import Actions
 from lispac.gui.document import Document
 from lispac.gui.scene import Scene
+from lispac.workflow import edits
 
 NOTHING_SELECTED = "Select a target or validation plane first; then change its role"
 

@@ -87,6 +87,25 @@ class Survey:
         return replace(self, clouds=placed_with(self.clouds, mounting))
 
 
+def data_key(project: Project) -> tuple[object, ...]:
+    """Everything the loaded data depend on: when it changes they are read again."""
+    settings = project.settings
+    return (
+        project.trajectory,
+        project.accuracy,
+        project.lines,
+        settings.lever_arm,
+        settings.boresight_deg,
+        settings.origin_deg_m,
+        settings.position_sigma,
+        settings.attitude_sigma_deg,
+        settings.range_offset,
+        settings.scan_angle_offset_deg,
+        settings.latency,
+        settings.longest_gap,
+    )
+
+
 def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey:
     """Read everything the project points at.
 

@@ -11,13 +11,14 @@ from pytestqt.qtbot import QtBot
 
 from lispac.adjustment.result import Contradiction
 from lispac.errors import Cancelled, InputError
-from lispac.gui import edits, status
+from lispac.gui import status
 from lispac.gui.dialogs.error import describe, error_box
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.progress import Progress
 from lispac.project import Project
+from lispac.workflow import edits
 from tests.gui.support import Demo
 
 

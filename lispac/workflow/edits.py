@@ -1,4 +1,4 @@
-"""Edits of a project's targets that the window offers: each gives a new project."""
+"""Edits of a project's targets: each gives a new project."""
 
 from dataclasses import replace
 
