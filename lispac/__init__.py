@@ -1,3 +1,71 @@
-"""LISPAC: boresight calibration of mobile LiDAR systems."""
+"""LISPAC: boresight calibration of mobile LiDAR systems.
+
+As in the window, a project is made or opened, targets are seeded, the boresight is estimated and
+validated, and a report is written::
+
+    import lispac
+
+    harbour = lispac.open("harbour")
+    harbour.seed("T1", (12.4, -3.1, 2.0))
+    harbour.estimate()
+    harbour.report("boresight.pdf")
+    harbour.save()
+
+``resources/manual/scripts.md`` tells all steps. What stands in ``__all__`` is for scripts and is
+kept from version to version; the rest is the program's own.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 __version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from lispac.adjustment.parameters import Parameter as Parameter
+    from lispac.errors import LispacError as LispacError
+    from lispac.identity import Identity as Identity
+    from lispac.picks import PickedSighting as PickedSighting
+    from lispac.picks import Target as Target
+    from lispac.project import Settings as Settings
+    from lispac.scripting.making import demo as demo
+    from lispac.scripting.making import new as new
+    from lispac.scripting.making import open as open
+    from lispac.scripting.open_project import OpenProject as OpenProject
+    from lispac.survey.source import LineSource as LineSource
+    from lispac.survey.source import Reading as Reading
+    from lispac.targets.expected import ExpectedTarget as ExpectedTarget
+    from lispac.targets.settings import FinderChoices as FinderChoices
+    from lispac.workflow.point_numbers import point_numbers as point_numbers
+
+# Imported when first asked for: the command line asks for the version alone.
+_WHERE = {
+    "ExpectedTarget": "lispac.targets.expected",
+    "FinderChoices": "lispac.targets.settings",
+    "Identity": "lispac.identity",
+    "LineSource": "lispac.survey.source",
+    "LispacError": "lispac.errors",
+    "OpenProject": "lispac.scripting.open_project",
+    "Parameter": "lispac.adjustment.parameters",
+    "PickedSighting": "lispac.picks",
+    "Reading": "lispac.survey.source",
+    "Settings": "lispac.project",
+    "Target": "lispac.picks",
+    "demo": "lispac.scripting.making",
+    "new": "lispac.scripting.making",
+    "open": "lispac.scripting.making",
+    "point_numbers": "lispac.workflow.point_numbers",
+}
+
+__all__ = ["__version__", *sorted(_WHERE)]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _WHERE:
+        raise AttributeError(f"module 'lispac' has no attribute {name!r}")
+    found = getattr(import_module(_WHERE[name]), name)
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -128,6 +128,14 @@ sys.exit(code)
     assert not HEAVY & set(done.stderr.split())
 
 
+def test_importing_the_package_imports_nothing_heavy() -> None:
+    done = run_python("import lispac, sys; print(*sys.modules)")
+    assert done.returncode == 0, done.stderr
+    loaded = set(done.stdout.split())
+    assert not HEAVY & loaded
+    assert {name for name in loaded if name.startswith("lispac")} == {"lispac"}
+
+
 def test_core_loads_no_qt() -> None:
     code = """
 import sys

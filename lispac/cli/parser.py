@@ -9,6 +9,7 @@ from lispac.cli import (
     estimate_options,
     pick_options,
     report_options,
+    script_options,
     simulate_options,
 )
 from lispac.cli.values import (
@@ -51,6 +52,7 @@ def build_parser() -> argparse.ArgumentParser:
     _georeference(commands)
     _export(commands)
     report_options.add(commands)
+    script_options.add(commands)
     _angles(commands)
     _visibility(commands)
     design_options.add(commands)

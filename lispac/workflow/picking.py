@@ -149,6 +149,51 @@ def _on_sphere(
     return replace(patch, indices=sighting.indices[patch.indices])
 
 
+def point_of(project: Project, survey: Survey, line: str, number: int) -> NDArray[np.float64]:
+    """Where a point of a line is, placed with the prior boresight.
+
+    Returns
+    -------
+    ndarray of shape (3,), metres, local frame
+
+    Raises
+    ------
+    ProjectError
+    """
+    _require_numbers(project.name, survey, line, np.array([number]))
+    return survey.clouds[line][np.array([number])][0]
+
+
+def require_points(survey: Survey, target: Target) -> None:
+    """Refuse a target whose points are not those of the survey's lines.
+
+    Raises
+    ------
+    ProjectError
+    """
+    require_target(target)
+    for sighting in target.sightings:
+        _require_numbers(target.name, survey, sighting.line, sighting.indices)
+        if sighting.fingerprint not in ("", survey.scans[sighting.line].fingerprint):
+            raise ProjectError(
+                f"{target.name}: its points on {sighting.line} were chosen in another file, or the "
+                "trajectory covers others of them now; bring the file back, or pick it again."
+            )
+
+
+def _require_numbers(what: str, survey: Survey, line: str, numbers: NDArray[np.int64]) -> None:
+    if line not in survey.scans:
+        raise ProjectError(
+            f"{what}: there is no line {line}; the lines are {', '.join(survey.lines)}."
+        )
+    count = len(survey.scans[line])
+    if len(numbers) and not 0 <= numbers.min() <= numbers.max() < count:
+        raise ProjectError(
+            f"{what}: {line} has points 0 to {count - 1:,}, and number "
+            f"{numbers.min() if numbers.min() < 0 else numbers.max():,} is asked for."
+        )
+
+
 def next_name(project: Project, role: Role) -> str:
     """First free name: T1, T2 ... for targets, V1, V2 ... for validation planes."""
     taken = {target.name for target in project.targets}

@@ -91,14 +91,23 @@ def new_project(
     lines: Sequence[LineSource],
     settings: Settings,
     accuracy: Path | None = None,
+    truth_deg: Triple | None = None,
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
+    settled: bool = False,
     progress: Progress = no_progress,
 ) -> tuple[Project, Survey]:
     """Read the survey first, so that what cannot be used is said now, then make its project.
 
     How each file is read is settled here, from what is given and what its format finds in it;
     the survey's notes say what was found.
+
+    Parameters
+    ----------
+    truth_deg : degrees, optional
+        Boresight put into a simulated survey.
+    settled : bool
+        Whether the readings are those of a project, where this was done before.
 
     Raises
     ------
@@ -108,6 +117,34 @@ def new_project(
     settings.require_sound()
     draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
     _require_new(draft)
+    notes: tuple[str, ...] = ()
+    known = tuple(lines)
+    if not settled:
+        known, trajectory_reading, accuracy_reading, notes = _settled(
+            known, trajectory, trajectory_reading, accuracy, accuracy_reading
+        )
+    draft = replace(
+        draft, lines=known, trajectory_reading=trajectory_reading,
+        accuracy_reading=accuracy_reading,
+    )  # fmt: skip
+    with taken_back(draft):
+        survey = load_survey(draft, progress=progress)
+        project = create_project(
+            folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
+            truth_deg=truth_deg, trajectory_reading=trajectory_reading,
+            accuracy_reading=accuracy_reading,
+        )  # fmt: skip
+    return project, replace(survey, notes=(*notes, *survey.notes))
+
+
+def _settled(
+    lines: tuple[LineSource, ...],
+    trajectory: Path,
+    trajectory_reading: Reading,
+    accuracy: Path | None,
+    accuracy_reading: Reading,
+) -> tuple[tuple[LineSource, ...], Reading, Reading, tuple[str, ...]]:
+    """How all files of a new project are read, and what was found in them."""
     track_stated = bool(dict(trajectory_reading.options).get("time"))
     trajectory_reading, notes = usual_or_settled(trajectory, "trajectory", trajectory_reading)
     if accuracy is not None:
@@ -119,18 +156,7 @@ def new_project(
         known, [line.reading for line in lines], trajectory, trajectory_reading,
         trajectory_stated=track_stated,
     )  # fmt: skip
-    notes += more
-    draft = replace(
-        draft, lines=known, trajectory_reading=trajectory_reading,
-        accuracy_reading=accuracy_reading,
-    )  # fmt: skip
-    with taken_back(draft):
-        survey = load_survey(draft, progress=progress)
-        project = create_project(
-            folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
-            trajectory_reading=trajectory_reading, accuracy_reading=accuracy_reading,
-        )  # fmt: skip
-    return project, replace(survey, notes=(*notes, *survey.notes))
+    return known, trajectory_reading, accuracy_reading, notes + more
 
 
 def with_lines_added(

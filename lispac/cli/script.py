@@ -1,0 +1,28 @@
+"""``lispac script``: a project's steps as Python."""
+
+import sys
+from argparse import Namespace
+
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.workflow.projects import open_project
+from lispac.workflow.script import save_script, script_of
+from lispac.workflow.survey import load_survey
+
+
+def script(arguments: Namespace) -> None:
+    """Print the script, or write it, and say where it differs from the project."""
+    project = open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+        made = script_of(project, survey, progress=progress)
+    if arguments.output is not None:
+        save_script(made, arguments.output)
+    if arguments.json:
+        print_json({"script": made.text, "remarks": list(made.remarks)})
+    else:
+        print(made.text if arguments.output is None else arguments.output, end="")
+        if arguments.output is not None:
+            print()
+    sys.stdout.flush()
+    for remark in made.remarks:
+        print(f"note: {remark}", file=sys.stderr)

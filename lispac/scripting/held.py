@@ -1,0 +1,68 @@
+"""What a project that is open holds: the project, its survey, its answer."""
+
+import numpy as np
+
+from lispac.adjustment.result import AdjustmentResult
+from lispac.progress import Progress, no_progress
+from lispac.project import Project, Triple
+from lispac.workflow.survey import Survey, data_key, load_survey
+
+
+class Held:
+    """A project with its survey, which is read when it is first needed.
+
+    Parameters
+    ----------
+    progress : callable
+        Told how far each step is.
+    """
+
+    def __init__(
+        self, project: Project, survey: Survey | None = None, *, progress: Progress = no_progress
+    ) -> None:
+        self.project = project
+        self._survey = survey
+        self._key = data_key(project)
+        self._progress = progress
+
+    def __repr__(self) -> str:
+        targets = len(self.project.targets)
+        return f"<lispac.{type(self).__name__} {self.project.name}: {targets} targets>"
+
+    @property
+    def survey(self) -> Survey:
+        """The trajectory and the lines, read when first asked for and after what moves points."""
+        if self._survey is None or self._key != data_key(self.project):
+            self._survey = load_survey(self.project, progress=self._progress)
+            self._key = data_key(self.project)
+        return self._survey
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was assumed or left out while reading, in words."""
+        return self.survey.notes
+
+    @property
+    def result(self) -> AdjustmentResult:
+        """The adjustment; angles in radians.
+
+        Raises
+        ------
+        ProjectError
+            Where nothing has been estimated, or an edit since has dropped it.
+        """
+        self.project.mounting("estimated")
+        assert self.project.result is not None
+        return self.project.result
+
+    @property
+    def boresight_deg(self) -> Triple:
+        """Estimated roll, pitch, yaw in degrees."""
+        roll, pitch, yaw = np.degrees(self.result.boresight).tolist()
+        return roll, pitch, yaw
+
+    @property
+    def sigma_deg(self) -> Triple:
+        """Their standard deviations in degrees."""
+        roll, pitch, yaw = np.degrees(self.result.sigma[:3]).tolist()
+        return roll, pitch, yaw

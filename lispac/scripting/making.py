@@ -1,0 +1,114 @@
+"""How a script comes to a project: a new one, one that is there, or the built-in survey."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from lispac.progress import Progress, no_progress
+from lispac.project import LineSource, Reading, Settings, Triple
+from lispac.scripting.open_project import OpenProject
+from lispac.simulation.survey import POINTS_PER_SECOND
+from lispac.survey.source import USUAL
+from lispac.workflow import projects
+from lispac.workflow.demo import make_demo
+
+AnyPath = str | Path
+
+
+def new(
+    folder: AnyPath,
+    *,
+    lines: Sequence[AnyPath | LineSource],
+    trajectory: AnyPath,
+    lever_arm: Triple,
+    accuracy: AnyPath | None = None,
+    line_reading: Reading = USUAL,
+    trajectory_reading: Reading = USUAL,
+    accuracy_reading: Reading = USUAL,
+    settled: bool = False,
+    truth_deg: Triple | None = None,
+    progress: Progress = no_progress,
+    **settings: Any,
+) -> OpenProject:
+    """Make a project from raw lines and a trajectory, as ``lispac new`` does.
+
+    Parameters
+    ----------
+    folder : path
+        A new one, for the project.
+    lines : sequence of path or LineSource
+        Scan files; a line has the name of its file unless a `lispac.LineSource` gives another.
+    trajectory : path
+    lever_arm : metres, body frame (forward, left, up)
+    accuracy : path, optional
+        smrmsg, or a text that holds the accuracies of the trajectory.
+    line_reading, trajectory_reading, accuracy_reading : Reading
+        What the files do not say; ``lispac look FILE`` lists it.
+    settled : bool
+        Whether the readings are complete, as a script of a project has them: nothing is looked for
+        in the files then.
+    truth_deg : degrees, optional
+        Boresight put into a simulated survey.
+    progress : callable
+        Told how far each step is: a fraction and words.
+    **settings
+        Fields of `lispac.Settings`: ``boresight_deg=(0, 0, 180)``, ``lidar_sigma=0.005`` ...
+
+    Raises
+    ------
+    LispacError
+        Where a file or a setting cannot be used; nothing is left of the folder then.
+    """
+    project, survey = projects.new_project(
+        Path(folder),
+        trajectory=Path(trajectory).absolute(),
+        lines=[_line(line, line_reading) for line in lines],
+        settings=Settings(lever_arm, **settings),
+        accuracy=None if accuracy is None else Path(accuracy).absolute(),
+        truth_deg=truth_deg,
+        trajectory_reading=trajectory_reading,
+        accuracy_reading=accuracy_reading,
+        settled=settled,
+        progress=progress,
+    )
+    return OpenProject(project, survey, progress=progress)
+
+
+def open(folder: AnyPath, *, progress: Progress = no_progress) -> OpenProject:
+    """Open a project by its folder; its lines are read by the first step that needs them.
+
+    Raises
+    ------
+    ProjectError
+        Where there is none, or its file is damaged.
+    """
+    return OpenProject(projects.open_project(Path(folder)), progress=progress)
+
+
+def demo(
+    folder: AnyPath,
+    *,
+    points_per_second: float = POINTS_PER_SECOND,
+    progress: Progress = no_progress,
+) -> OpenProject:
+    """Make the built-in simulated survey, with nothing picked; an earlier one is replaced.
+
+    Parameters
+    ----------
+    points_per_second : float
+        Of the scanner; fewer make a smaller survey of the same quay.
+
+    Raises
+    ------
+    ProjectError
+        Where the folder holds anything but a demo.
+    """
+    made = make_demo(Path(folder), points_per_second=points_per_second, progress=progress)
+    return OpenProject(made, progress=progress)
+
+
+def _line(line: AnyPath | LineSource, reading: Reading) -> LineSource:
+    if isinstance(line, LineSource):
+        return line
+    path = Path(line).absolute()
+    return LineSource(path.stem, path, reading=reading)

@@ -1,0 +1,361 @@
+"""A project that is open, and the steps that can be taken with it."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+
+import numpy as np
+
+from lispac.adjustment.result import AdjustmentResult
+from lispac.errors import ProjectError
+from lispac.project import LineSource, Role, Shape, Target
+from lispac.scripting.held import Held
+from lispac.targets.expected import ExpectedTarget
+from lispac.targets.settings import USUAL, FinderChoices
+from lispac.validation.absolute import AbsoluteCheck
+from lispac.validation.comparison import PlaneComparison
+from lispac.validation.local_models import USUAL_NEIGHBOURS, Kind, LocalModel
+from lispac.workflow import absolute, calibration, edits, picking, projects, validation
+from lispac.workflow.accepting import not_picked, with_accepted
+from lispac.workflow.coordinates import require_near
+from lispac.workflow.export import write_report
+from lispac.workflow.export_request import ENDINGS, ExportRequest, What, export, system_of
+from lispac.workflow.georeferencing import Which
+from lispac.workflow.importing import import_lines
+from lispac.workflow.proposing import Proposal, propose
+from lispac.workflow.report_options import report_options
+from lispac.workflow.saving_as import save_project_as
+from lispac.workflow.script import script_of
+from lispac.workflow.seed_lists import Outcome, pick_seeds, read_seeds
+from lispac.workflow.survey import data_key
+from lispac.workflow.target_systems import LOCAL
+
+AnyPath = str | Path
+
+
+class OpenProject(Held):
+    """A project and its survey. Each step changes the project in memory; `save` writes it.
+
+    A step that is refused raises `lispac.LispacError` with one plain sentence and changes nothing.
+
+    Attributes
+    ----------
+    project : Project
+        As it stands: an immutable value; each step puts another one in its place.
+    """
+
+    # -- data --------------------------------------------------------------------------------
+
+    def add_lines(self, *lines: AnyPath | LineSource) -> None:
+        """Add lines; what is picked and computed stays."""
+        sources = [
+            line if isinstance(line, LineSource) else LineSource(Path(line).stem, Path(line))
+            for line in lines
+        ]
+        project, survey = projects.with_lines_added(self.project, sources, progress=self._progress)
+        self.project, self._survey, self._key = project, survey, data_key(project)
+
+    def import_lines(self, names: Sequence[str] = ()) -> None:
+        """Keep lines in the project's folder, ordered in space; all of them where none is named."""
+        import_lines(self.project, names, progress=self._progress)
+        self._survey = None
+
+    def change(self, **settings: object) -> None:
+        """Change fields of `lispac.Settings`; what follows from them has to be computed again."""
+        changed = replace(self.project.settings, **settings)  # type: ignore[arg-type]
+        changed.require_sound()
+        if changed != self.project.settings:
+            self.project = self.project.with_settings(changed)
+
+    def identity(self, **texts: str) -> None:
+        """Say who, when and with what, for the report: fields of `lispac.Identity`."""
+        self.project = self.project.with_identity(self.project.identity.changed(**texts))
+
+    # -- targets -----------------------------------------------------------------------------
+
+    def seed(
+        self,
+        name: str,
+        at: Sequence[float] | None = None,
+        *,
+        point: tuple[str, int] | None = None,
+        role: Role = "target",
+        shape: Shape = "plane",
+        sphere_radius: float | None = None,
+        line: str | None = None,
+        clicked_on: str | None = None,
+        threshold: float | None = None,
+        radius: float | None = None,
+        expected: ExpectedTarget | None = None,
+        choices: FinderChoices = USUAL,
+        crs: str = "",
+        height: str = "",
+        trajectory_datum: str | None = None,
+        epoch: float | None = None,
+    ) -> Target:
+        """Find the target at a seed in every line and add it, as ``lispac pick`` does.
+
+        Parameters
+        ----------
+        name : str
+            Of the target; one of that name is replaced.
+        at : three floats
+            North, west, up in metres, or coordinates in ``crs``.
+        point : (str, int)
+            Instead: a line, and the number of its point that is clicked.
+        role : {"target", "validation"}
+        shape : {"plane", "sphere"}, with ``sphere_radius`` in metres where it is known
+        line : str, optional
+            Seek in this line only.
+        clicked_on : str, optional
+            The line that ``at`` was taken from, where it is known.
+        threshold, radius : metres, optional
+            RANSAC distance threshold and search radius about the seed.
+        expected : ExpectedTarget, optional
+        choices : FinderChoices
+            Fewest points, largest tilt and the like.
+        crs, height, trajectory_datum, epoch
+            As the options of ``lispac pick``.
+
+        Raises
+        ------
+        TargetNotFound, LispacError
+        """
+        survey = self.survey
+        if (at is None) == (point is None):
+            raise ProjectError(f"{name}: give its place or a point of a line, one of them.")
+        if point is not None:
+            clicked_on, number = point
+            place = picking.point_of(self.project, survey, clicked_on, number)
+        else:
+            system = system_of(
+                self.project, survey.trajectory, crs or LOCAL, height, trajectory_datum, epoch
+            )
+            place = require_near(np.array(at, dtype=float), system, survey.trajectory, name)
+        target = picking.find(
+            self.project, survey, place, name=name, role=role, shape=shape,
+            sphere_radius=sphere_radius, line=line, first_line=clicked_on, threshold=threshold,
+            radius=radius, expected=expected, choices=choices, progress=self._progress,
+        )  # fmt: skip
+        self.project = self.project.with_target(target)
+        return target
+
+    def seeds(
+        self,
+        path: AnyPath,
+        *,
+        columns: Sequence[str] = (),
+        role: Role | None = None,
+        crs: str = "",
+        height: str = "",
+        trajectory_datum: str | None = None,
+        epoch: float | None = None,
+    ) -> tuple[Outcome, ...]:
+        """Pick all targets of a list of coordinates, as ``lispac pick --seeds`` does.
+
+        Returns
+        -------
+        tuple of Outcome
+            For each row its ``target``, or the ``reason`` why there is none.
+        """
+        survey = self.survey
+        system = system_of(
+            self.project, survey.trajectory, crs or LOCAL, height, trajectory_datum, epoch
+        )
+        listed = read_seeds(
+            Path(path), self.project, survey.trajectory, system, columns=columns, role=role
+        )
+        self.project, outcomes = pick_seeds(
+            self.project, survey, listed.seeds, {}, progress=self._progress
+        )
+        return outcomes
+
+    def propose(self) -> Proposal:
+        """Planes that could be used, with reasons; `accept` adds them."""
+        found = propose(self.project, self.survey, progress=self._progress)
+        return not_picked(self.project, found)
+
+    def accept(self, proposal: Proposal, names: Collection[str] | None = None) -> tuple[str, ...]:
+        """Add proposed targets, all of them or those of these names; the names they get."""
+        wanted = [target.name for target in proposal.targets] if names is None else names
+        self.project, given = with_accepted(self.project, proposal, wanted)
+        return given
+
+    def put(self, target: Target) -> None:
+        """Add a target with its points as they are given, or put it in the place of another."""
+        picking.require_points(self.survey, target)
+        self.project = self.project.with_target(target)
+
+    def reject(self, name: str, line: str | None = None) -> None:
+        """Leave a target out of everything, or one sighting of it."""
+        self._use(name, line, False)
+
+    def use(self, name: str, line: str | None = None) -> None:
+        """The inverse of `reject`."""
+        self._use(name, line, True)
+
+    def rename(self, old: str, new: str) -> None:
+        """Give a target another name."""
+        self.project = edits.with_name(self.project, old, new)
+
+    def set_role(self, name: str, role: Role) -> None:
+        """Make a target a validation plane, or a validation plane a target."""
+        if self.project.target(name).role != role:
+            self.project = edits.with_other_role(self.project, name)
+
+    def remove(self, name: str) -> None:
+        """Remove a target or validation plane."""
+        self.project = self.project.without_target(name)
+
+    # -- numbers -----------------------------------------------------------------------------
+
+    def estimate(self, *, cross_check: bool = True) -> AdjustmentResult:
+        """Adjust the boresight, and parts of the data by themselves where ``cross_check``."""
+        self.project = calibration.estimate(
+            self.project, self.survey, cross_check=cross_check, progress=self._progress
+        )
+        return self.result
+
+    def validate(
+        self,
+        distance_to: Kind = "plane",
+        *,
+        neighbours: int | None = None,
+        radius: float | None = None,
+    ) -> tuple[PlaneComparison, ...]:
+        """Compare the lines on the validation planes, before and after.
+
+        Parameters
+        ----------
+        distance_to : {"point", "plane", "quadric"}
+            What distances are measured to.
+        neighbours : int, optional
+            Points of the plane (6) or quadric (12).
+        radius : metres, optional
+            All points within it instead.
+        """
+        usual = USUAL_NEIGHBOURS.get(distance_to, 1)
+        model = LocalModel(distance_to, usual if neighbours is None else neighbours, radius)
+        self.project = validation.validate(
+            self.project, self.survey, model=model, progress=self._progress
+        )
+        return self.project.validation
+
+    def check(
+        self,
+        reference: AnyPath,
+        *,
+        sigma: float = absolute.SIGMA,
+        reach: float = absolute.REACH,
+        crs: str = "",
+        height: str = "",
+        trajectory_datum: str | None = None,
+        epoch: float | None = None,
+    ) -> AbsoluteCheck:
+        """Compare the lines with a static scan or surveyed points, as ``lispac check`` does.
+
+        Parameters
+        ----------
+        sigma : metres, of the reference
+        reach : metres from the reference within which lines are looked for
+        """
+        self.project, _ = absolute.check_absolute(
+            self.project, self.survey, Path(reference), crs=crs, height=height,
+            trajectory_datum=trajectory_datum, epoch=epoch, sigma=sigma, reach=reach,
+            progress=self._progress,
+        )  # fmt: skip
+        assert self.project.absolute is not None
+        return self.project.absolute
+
+    # -- files -------------------------------------------------------------------------------
+
+    def report(
+        self,
+        path: AnyPath,
+        *,
+        template: AnyPath | None = None,
+        page: str = "",
+        convention: str = "",
+        language: str = "",
+        generated: datetime | None = None,
+    ) -> None:
+        """Write the report: .pdf, .html, .json, or .zip for all tables as CSV.
+
+        Parameters
+        ----------
+        template, page, convention, language
+            As the options of ``lispac report``.
+        generated : the moment the report says it was made at; now, if not given
+        """
+        options = report_options(
+            None if template is None else Path(template), page, convention, language
+        )
+        write_report(
+            self.project, self.survey, Path(path), options=options, generated=generated,
+            progress=self._progress,
+        )  # fmt: skip
+
+    def export(
+        self,
+        what: What,
+        output: AnyPath,
+        *,
+        boresight: Which = "estimated",
+        form: str = "",
+        crs: str = "",
+        height: str = "",
+        trajectory_datum: str | None = None,
+        epoch: float | None = None,
+    ) -> list[Path]:
+        """Write lines, targets or planes to a folder, or the trajectory to a file.
+
+        Parameters
+        ----------
+        what : {"lines", "targets", "planes", "trajectory"}
+        boresight : {"estimated", "prior"}
+        form : str
+            ``laz`` or ``las`` of lines; also ``csv`` of targets; ``sbet`` or ``text`` of the
+            trajectory. The first of them where none is given.
+        crs, height, trajectory_datum, epoch
+            As the options of ``lispac export`` and ``lispac georeference``.
+        """
+        if what not in ENDINGS or (form and form not in ENDINGS[what]):
+            known = ", ".join(f"{key} ({', '.join(forms)})" for key, forms in ENDINGS.items())
+            raise ProjectError(f"{what} cannot be exported as {form or 'a file'}; choose: {known}.")
+        # Lines go where they came from, everything else to the local frame, if nobody says more.
+        system = crs if what == "lines" else crs or LOCAL
+        request = ExportRequest(
+            what, Path(output), boresight, form or ENDINGS[what][0], system, height,
+            trajectory_datum, epoch,
+        )  # fmt: skip
+        paths, _ = export(self.project, self.survey, request, progress=self._progress)
+        return paths
+
+    def script(self) -> str:
+        """The steps that make this project from its raw files, as Python.
+
+        Takes as long as picking its targets and estimating: what it says is tried.
+        """
+        return script_of(self.project, self.survey, progress=self._progress).text
+
+    def save(self) -> None:
+        """Write the project into its folder."""
+        projects.save_project(self.project)
+
+    def save_as(self, folder: AnyPath) -> None:
+        """Write the project into another folder, with its imported lines, and go on there."""
+        project, survey = save_project_as(
+            self.project, self.survey, Path(folder), progress=self._progress
+        )
+        self.project, self._survey, self._key = project, survey, data_key(project)
+
+    def _use(self, name: str, line: str | None, used: bool) -> None:
+        if line is None:
+            self.project = edits.with_use_of_target(self.project, name, used)
+            return
+        if self.project.target(name).sighting(line) is None:
+            raise ProjectError(
+                f"{name} was not found on {line}; there is no sighting to leave out."
+            )
+        self.project = edits.with_use_of_sighting(self.project, name, line, used)

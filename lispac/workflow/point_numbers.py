@@ -1,0 +1,59 @@
+"""Numbers of points as text: ``12+40 60`` is 12 to 51 and 60."""
+
+import re
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+
+_RUN = re.compile(r"(\d{1,15})(?:\+(\d{1,9}))?")
+MOST = 10**9
+"""Points that a text may stand for."""
+
+
+def numbers_text(indices: NDArray[np.int64]) -> str:
+    """Numbers in their order, runs of neighbours as first and count.
+
+    Parameters
+    ----------
+    indices : ndarray of shape (n,), int64
+    """
+    if not len(indices):
+        return ""
+    starts = np.flatnonzero(np.concatenate([[True], np.diff(indices) != 1]))
+    counts = np.diff([*starts, len(indices)])
+    return " ".join(
+        f"{first}+{count}" if count > 1 else f"{first}"
+        for first, count in zip(indices[starts].tolist(), counts.tolist(), strict=True)
+    )
+
+
+def point_numbers(text: str) -> NDArray[np.int64]:
+    """The inverse of `numbers_text`.
+
+    Returns
+    -------
+    ndarray of shape (n,), int64
+
+    Raises
+    ------
+    InputError
+    """
+    runs = list(_runs(text))
+    if sum(count for _, count in runs) > MOST:
+        raise InputError(f"Numbers of points: these are more than {MOST:,}; correct them.")
+    ranges = [np.arange(first, first + count, dtype=np.int64) for first, count in runs]
+    return np.concatenate([np.zeros(0, np.int64), *ranges])
+
+
+def _runs(text: str) -> Iterator[tuple[int, int]]:
+    for word in text.split():
+        found = _RUN.fullmatch(word)
+        if found is None:
+            raise InputError(
+                f"Numbers of points: {word[:40]!r} is neither a number nor a first number and how "
+                "many follow, such as 12+40."
+            )
+        yield int(found[1]), int(found[2] or 1)

@@ -1,0 +1,106 @@
+"""Targets in a project's script: by their seeds where these lead to them, else by their points."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from lispac.errors import LispacError
+from lispac.progress import Progress
+from lispac.project import PickedSighting, Project, Target
+from lispac.targets.settings import USUAL
+from lispac.workflow.picking import find
+from lispac.workflow.point_numbers import numbers_text
+from lispac.workflow.script_text import Code, call, in_pieces, rows
+from lispac.workflow.seeking import Sought
+from lispac.workflow.survey import Survey
+
+BY_HAND = "points of it were added or taken away by hand"
+OTHERWISE = (
+    "its seed leads to other points now: it was found with other lines, another prior boresight, "
+    "or proposed"
+)
+
+
+def steps_to(project: Project, survey: Survey, target: Target, progress: Progress) -> Iterator[str]:
+    """The steps that give a project this target, one after the other."""
+    by_hand = any(sighting.by_hand for sighting in target.sightings)
+    seeded = None if by_hand else _seeded(project, survey, target, progress)
+    if seeded is not None:
+        yield call("project.seed", target.name, target.seed, **seeded)
+    else:
+        yield f"# {target.name}: {BY_HAND if by_hand else OTHERWISE}."
+        yield call("project.put", _whole(target))
+    for sighting in target.sightings:
+        if not sighting.used:
+            yield call("project.reject", target.name, sighting.line)
+    if not target.used:
+        yield call("project.reject", target.name)
+
+
+def _seeded(
+    project: Project, survey: Survey, target: Target, progress: Progress
+) -> dict[str, Any] | None:
+    """Arguments with which the seed leads to the target; None where there are none."""
+    sought = Sought.of(target)
+    named: dict[str, Any] = {
+        "role": (target.role, "target"),
+        "shape": (target.shape, "plane"),
+        "sphere_radius": (target.sphere_radius, None),
+        "threshold": (target.threshold, sought.threshold(project.settings.threshold)),
+        "radius": (target.radius, sought.search_radii(target.role)[0]),
+        "expected": (target.expected, None),
+        "choices": (target.choices, USUAL),
+    }
+    given = {name: value for name, (value, usual) in named.items() if value != usual}
+    # Where two lines meet at the seed, it counts which of them was clicked.
+    for line in (None, *(sighting.line for sighting in target.sightings)):
+        try:
+            found = find(
+                project, survey, target.seed, name=target.name, first_line=line,
+                progress=progress, **given,
+            )  # fmt: skip
+        except LispacError:
+            continue
+        if _same(found, target):
+            return given if line is None else {**given, "clicked_on": line}
+    return None
+
+
+def _same(found: Target, target: Target) -> bool:
+    def stated(each: Target) -> tuple[object, ...]:
+        return each.threshold, each.radius, dict(each.missing), len(each.sightings)
+
+    return stated(found) == stated(target) and all(
+        (one.line, one.rms, one.one_in) == (other.line, other.rms, other.one_in)
+        and np.array_equal(one.indices, other.indices)
+        for one, other in zip(found.sightings, target.sightings, strict=True)
+    )
+
+
+def _whole(target: Target) -> Code:
+    """A target with all its points, all of which take part."""
+    named: dict[str, Any] = {
+        "name": target.name, "role": target.role, "seed": target.seed,
+        "threshold": target.threshold, "radius": target.radius,
+        "sightings": rows([_sighting(sighting) for sighting in target.sightings]),
+    }  # fmt: skip
+    if target.missing:
+        named["missing"] = dict(target.missing)
+    if target.shape != "plane":
+        named |= {"shape": target.shape, "sphere_radius": target.sphere_radius}
+    if target.expected is not None:
+        named["expected"] = target.expected
+    if target.choices != USUAL:
+        named["choices"] = target.choices
+    return Code(call("lispac.Target", **named))
+
+
+def _sighting(sighting: PickedSighting) -> Code:
+    points = Code(call("lispac.point_numbers", in_pieces(numbers_text(sighting.indices))))
+    named: dict[str, Any] = {"rms": sighting.rms, "fingerprint": sighting.fingerprint}
+    if sighting.one_in != 1:
+        named["one_in"] = sighting.one_in
+    if sighting.by_hand:
+        named["by_hand"] = True
+    return Code(call("lispac.PickedSighting", sighting.line, points, **named))

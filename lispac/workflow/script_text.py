@@ -1,0 +1,90 @@
+"""Python as a script of a project has it: values, and calls that fit the page."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any
+
+WIDTH = 100
+SHORT = 72
+"""Letters of a piece of a long text."""
+
+
+class Code(str):
+    """Goes into a script as it is."""
+
+
+def written(value: object) -> str:
+    """A value as Python writes it; a value of the program by what differs from the usual."""
+    if isinstance(value, Code):
+        return str(value)
+    if isinstance(value, Path):
+        return f"Path({str(value)!r})"
+    if isinstance(value, bool) or value is None:
+        return repr(value)
+    if isinstance(value, float):
+        return repr(float(value))  # NumPy's own say what they are besides
+    if isinstance(value, (list, tuple)):
+        inside = ", ".join(map(written, value))
+        if isinstance(value, list):
+            return f"[{inside}]"
+        return f"({inside},)" if len(value) == 1 else f"({inside})"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{written(k)}: {written(v)}" for k, v in value.items()) + "}"
+    if is_dataclass(value) and not isinstance(value, type):
+        return call(f"lispac.{type(value).__name__}", **differing(value))
+    return repr(value)
+
+
+def differing(value: Any, *, but: Sequence[str] = ()) -> dict[str, object]:
+    """Fields of a dataclass whose values are not the usual ones, without those named ``but``."""
+    return {
+        field.name: found
+        for field in fields(value)
+        if field.name not in but and (found := getattr(value, field.name)) != field.default
+    }
+
+
+def call(function: str, *arguments: object, **named: object) -> str:
+    """A call in one line, or in a line for each argument where it would be too long."""
+    parts = [
+        *map(written, arguments), *(f"{name}={written(value)}" for name, value in named.items())
+    ]  # fmt: skip
+    short = f"{function}({', '.join(parts)})"
+    if len(short) <= WIDTH - 8 and "\n" not in short:
+        return short
+    rows = "".join(f"    {part.replace(chr(10), chr(10) + '    ')},\n" for part in parts)
+    return f"{function}(\n{rows})"
+
+
+def rows(values: Sequence[object]) -> Code:
+    """A list with a row for each value."""
+    inside = "".join(f"    {written(v).replace(chr(10), chr(10) + '    ')},\n" for v in values)
+    return Code(f"[\n{inside}]")
+
+
+def in_pieces(text: str) -> Code:
+    """A long text without line breaks, in pieces of whole words."""
+    pieces = [""]
+    for word in text.split(" "):
+        if pieces[-1] and len(pieces[-1]) + len(word) >= SHORT:
+            pieces.append("")
+        pieces[-1] += word + " "
+    pieces[-1] = pieces[-1][:-1]
+    if len(pieces) == 1:
+        return Code(repr(text))
+    return Code("\n".join(map(repr, pieces)))
+
+
+class Files:
+    """Where the files of a project are: named by the folder most of them share."""
+
+    def __init__(self, paths: Sequence[Path]) -> None:
+        parents = [path.parent for path in paths]
+        self.folder = max(dict.fromkeys(parents), key=parents.count)
+
+    def __call__(self, path: Path) -> Code:
+        """The path as the script names it."""
+        if path.parent == self.folder:
+            return Code(f"data / {path.name!r}")
+        return Code(written(path))

@@ -1,0 +1,37 @@
+"""Scripts run as a user runs them, and reports compared."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+
+
+def run(script: str, folder: Path) -> dict[str, Any]:
+    """Run a project's script without a display, and read the report it writes.
+
+    Parameters
+    ----------
+    folder : for the project that it makes; not there yet
+    """
+    path = folder.parent / "script.py"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(script, encoding="utf-8")
+    variables = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    done = subprocess.run(
+        [sys.executable, "-W", "error", str(path), str(folder)], capture_output=True, text=True,
+        check=False, env={**variables, "PYTHONPATH": str(CHECKOUT)}, timeout=300,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    (written,) = (file for file in folder.glob("*.json") if file.name != "project.json")
+    return same_part(written)
+
+
+def same_part(report: Path) -> dict[str, Any]:
+    """A report in JSON without the moment it was made at and the name of the folder."""
+    content = json.loads(report.read_text(encoding="utf-8"))
+    del content["generated"], content["project"]
+    return content  # type: ignore[no-any-return]

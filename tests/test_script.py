@@ -1,0 +1,232 @@
+"""The script of a project makes it again from its raw files, with the same numbers."""
+
+from dataclasses import replace
+from math import radians
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lispac
+from lispac.cli.main import main
+from lispac.errors import InputError
+from lispac.project import Project
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.editing import without_points
+from lispac.workflow.point_numbers import numbers_text, point_numbers
+from lispac.workflow.script import Script, script_of
+from lispac.workflow.script_text import SHORT, call, in_pieces, written
+from tests.script_runs import run, same_part
+
+
+@given(st.lists(st.integers(0, 10**12), max_size=60))
+def test_numbers_of_points_come_back_in_their_order(numbers: list[int]) -> None:
+    text = numbers_text(np.array(numbers, dtype=np.int64))
+    assert point_numbers(text).tolist() == numbers
+    assert "".join(map(eval, in_pieces(text).split("\n"))) == text
+    assert all(len(piece) <= SHORT + 24 for piece in in_pieces(text).split("\n"))
+
+
+def test_runs_of_numbers_are_short() -> None:
+    assert numbers_text(np.array([7, 8, 9, 20, 3, 4])) == "7+3 20 3+2"
+
+
+@pytest.mark.parametrize(
+    "text", ["7+", "a", "-3", "1.5", "1+2+3", "9" * 40, "1+999999999 1+999999999"]
+)
+def test_what_is_no_number_of_a_point_is_refused(text: str) -> None:
+    with pytest.raises(InputError, match="Numbers of points"):
+        point_numbers(text)
+
+
+@given(st.text(), st.floats(allow_nan=False, allow_infinity=False), st.integers())
+def test_values_are_written_as_python_reads_them(text: str, number: float, whole: int) -> None:
+    values = (text, number, np.float64(number), whole, None, True, (text,), [number], {text: whole})
+    assert eval(written(values)) == values
+    reading = lispac.Reading("las", ((text, text),), number)
+    assert eval(call("lispac.LineSource", text, Path(text or "a"), reading=reading)) == (
+        lispac.LineSource(text, Path(text or "a"), reading=reading)
+    )
+
+
+@pytest.fixture
+def quay(demo_project: Project) -> lispac.OpenProject:
+    return lispac.open(demo_project.folder)
+
+
+def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
+    for name in names:
+        role, place = demo_seeds()[name]
+        quay.seed(name, place, role=role)
+    return quay
+
+
+def made(quay: lispac.OpenProject) -> Script:
+    return script_of(quay.project, quay.survey)
+
+
+def same_numbers(quay: lispac.OpenProject, script: Script, folder: Path) -> lispac.OpenProject:
+    """The project that the script makes, whose report is that of this one."""
+    quay.report(folder / "wanted.json")
+    found = run(script.text, folder / "again")
+    assert found == same_part(folder / "wanted.json")
+    return lispac.open(folder / "again")
+
+
+def test_everything_that_is_done_to_targets_comes_back(
+    quay: lispac.OpenProject, tmp_path: Path
+) -> None:
+    seeded(quay, "T1", "V2")
+    usual = demo_seeds()
+    quay.seed(
+        "Board 'two' \"", usual["T2"][1], radius=1.5, threshold=0.012,
+        expected=lispac.ExpectedTarget(1.2, 1.2, radians(45.0)),
+        choices=lispac.FinderChoices(min_points=50, seed=3),
+    )  # fmt: skip
+    quay.seed("V1", usual["V1"][1])
+    quay.set_role("V1", "validation")
+    quay.seed("T3", usual["V5"][1], line="L2_180")
+    quay.seed("T3", usual["V5"][1], line="L1_000")
+    quay.reject("T3")
+    quay.reject("T1", "L3_045")
+
+    target = quay.project.target("T1")
+    cut, lost = without_points(
+        target, quay.survey.clouds, lambda points: points[:, 2] > points[:, 2].mean() + 0.3
+    )
+    assert lost > 100
+    quay.project = quay.project.with_target(cut)
+    quay.identity(remarks='It\'s "new"\nand \\ odd', vessel="Léonie")
+    quay.change(
+        lidar_sigma=0.0021, subsample=0.12, parameters=(lispac.Parameter("latency", 0.001),)
+    )
+    quay.estimate(cross_check=False)
+    quay.validate("quadric", neighbours=15)
+
+    script = made(quay)
+    assert script.remarks == ()
+    assert "points of it were added or taken away by hand" in script.text
+    # One seed a line is more than one seed can say.
+    assert script.text.count("project.put(") == 2
+    assert script.text.count("project.seed(") == 3
+    again = same_numbers(quay, script, tmp_path)
+    assert again.project.identity == quay.project.identity
+    assert again.project.settings == quay.project.settings
+    for one, other in zip(quay.project.targets, again.project.targets, strict=True):
+        assert (one.name, one.role, one.used, one.seed, one.expected, one.choices) == (
+            other.name, other.role, other.used, other.seed, other.expected, other.choices
+        )  # fmt: skip
+        for a, b in zip(one.sightings, other.sightings, strict=True):
+            assert (a.line, a.used, a.rms, a.by_hand) == (b.line, b.used, b.rms, b.by_hand)
+            assert a.indices.tolist() == b.indices.tolist()
+
+
+def test_targets_found_with_another_prior_and_proposed_ones_keep_their_points(
+    quay: lispac.OpenProject, tmp_path: Path
+) -> None:
+    seeded(quay, "T1", "T2")
+    quay.accept(quay.propose(), ["V1"])
+    quay.change(boresight_deg=(0.3, -1.1, 0.4))
+    quay.estimate(cross_check=False)
+    script = made(quay)
+    assert "project.put(" in script.text
+    assert "boresight_deg=(0.3, -1.1, 0.4)" in script.text
+    same_numbers(quay, script, tmp_path)
+
+
+def test_nothing_is_done_that_was_not(quay: lispac.OpenProject, tmp_path: Path) -> None:
+    before = quay.project
+    seeded(quay, "T1")
+    quay.project = before
+    script = made(quay)
+    for step in ("seed", "put", "estimate", "validate", "check", "identity", "import_lines"):
+        assert f"project.{step}(" not in script.text
+    same_numbers(quay, script, tmp_path)
+
+
+def test_imported_lines_are_imported(demo_project: Project, tmp_path: Path) -> None:
+    raw = demo_project.folder / "raw"
+    quay = lispac.new(
+        tmp_path / "quay", lines=sorted(raw.glob("L[12]*.laz")), lever_arm=(-0.242, 0.061, 2.173),
+        trajectory=raw / "trajectory.sbet", lidar_sigma=0.0017,
+    )  # fmt: skip
+    quay.import_lines(["L2_180"])
+    seeded(quay, "T1", "T2")
+    script = made(quay)
+    assert "project.import_lines(['L2_180'])" in script.text
+    assert "project.put(" not in script.text
+    same_numbers(quay, script, tmp_path)
+    assert (tmp_path / "again" / "lines").is_dir()
+
+
+def reference(folder: Path) -> Path:
+    """Surveyed points on T2, which leans by 45 deg about the west axis."""
+    from tests.static_scans import on_plane
+
+    corners = on_plane("T2", np.array([-0.4, 0.4, 0.4, -0.4]), np.array([-0.4, -0.4, 0.4, 0.4]))
+    rows = [f"B{k},{x[0]},{x[1]},{x[2]},0.002,T2" for k, x in enumerate(corners)]
+    path = folder / "board.csv"
+    path.write_text("\n".join(["name,north,west,up,sigma,plane", *rows]))
+    return path
+
+
+@pytest.mark.parametrize("beside", [True, False])
+def test_a_check_is_repeated_where_its_reference_is_found(
+    quay: lispac.OpenProject, tmp_path: Path, beside: bool
+) -> None:
+    seeded(quay, "T1", "T2")
+    quay.estimate(cross_check=False)
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    quay.check(reference(elsewhere), reach=0.8)
+    if beside:
+        quay.save_as(elsewhere / "quay")
+        assert not made(quay).remarks
+        same_numbers(quay, made(quay), tmp_path)
+        reference(elsewhere).write_text("another list")
+    script = made(quay)
+    assert "# project.check('board.csv', reach=0.8)" in script.text
+    (remark,) = script.remarks
+    assert "board.csv was not found beside the lines" in remark
+
+
+def test_a_check_that_its_file_alone_does_not_repeat_is_told(
+    quay: lispac.OpenProject, tmp_path: Path
+) -> None:
+    seeded(quay, "T1", "T2")
+    quay.estimate(cross_check=False)
+    found = quay.check(reference(tmp_path))
+    quay.project = quay.project.with_absolute(replace(found, system="a system of one's own"))
+    quay.save_as(tmp_path / "quay")
+    (remark,) = made(quay).remarks
+    assert "taken to be in a system of one's own" in remark
+
+
+def test_an_answer_that_the_steps_do_not_lead_to_is_told(quay: lispac.OpenProject) -> None:
+    seeded(quay, "T1", "T2")
+    result = quay.estimate(cross_check=False)
+    off = result.mounting.with_boresight(result.boresight + np.radians([0.0, 0.004, 0.0]))
+    quay.project = quay.project.with_result(replace(result, mounting=off))
+    (remark,) = made(quay).remarks
+    assert "by up to 0.004 deg (pitch)" in remark
+    assert remark.split(":")[0] in made(quay).text.replace("\n# ", " ")
+
+
+def test_names_cannot_bring_steps_of_their_own(quay: lispac.OpenProject, tmp_path: Path) -> None:
+    """The folder's name goes into comments, and into texts of the script."""
+    quay.save_as(tmp_path / "a'b\"\nimport nothing_of_the_kind\n#")
+    run(made(quay).text, tmp_path / "again")
+
+
+def test_the_command_prints_and_writes_it(
+    demo_project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "steps.py"
+    assert main(["script", str(demo_project.folder), "--output", str(path)]) == 0
+    assert capsys.readouterr().out == f"{path}\n"
+    assert main(["script", str(demo_project.folder)]) == 0
+    assert capsys.readouterr().out == path.read_text(encoding="utf-8")
+    compile(path.read_text(encoding="utf-8"), "steps.py", "exec")
+    assert main(["script", str(tmp_path / "nowhere")]) == 1

@@ -1,0 +1,212 @@
+"""The steps of the window as Python: `import lispac`."""
+
+import ast
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lispac
+from lispac.cli.main import main
+from lispac.project import Project
+from lispac.workflow.demo import demo_seeds
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+MANUAL = CHECKOUT / "resources" / "manual" / "scripts.md"
+TRUTH = (0.27, -1.14, 0.36)
+
+
+@pytest.fixture
+def quay(demo_project: Project, tmp_path: Path) -> lispac.OpenProject:
+    """The built-in survey as a new project, nothing picked."""
+    raw = demo_project.folder / "raw"
+    return lispac.new(
+        tmp_path / "quay",
+        lines=sorted(raw.glob("*.laz")),
+        trajectory=raw / "trajectory.sbet",
+        accuracy=str(raw / "smrmsg.out"),
+        lever_arm=(-0.242, 0.061, 2.173),
+        origin_deg_m=(45.5189, -73.5390, -25.6),
+        lidar_sigma=0.0017,
+    )
+
+
+def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
+    for name in names:
+        role, place = demo_seeds()[name]
+        quay.seed(name, place, role=role)
+    return quay
+
+
+def test_every_name_is_there_and_type_checkers_know_it() -> None:
+    tree = ast.parse((CHECKOUT / "lispac" / "__init__.py").read_text(encoding="utf-8"))
+    (typed,) = (node for node in tree.body if isinstance(node, ast.If))
+    stated = {
+        alias.asname or alias.name: node.module
+        for node in ast.walk(typed) if isinstance(node, ast.ImportFrom) for alias in node.names
+    }  # fmt: skip
+    assert stated == lispac._WHERE
+    for name in lispac.__all__:
+        assert getattr(lispac, name) is not None
+        assert name in dir(lispac)
+        assert not (CHECKOUT / "lispac" / name).exists(), f"{name} hides a subpackage"
+    with pytest.raises(AttributeError, match="no attribute 'seeed'"):
+        lispac.seeed  # noqa: B018
+
+
+def test_the_steps_are_those_of_the_command_line(
+    quay: lispac.OpenProject, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = quay.project.folder
+    for name in ("T1", "T2", "V1"):
+        role, place = demo_seeds()[name]
+        words = ["pick", folder, "--name", name, "--role", role, "--seed", *place]
+        assert main([str(word) for word in words]) == 0
+    assert main(["estimate", str(folder)]) == 0
+    assert main(["validate", str(folder)]) == 0
+    capsys.readouterr()
+    typed = lispac.open(folder)
+
+    seeded(quay, "T1", "T2", "V1")
+    quay.estimate()
+    (plane,) = quay.validate()
+
+    assert quay.result.boresight.tolist() == typed.result.boresight.tolist()
+    assert quay.result.covariance.tolist() == typed.result.covariance.tolist()
+    assert plane.to_dict() == typed.project.validation[0].to_dict()
+    assert (np.abs(np.array(quay.boresight_deg) - TRUTH) < 3 * np.array(quay.sigma_deg)).all()
+
+
+def test_the_example_of_the_manual_runs(tmp_path: Path) -> None:
+    example, other = re.findall(r"```python\n(.*?)```", MANUAL.read_text(encoding="utf-8"), re.S)
+    ast.parse(other)
+    done = subprocess.run(
+        [sys.executable, "-c", example], cwd=tmp_path, capture_output=True, text=True, check=False,
+        env={"PYTHONPATH": str(CHECKOUT), "HOME": str(tmp_path)}, timeout=300,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("points") == 6
+    told = re.findall(r"(?:roll|pitch|yaw) +(\S+) deg, 1 sigma (\S+)", done.stdout)
+    for (value, sigma), truth in zip(told, TRUTH, strict=True):
+        assert abs(float(value) - truth) < 3 * float(sigma) + 1e-4
+    report = json.loads((tmp_path / "quay.json").read_text(encoding="utf-8"))
+    assert report["identity"]["vessel"] == "Saucier"
+    assert (tmp_path / "quay.pdf").read_bytes().startswith(b"%PDF")
+    assert lispac.open(tmp_path / "quay").project.target("T2").sighting("L3_045").used is False
+
+
+def test_edits(quay: lispac.OpenProject, tmp_path: Path) -> None:
+    seeded(quay, "T1", "V1")
+    before = quay.project
+    quay.reject("T1", "L1_000")
+    assert quay.project.target("T1").used_sightings[0].line == "L2_180"
+    quay.use("T1", "L1_000")
+    quay.reject("T1")
+    assert quay.project.target("T1").used_sightings == ()
+    quay.project = before
+    quay.rename("V1", "Tower")
+    quay.set_role("Tower", "target")
+    quay.set_role("Tower", "target")
+    assert [(t.name, t.role) for t in quay.project.targets] == [
+        ("T1", "target"), ("Tower", "target")
+    ]  # fmt: skip
+    quay.remove("T1")
+    quay.identity(vessel=" Saucier ")
+    assert quay.project.identity.vessel == "Saucier"
+    quay.change(lidar_sigma=0.002)
+    assert quay.survey is quay.survey
+    survey = quay.survey
+    quay.change(boresight_deg=(1.0, 0.0, 0.0))
+    assert quay.survey is not survey
+    quay.save()
+    assert lispac.open(quay.project.folder).project.settings == quay.project.settings
+    quay.save_as(tmp_path / "other")
+    assert quay.project.name == "other"
+    (path,) = quay.export("trajectory", tmp_path / "track.txt", form="text")
+    assert path.stat().st_size > 1000
+
+
+def test_a_point_of_a_line_is_a_seed(quay: lispac.OpenProject) -> None:
+    target = seeded(quay, "T1").project.target("T1")
+    sighting = target.sighting("L2_180")
+    number = int(sighting.indices[len(sighting.indices) // 2])
+    clicked = quay.seed("T1", point=("L2_180", number))
+    assert clicked.seed == pytest.approx(quay.survey.clouds["L2_180"][np.array([number])][0])
+    shared = np.intersect1d(clicked.sighting("L2_180").indices, sighting.indices)
+    assert len(shared) > 0.95 * len(sighting.indices)
+
+
+def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
+    proposal = quay.propose()
+    names = [target.name for target in proposal.targets if target.role == "target"]
+    assert quay.accept(proposal, names) == tuple(names)
+    assert len(quay.accept(proposal)) == len(proposal.targets)
+
+
+@pytest.mark.parametrize(
+    ("step", "said"),
+    [
+        (lambda quay: quay.seed("T9", (500.0, 500.0, 500.0)), "No line has a plane"),
+        (lambda quay: quay.seed("T9"), "one of them"),
+        (lambda quay: quay.seed("T9", (0, 0, 0), point=("L1_000", 1)), "one of them"),
+        (lambda quay: quay.seed("T9", point=("L1_000", 10**9)), "has points 0 to"),
+        (lambda quay: quay.seed("T9", point=("L1_000", -1)), "number -1 is asked for"),
+        (lambda quay: quay.seed("T9", point=("L9", 1)), "there is no line L9"),
+        (lambda quay: quay.reject("T1", "L9"), "was not found on L9"),
+        (lambda quay: quay.change(lidar_sigma=-1.0), "larger than zero"),
+        (lambda quay: quay.rename("T1", ""), "needs a name"),
+        (lambda quay: quay.estimate(), "All sightings are on line L1_000"),
+        (lambda quay: quay.validate(), "no estimated boresight"),
+        (lambda quay: quay.check("nothing.csv"), "estimate first"),
+        (lambda quay: quay.report("report.doc"), "a report is written as"),
+        (lambda quay: quay.export("lines", "map", form="csv"), "cannot be exported as csv"),
+        (lambda quay: quay.boresight_deg, "estimate first"),
+    ],
+)
+def test_what_is_refused_changes_nothing(opened, step, said: str) -> None:
+    before = opened.project
+    with pytest.raises(lispac.LispacError, match=re.escape(said)):
+        step(opened)
+    assert opened.project is before
+
+
+@pytest.fixture(scope="module")
+def opened(demo_project: Project) -> lispac.OpenProject:
+    """With one target on one line, which gives no answer; not to be changed."""
+    quay = lispac.open(demo_project.folder)
+    quay.seed("T1", demo_seeds()["T1"][1], line="L1_000")
+    return quay
+
+
+def test_points_are_put_only_where_they_belong(opened: lispac.OpenProject) -> None:
+    (sighting,) = opened.project.target("T1").sightings
+
+    def target(line: str, numbers: str, fingerprint: str) -> lispac.Target:
+        points = lispac.point_numbers(numbers)
+        put = lispac.PickedSighting(line, points, rms=0.002, fingerprint=fingerprint)
+        return lispac.Target("T2", "target", (0.0, 0.0, 0.0), 0.01, 2.0, (put,))
+
+    before = opened.project
+    for wrong, said in (
+        (target("L9", "0+40", ""), "no line L9"),
+        (target("L1_000", "999999999+40", ""), "is asked for"),
+        (target("L1_000", "0+40", "another"), "chosen in another file"),
+    ):
+        with pytest.raises(lispac.LispacError, match=said):
+            opened.put(wrong)
+    assert opened.project is before
+    opened.put(target("L1_000", "0+40", sighting.fingerprint))
+    assert len(opened.project.target("T2").sightings[0].indices) == 40
+    opened.project = before
+
+
+def test_wrong_words_of_a_script_are_told_as_python_does(tmp_path: Path) -> None:
+    with pytest.raises(TypeError, match="lidar_sigm"):
+        lispac.new(tmp_path, lines=[], trajectory="t", lever_arm=(0, 0, 0), lidar_sigm=1.0)
+    with pytest.raises(lispac.LispacError, match="at least one line"):
+        lispac.new(tmp_path / "p", lines=[], trajectory="t", lever_arm=(0, 0, 0))
+    assert not (tmp_path / "p").exists()
