@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from lispac.survey.source import Reading as Reading
     from lispac.targets.expected import ExpectedTarget as ExpectedTarget
     from lispac.targets.settings import FinderChoices as FinderChoices
+    from lispac.workflow.batch import batch as batch
     from lispac.workflow.point_numbers import point_numbers as point_numbers
 
 # Imported when first asked for: the command line asks for the version alone.
@@ -50,6 +51,7 @@ _WHERE = {
     "Reading": "lispac.survey.source",
     "Settings": "lispac.project",
     "Target": "lispac.picks",
+    "batch": "lispac.workflow.batch",
     "demo": "lispac.scripting.making",
     "new": "lispac.scripting.making",
     "open": "lispac.scripting.making",

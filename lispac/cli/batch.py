@@ -1,0 +1,69 @@
+"""``lispac batch``: many projects calibrated into a table."""
+
+import sys
+from argparse import Namespace
+from dataclasses import asdict
+from typing import Any
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.errors import ProjectError
+from lispac.workflow.batch import Row, write_table
+from lispac.workflow.batch import batch as rows_of
+from lispac.workflow.report_options import report_options
+
+
+def batch(arguments: Namespace) -> None:
+    """Calibrate all projects, print and write the table, and end with 1 if one was refused."""
+    if arguments.reports is None and (arguments.report_format or arguments.template):
+        raise UsageError(
+            "batch: --report-format and --template go with --reports DIR; leave them out."
+        )
+    options = report_options(arguments.template)
+    with ConsoleProgress() as progress:
+        rows = rows_of(
+            *arguments.folders, save=arguments.save, reports=arguments.reports,
+            form=arguments.report_format or "pdf", options=options, progress=progress,
+        )  # fmt: skip
+    if arguments.output is not None:
+        write_table(rows, arguments.output)
+    if arguments.json:
+        print_json({"projects": [_values(row) for row in rows]})
+    else:
+        _print(rows)
+    sys.stdout.flush()
+    refused = [row.name for row in rows if row.verdict == "refused"]
+    if refused:
+        raise ProjectError(
+            f"{len(refused)} of {len(rows)} projects were refused: {', '.join(refused)}; the "
+            "table says why."
+        )
+
+
+def _values(row: Row) -> dict[str, Any]:
+    return asdict(row) | {"folder": str(row.folder), "remarks": list(row.remarks)}
+
+
+def _print(rows: tuple[Row, ...]) -> None:
+    width = max(12, *(len(row.name) for row in rows)) + 2
+    angles = "".join(f"{f'{angle}, 1 sigma':>19s}" for angle in ANGLES)
+    print(f"{'project':{width}s}{angles} deg{'sigma 0':>9s}{'before':>9s}{'after':>8s} mm  verdict")
+    for row in rows:
+        cells = " " * 19 * 3
+        if row.boresight_deg is not None and row.sigma_deg is not None:
+            cells = "".join(
+                f"{angle:+11.4f} {sigma:7.4f}"
+                for angle, sigma in zip(row.boresight_deg, row.sigma_deg, strict=True)
+            )
+        apart = [None if v is None else 1000 * v for v in (row.rms_before, row.rms_after)]
+        print(
+            f"{row.name:{width}s}{cells}    {_cell(row.sigma_0, 9, 2)}{_cell(apart[0], 9, 1)}"
+            f"{_cell(apart[1], 8, 1)}     {row.verdict}"
+        )
+    for row in rows:
+        for remark in row.remarks:
+            print(f"{row.name}: {remark}")
+
+
+def _cell(value: float | None, width: int, decimals: int) -> str:
+    return f"{'-':>{width}s}" if value is None else f"{value:{width}.{decimals}f}"

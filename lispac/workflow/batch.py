@@ -1,0 +1,214 @@
+"""Many projects calibrated one after the other: a row of a table for each."""
+
+import csv
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from io import StringIO
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.adjustment.shown import plain
+from lispac.errors import InputError, LispacError, NotComparable
+from lispac.io.files import written_whole
+from lispac.progress import Progress, no_progress, part
+from lispac.project import Project, Triple
+from lispac.report.options import USUAL, ReportOptions
+from lispac.workflow.calibration import estimate
+from lispac.workflow.export import content_of, write_report
+from lispac.workflow.history import projects_in
+from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.survey import load_survey
+from lispac.workflow.survey_dates import survey_dates
+from lispac.workflow.validation import validate
+
+Verdict = Literal["good", "remarks", "doubtful", "refused"]
+REPORTS = ("pdf", "html", "json", "zip")
+
+
+@dataclass(frozen=True)
+class Row:
+    """What came of one project.
+
+    Attributes
+    ----------
+    folder : Path
+    name, vessel, dates : str
+        Blank where they are not known.
+    verdict : {"good", "remarks", "doubtful", "refused"}
+        ``doubtful`` where the report has a serious warning.
+    boresight_deg, sigma_deg : roll, pitch, yaw in degrees, or None
+    sigma_0 : float or None
+        A posteriori: 1 where the errors are as stated.
+    test_passed : bool or None
+        Chi-square test of the variance factor.
+    rms_before, rms_after : float or None, metres
+        Distances between the lines on all validation planes.
+    remarks : tuple of str
+        Of a refused project the reason.
+    """
+
+    folder: Path
+    name: str
+    verdict: Verdict
+    remarks: tuple[str, ...]
+    vessel: str = ""
+    dates: str = ""
+    boresight_deg: Triple | None = None
+    sigma_deg: Triple | None = None
+    sigma_0: float | None = None
+    test_passed: bool | None = None
+    rms_before: float | None = None
+    rms_after: float | None = None
+
+
+def batch(
+    *folders: str | Path,
+    save: bool = False,
+    reports: str | Path | None = None,
+    form: str = "pdf",
+    options: ReportOptions = USUAL,
+    progress: Progress = no_progress,
+) -> tuple[Row, ...]:
+    """Estimate and validate every project in these folders, targets as they are picked.
+
+    A project that is refused is a row too, and the next one follows.
+
+    Parameters
+    ----------
+    folders : searched at any depth
+    save : bool
+        Whether the projects keep what is found; otherwise they stay as they are on disk.
+    reports : path, optional
+        Folder in which each project's report is written.
+    form : {"pdf", "html", "json", "zip"}
+        Of the reports.
+
+    Raises
+    ------
+    ProjectError
+        Where a folder does not exist, or there is no project in any.
+    InputError
+        Where there is no such form of report.
+    """
+    if form not in REPORTS:
+        raise InputError(f"A report is written as {', '.join(REPORTS)}, not as {form}.")
+    found = projects_in([Path(folder) for folder in folders])
+    files = [f"{name}.{form}" for name in _file_names(found)]
+    rows = []
+    for k, (folder, file) in enumerate(zip(found, files, strict=True)):
+        step = part(progress, k / len(found), (k + 1) / len(found))
+        step(0.0, f"{folder.name} ({k + 1} of {len(found)})")
+        report = None if reports is None else Path(reports) / file
+        rows.append(_row(folder, save, report, options, step))
+    progress(1.0, f"{len(rows)} projects")
+    return tuple(rows)
+
+
+def _row(
+    folder: Path, save: bool, report: Path | None, options: ReportOptions, progress: Progress
+) -> Row:
+    known = Row(folder, folder.name, "refused", ())
+    try:
+        project = open_project(folder)
+        known = replace(
+            known, vessel=project.identity.vessel,
+            dates=project.identity.dates or survey_dates(project),
+        )  # fmt: skip
+        return _calibrated(known, project, save, report, options, progress)
+    except LispacError as error:
+        return replace(known, remarks=(str(error),))
+    except OSError as error:
+        return replace(known, remarks=(f"{error.filename or folder}: {error.strerror or error}.",))
+    except MemoryError:
+        return replace(known, remarks=("There is not enough memory; use shorter lines.",))
+
+
+def _calibrated(
+    known: Row,
+    project: Project,
+    save: bool,
+    report: Path | None,
+    options: ReportOptions,
+    progress: Progress,
+) -> Row:
+    survey = load_survey(project, progress=part(progress, 0.0, 0.3))
+    project = estimate(project, survey, progress=part(progress, 0.3, 0.7))
+    said: tuple[str, ...] = ()
+    if any(plane.used for plane in project.of_role("validation")):
+        try:
+            project = validate(project, survey, progress=part(progress, 0.7, 0.9))
+        except NotComparable as error:
+            said = (str(error),)
+    if save:
+        save_project(project)
+    if report is not None:
+        write_report(project, survey, report, options=options, progress=part(progress, 0.9, 0.95))
+    cautions = content_of(project, survey, progress=part(progress, 0.95, 1.0)).cautions
+    serious = any(caution.severity == "serious" for caution in cautions)
+    result = project.result
+    assert result is not None
+    roll, pitch, yaw = np.degrees(result.boresight).tolist()
+    sigmas = np.degrees(result.sigma).tolist()
+    return replace(
+        known,
+        verdict="doubtful" if serious else "remarks" if cautions or said else "good",
+        remarks=(*said, *(plain(caution.text) for caution in cautions)),
+        boresight_deg=(roll, pitch, yaw),
+        sigma_deg=(sigmas[0], sigmas[1], sigmas[2]),
+        sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),
+        test_passed=result.chi_square.passed,
+        rms_before=_rms([(plane.before.rms, plane.before.n) for plane in project.validation]),
+        rms_after=_rms([(plane.after.rms, plane.after.n) for plane in project.validation]),
+    )
+
+
+def _rms(planes: Sequence[tuple[float, int]]) -> float | None:
+    count = sum(n for _, n in planes)
+    return math.sqrt(sum(n * rms**2 for rms, n in planes) / count) if count else None
+
+
+def _file_names(folders: Sequence[Path]) -> Iterator[str]:
+    """A name for each folder's report: its own, with a number where others have the same."""
+    taken: set[str] = set()
+    for folder in folders:
+        name, k = folder.name, 1
+        while name.lower() in taken:
+            k += 1
+            name = f"{folder.name}-{k}"
+        taken.add(name.lower())
+        yield name
+
+
+HEADS = (
+    "folder", "project", "vessel", "dates", "verdict",
+    *(f"{angle}_deg" for angle in ANGLES), *(f"sigma_{angle}_deg" for angle in ANGLES),
+    "sigma_0", "chi_square_passed", "rms_before_m", "rms_after_m", "remarks",
+)  # fmt: skip
+
+
+def write_table(rows: Sequence[Row], path: Path) -> None:
+    """Write the rows as CSV, numbers in full.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be written.
+    """
+    stream = StringIO()
+    stream.write("\ufeff")  # a spreadsheet takes the file for UTF-8 by its mark
+    writer = csv.writer(stream)
+    writer.writerow(HEADS)
+    for row in rows:
+        cells = (
+            row.folder, row.name, row.vessel, row.dates, row.verdict,
+            *(row.boresight_deg or (None,) * 3), *(row.sigma_deg or (None,) * 3), row.sigma_0,
+            None if row.test_passed is None else "yes" if row.test_passed else "no",
+            row.rms_before, row.rms_after, " | ".join(row.remarks),
+        )  # fmt: skip
+        writer.writerow(["" if cell is None else cell for cell in cells])
+    with written_whole(path) as temporary:
+        temporary.write_text(stream.getvalue(), encoding="utf-8", newline="")

@@ -1,0 +1,138 @@
+"""Many projects in one go: each has a row, and a refused one does not stop the others."""
+
+import csv
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lispac
+from lispac.cli.main import main
+from lispac.errors import InputError, ProjectError
+from lispac.project import Project
+from lispac.workflow.batch import HEADS, Row, write_table
+from lispac.workflow.demo import demo_seeds
+
+TRUTH = (0.27, -1.14, 0.36)
+
+
+@pytest.fixture(scope="module")
+def projects(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """One that is picked, one that is not, one that is broken, one whose lines are gone."""
+    folder = tmp_path_factory.mktemp("projects")
+    quay = lispac.open(demo_project.folder)
+    for name in ("T1", "T2", "V1", "V2"):
+        role, place = demo_seeds()[name]
+        quay.seed(name, place, role=role)
+    quay.identity(vessel="Saucier", dates="2026-03-04")
+    quay.save_as(folder / "2026" / "good")
+    quay.save_as(folder / "2027" / "good")
+    quay.remove("V1")
+    quay.remove("V2")
+    quay.save_as(folder / "unvalidated")
+    lispac.open(demo_project.folder).save_as(folder / "unpicked")
+    shutil.copytree(folder / "unpicked", folder / "broken")
+    (folder / "broken" / "project.json").write_text("{")
+    shutil.copytree(folder / "unpicked", folder / "moved")
+    text = (folder / "moved" / "project.json").read_text(encoding="utf-8")
+    (folder / "moved" / "project.json").write_text(text.replace("L3_045.laz", "L3.laz"))
+    return folder
+
+
+def on_disk(folder: Path) -> dict[str, bytes]:
+    return {str(path): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def table(path: Path) -> dict[str, dict[str, str]]:
+    with path.open(encoding="utf-8-sig", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert tuple(rows[0]) == HEADS
+    return {str(Path(row["folder"])): row for row in rows}
+
+
+def test_every_project_has_a_row(
+    projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = on_disk(projects)
+    words = ["--output", tmp_path / "table.csv", "--reports", tmp_path, "--report-format", "json"]
+    assert main(["batch", str(projects), *map(str, words)]) == 1
+    out, err = capsys.readouterr()
+    assert on_disk(projects) == before
+    assert err == (
+        "lispac: 3 of 6 projects were refused: broken, moved, unpicked; the table says why.\n"
+    )
+    rows = table(tmp_path / "table.csv")
+    assert len(rows) == 6
+    for name, why in (
+        ("broken", "damaged"), ("moved", "L3.laz: there is no such LAS file"),
+        ("unpicked", "there is no target to adjust"),
+    ):  # fmt: skip
+        row = rows[str(projects / name)]
+        assert row["verdict"] == "refused"
+        assert why in row["remarks"]
+        assert row["roll_deg"] == row["sigma_0"] == row["rms_after_m"] == ""
+        assert f"{name}: " in out
+
+    good = rows[str(projects / "2026" / "good")]
+    assert (good["vessel"], good["dates"]) == ("Saucier", "2026-03-04")
+    quay = lispac.open(projects / "2026" / "good")
+    quay.estimate()
+    planes = quay.validate()
+    for k, angle in enumerate(("roll", "pitch", "yaw")):
+        value, sigma = float(good[f"{angle}_deg"]), float(good[f"sigma_{angle}_deg"])
+        assert abs(value - TRUTH[k]) < 3 * sigma
+        assert (value, sigma) == (quay.boresight_deg[k], quay.sigma_deg[k])
+        assert f"{value:+.4f} {sigma:7.4f}" in out
+    for state in ("before", "after"):
+        found = [getattr(plane, state) for plane in planes]
+        square = sum(each.n * each.rms**2 for each in found) / sum(each.n for each in found)
+        assert float(good[f"rms_{state}_m"]) == pytest.approx(np.sqrt(square), rel=1e-12)
+    assert float(good["rms_after_m"]) < float(good["rms_before_m"])
+    assert good["chi_square_passed"] in ("yes", "no")
+
+    reports = sorted(path.name for path in tmp_path.glob("*.json"))
+    assert reports == ["good-2.json", "good.json", "unvalidated.json"]
+    report = json.loads((tmp_path / "good.json").read_text(encoding="utf-8"))
+    assert good["verdict"] == (
+        "doubtful" if any(c["severity"] == "serious" for c in report["cautions"]) else "remarks"
+    )
+    assert len(good["remarks"].split(" | ")) == len(report["cautions"])
+    unvalidated = rows[str(projects / "unvalidated")]
+    assert unvalidated["rms_after_m"] == ""
+    assert unvalidated["roll_deg"] == good["roll_deg"]
+
+
+def test_what_is_found_is_saved_where_that_is_wanted(
+    projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "one"
+    lispac.open(projects / "2026" / "good").save_as(folder / "quay")
+    assert main(["batch", str(folder), "--save", "--json"]) == 0
+    (row,) = json.loads(capsys.readouterr().out)["projects"]
+    saved = lispac.open(folder / "quay")
+    assert list(saved.boresight_deg) == row["boresight_deg"]
+    assert [plane.name for plane in saved.project.validation] == ["V1", "V2"]
+
+
+def test_a_table_holds_what_was_typed(tmp_path: Path) -> None:
+    row = Row(Path("a,b"), 'the "first"', "refused", ("one\ntwo", "three"), vessel="Léonie, II")
+    write_table([row], tmp_path / "table.csv")
+    (read,) = table(tmp_path / "table.csv").values()
+    assert read["project"] == 'the "first"'
+    assert read["remarks"] == "one\ntwo | three"
+    assert read["vessel"] == "Léonie, II"
+
+
+def test_what_cannot_be_done_is_said_at_once(
+    projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(ProjectError, match="there is no project in it"):
+        lispac.batch(tmp_path)
+    with pytest.raises(ProjectError, match="there is no such folder"):
+        lispac.batch(tmp_path / "nowhere")
+    with pytest.raises(InputError, match="not as doc"):
+        lispac.batch(projects, form="doc")
+    assert main(["batch", str(projects), "--report-format", "pdf"]) == 2
+    assert "go with --reports DIR" in capsys.readouterr().err
