@@ -36,6 +36,7 @@ from lispac.gui.panels.workflow import WorkflowPanel
 from lispac.gui.reporting import Reporting
 from lispac.gui.safekeeping import Safekeeping
 from lispac.gui.scene import Scene
+from lispac.gui.scripting import Scripting
 from lispac.gui.seeding import Seeding
 from lispac.gui.settings import AppSettings
 from lispac.gui.showing import Showing
@@ -105,6 +106,7 @@ class MainWindow(QMainWindow):
         Seeding(self)
         Reporting(self)
         Studies(self)
+        Scripting(self)
         self.designing = Designing(self)
         self.safekeeping = Safekeeping(self)
         FileDrops(self).dropped.connect(self.life.take_in)

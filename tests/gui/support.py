@@ -73,6 +73,10 @@ class ScriptedDialogs(Dialogs):
         self.asked.append(start.name)
         return self.path
 
+    def script_file(self, start: Path) -> Path | None:
+        self.asked.append(start.name)
+        return self.path
+
     def report_template(self, start: Path) -> Path | None:
         return self.path
 

@@ -5,7 +5,7 @@ The window gets such an object; a test gives it one that answers by itself.
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtWidgets import QDialog, QFileDialog
 
@@ -21,6 +21,7 @@ from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.preview import PreviewDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.gui.dialogs.questions import Questions
+from lispac.gui.dialogs.script import ScriptDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
@@ -42,6 +43,9 @@ from lispac.workflow.intake import ImportRequest
 from lispac.workflow.proposing import Proposal
 from lispac.workflow.seed_lists import ListedSeed, Outcome
 from lispac.workflow.subsampling import Subsampled
+
+if TYPE_CHECKING:
+    from lispac.workflow.script import Script
 
 DesignFile = Literal["open", "save", "page", "site"]
 DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {
@@ -189,6 +193,19 @@ class Dialogs(Questions):
     def preview(self, pages: Sequence[bytes], save: Callable[[], str]) -> None:
         """Show the pages of the report; ``save`` keeps them and says where."""
         dialog = PreviewDialog(pages, save, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def script_file(self, start: Path) -> Path | None:
+        """Where the project's script goes."""
+        name, _ = QFileDialog.getSaveFileName(
+            self.parent, say("Save the script"), str(start), say("Python (*.py)")
+        )
+        return Path(name if Path(name).suffix else f"{name}.py") if name else None
+
+    def script(self, script: "Script", save: Callable[[], str]) -> None:
+        """Show the project's script; ``save`` keeps it and says where."""
+        dialog = ScriptDialog(script, save, self.parent)
         dialog.exec()
         dialog.deleteLater()
 

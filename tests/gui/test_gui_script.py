@@ -1,0 +1,127 @@
+"""The script of what was done in the window, run without it."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
+
+from lispac.gui.dialogs.script import ScriptDialog
+from tests.gui.support import Control, Driver, Key, Left, press, seed
+from tests.gui.test_gui_seed_at import hand
+from tests.script_runs import run, same_part
+
+Answer = Callable[[QWidget], None]
+
+
+def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
+    """The script that the window shows."""
+    found: list[str] = []
+
+    def look(dialog: QWidget) -> None:
+        assert isinstance(dialog, ScriptDialog)
+        found.append(dialog.findChild(QPlainTextEdit, "script_text").toPlainText())
+        answer(dialog)
+
+    hand(driver, look)
+    action = driver.window.actions_["script"]
+    assert action.isEnabled()
+    action.trigger()
+    driver.rest()
+    assert driver.dialogs.errors == []
+    (script,) = found
+    return script
+
+
+def told_by_window(driver: Driver, path: Path) -> dict:
+    """The report in JSON that the window writes."""
+    driver.dialogs.path = path
+    press(driver, Key.Key_E, Control)
+    driver.rest()
+    assert driver.dialogs.errors == []
+    return same_part(path)
+
+
+def test_the_demo_run_in_the_window_is_the_script_run_without_it(
+    opened: Driver, tmp_path: Path
+) -> None:
+    """Seeds, an edit taken back, one that stays, an answer, a validation: the same JSON."""
+    for name in ("T1", "T2", "V1", "V2"):
+        seed(opened, name)
+        opened.window.controller.accept()
+    seed(opened, "V3")
+    opened.window.controller.accept()
+    opened.window.document.undo_stack.undo()
+    opened.window.controller.use_sighting("T2", "L3_045", False)
+    opened.window.controller.rename("V2", "Tower")
+    press(opened, Key.Key_F9)
+    opened.rest()
+    press(opened, Key.Key_F10)
+    opened.rest()
+    wanted = told_by_window(opened, tmp_path / "window.json")
+    assert wanted["calibrated"]
+    assert [plane["name"] for plane in wanted["validation"]] == ["V1", "Tower"]
+    assert wanted["cross_checks"] is not None
+
+    def save(dialog: QWidget) -> None:
+        opened.dialogs.path = tmp_path / "steps.py"
+        opened.bot.mouseClick(dialog.findChild(QPushButton, "script_copy"), Left)
+        opened.bot.mouseClick(dialog.findChild(QPushButton, "script_save"), Left)
+        assert "steps.py" in dialog.findChild(QLabel, "script_said").text()
+        assert dialog.findChild(QLabel, "script_remarks") is None
+
+    script = shown(opened, save)
+    assert QGuiApplication.clipboard().text() == script
+    assert (tmp_path / "steps.py").read_text(encoding="utf-8") == script
+    assert "'V3'" not in script
+    assert "project.put(" not in script
+    assert run(script, tmp_path / "again") == wanted
+
+
+def test_what_follows_from_a_click_is_told_where_the_script_gives_another_answer(
+    opened: Driver,
+) -> None:
+    """The window keeps the points selected before; the script selects them anew."""
+    for name in ("T1", "T2"):
+        seed(opened, name)
+        opened.window.controller.accept()
+    press(opened, Key.Key_F9)
+    opened.rest()
+    opened.window.controller.use_sighting("T1", "L3_045", False)
+    opened.bot.waitUntil(lambda: not opened.window.document.awaits_result, timeout=60_000)
+    opened.rest()
+    followed = opened.project.result
+    remarks: list[str] = []
+
+    def read(dialog: QWidget) -> None:
+        label = dialog.findChild(QLabel, "script_remarks")
+        remarks.append("" if label is None else label.text())
+
+    shown(opened, read)
+    opened.window.actions_["estimate"].trigger()
+    opened.rest()
+    shown(opened, read)
+    moved = np.degrees(np.abs(opened.project.result.boresight - followed.boresight)).max()
+    assert moved > 0
+    assert f"by up to {moved:.1g} deg" in remarks[0]
+    assert remarks[1] == ""
+
+
+def test_there_is_no_script_without_a_project(driver: Driver) -> None:
+    assert not driver.window.actions_["script"].isEnabled()
+
+
+def test_a_script_that_cannot_be_saved_says_so(opened: Driver, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+
+    def save(dialog: QWidget) -> None:
+        opened.dialogs.path = tmp_path / "file" / "steps.py"
+        opened.bot.mouseClick(dialog.findChild(QPushButton, "script_save"), Left)
+        assert dialog.findChild(QLabel, "script_said").text() == ""
+
+    with pytest.raises(AssertionError):
+        shown(opened, save)
+    (error,) = opened.dialogs.errors
+    assert "cannot be written" in str(error)
