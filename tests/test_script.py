@@ -1,5 +1,6 @@
 """The script of a project makes it again from its raw files, with the same numbers."""
 
+import shutil
 from dataclasses import replace
 from math import radians
 from pathlib import Path
@@ -159,6 +160,19 @@ def test_imported_lines_are_imported(demo_project: Project, tmp_path: Path) -> N
     assert "project.put(" not in script.text
     same_numbers(quay, script, tmp_path)
     assert (tmp_path / "again" / "lines").is_dir()
+
+
+def test_raw_files_that_are_gone_are_told(demo_project: Project, tmp_path: Path) -> None:
+    raw = Path(shutil.copytree(demo_project.folder / "raw", tmp_path / "raw"))
+    quay = lispac.new(
+        tmp_path / "quay", lines=[raw / "L1_000.laz", raw / "L2_180.laz"], lever_arm=(0, 0, 0),
+        trajectory=raw / "trajectory.sbet",
+    )  # fmt: skip
+    quay.import_lines()
+    (raw / "L2_180.laz").unlink()
+    quay.survey  # noqa: B018  what is imported needs its file no more
+    (remark,) = made(quay).remarks
+    assert remark == f"The script needs what is not there now: {raw / 'L2_180.laz'}."
 
 
 def reference(folder: Path) -> Path:

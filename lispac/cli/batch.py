@@ -2,14 +2,14 @@
 
 import sys
 from argparse import Namespace
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.errors import ProjectError
-from lispac.workflow.batch import Row, write_table
-from lispac.workflow.batch import batch as rows_of
+from lispac.workflow.batch import Row, each_row, write_table
 from lispac.workflow.report_options import report_options
 
 
@@ -20,13 +20,15 @@ def batch(arguments: Namespace) -> None:
             "batch: --report-format and --template go with --reports DIR; leave them out."
         )
     options = report_options(arguments.template)
+    rows: list[Row] = []
     with ConsoleProgress() as progress:
-        rows = rows_of(
+        for row in each_row(
             *arguments.folders, save=arguments.save, reports=arguments.reports,
             form=arguments.report_format or "pdf", options=options, progress=progress,
-        )  # fmt: skip
-    if arguments.output is not None:
-        write_table(rows, arguments.output)
+        ):  # fmt: skip
+            rows.append(row)
+            if arguments.output is not None:  # what is done is there, whatever ends the rest
+                write_table(rows, arguments.output)
     if arguments.json:
         print_json({"projects": [_values(row) for row in rows]})
     else:
@@ -44,7 +46,7 @@ def _values(row: Row) -> dict[str, Any]:
     return asdict(row) | {"folder": str(row.folder), "remarks": list(row.remarks)}
 
 
-def _print(rows: tuple[Row, ...]) -> None:
+def _print(rows: Sequence[Row]) -> None:
     width = max(12, *(len(row.name) for row in rows)) + 2
     angles = "".join(f"{f'{angle}, 1 sigma':>19s}" for angle in ANGLES)
     print(f"{'project':{width}s}{angles} deg{'sigma 0':>9s}{'before':>9s}{'after':>8s} mm  verdict")

@@ -86,6 +86,8 @@ def batch(
         Folder in which each project's report is written.
     form : {"pdf", "html", "json", "zip"}
         Of the reports.
+    options : ReportOptions
+        As `lispac.workflow.report_options` gives them.
 
     Raises
     ------
@@ -94,18 +96,32 @@ def batch(
     InputError
         Where there is no such form of report.
     """
+    return tuple(
+        each_row(
+            *folders, save=save, reports=reports, form=form, options=options, progress=progress
+        )
+    )
+
+
+def each_row(
+    *folders: str | Path,
+    save: bool,
+    reports: str | Path | None,
+    form: str,
+    options: ReportOptions,
+    progress: Progress,
+) -> Iterator[Row]:
+    """The rows of `batch`, each when its project is done."""
     if form not in REPORTS:
         raise InputError(f"A report is written as {', '.join(REPORTS)}, not as {form}.")
     found = projects_in([Path(folder) for folder in folders])
     files = [f"{name}.{form}" for name in _file_names(found)]
-    rows = []
     for k, (folder, file) in enumerate(zip(found, files, strict=True)):
         step = part(progress, k / len(found), (k + 1) / len(found))
         step(0.0, f"{folder.name} ({k + 1} of {len(found)})")
         report = None if reports is None else Path(reports) / file
-        rows.append(_row(folder, save, report, options, step))
-    progress(1.0, f"{len(rows)} projects")
-    return tuple(rows)
+        yield _row(folder, save, report, options, step)
+    progress(1.0, f"{len(found)} projects")
 
 
 def _row(

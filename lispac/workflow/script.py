@@ -68,7 +68,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
         step(0.0, f"Trying the seed of {target.name}")
         picked += list(steps_to(project, survey, target, step))
     blocks.append(picked)
-    remarks: list[str] = []
+    remarks = _gone(project)
     if project.result is not None:
         checks = project.cross_checks is not None
         named = {} if checks else {"cross_check": False}
@@ -136,6 +136,13 @@ def _new(project: Project, files: Files) -> str:
     if project.truth_deg is not None:
         named["truth_deg"] = project.truth_deg
     return f"project = {call('lispac.new', Code('folder'), **named, settled=True)}"
+
+
+def _gone(project: Project) -> list[str]:
+    """Files that the script needs and that are not there."""
+    paths = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
+    gone = [str(path) for path in paths if path is not None and not path.exists()]
+    return [f"The script needs what is not there now: {', '.join(gone)}."] if gone else []
 
 
 def _line(line: LineSource, files: Files) -> Code:

@@ -8,6 +8,7 @@ import numpy as np
 from lispac.errors import LispacError
 from lispac.progress import Progress
 from lispac.project import PickedSighting, Project, Target
+from lispac.targets.lines import CLICK
 from lispac.targets.settings import USUAL
 from lispac.workflow.picking import find
 from lispac.workflow.point_numbers import numbers_text
@@ -53,8 +54,12 @@ def _seeded(
         "choices": (target.choices, USUAL),
     }
     given = {name: value for name, (value, usual) in named.items() if value != usual}
-    # Where two lines meet at the seed, it counts which of them was clicked.
-    for line in (None, *(sighting.line for sighting in target.sightings)):
+    # Where lines meet at the seed, or none has a point there, it counts which of them was clicked.
+    place = np.array(target.seed)
+    clicked = [
+        line for line in survey.lines if len(survey.clouds[line].within(place, CLICK).points)
+    ]
+    for line in (None, *(clicked or [sighting.line for sighting in target.sightings])):
         try:
             found = find(
                 project, survey, target.seed, name=target.name, first_line=line,
