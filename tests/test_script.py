@@ -162,6 +162,23 @@ def test_imported_lines_are_imported(demo_project: Project, tmp_path: Path) -> N
     assert (tmp_path / "again" / "lines").is_dir()
 
 
+def test_what_is_found_in_the_files_is_told_where_the_project_tells_it(
+    demo_project: Project, tmp_path: Path
+) -> None:
+    """Just made, a project has notes that it does not have when it is opened."""
+    raw = demo_project.folder / "raw"
+    quay = lispac.new(
+        tmp_path / "quay", lines=[raw / "L1_000.laz"], trajectory=raw / "trajectory.sbet",
+        lever_arm=(0, 0, 0),
+    )  # fmt: skip
+    again = lispac.open(quay.project.folder)
+    assert len(quay.notes) > len(again.notes)
+    assert "settled=True" not in made(quay).text
+    same_numbers(quay, made(quay), tmp_path / "made")
+    assert "settled=True" in made(again).text
+    same_numbers(again, made(again), tmp_path / "opened")
+
+
 def test_raw_files_that_are_gone_are_told(demo_project: Project, tmp_path: Path) -> None:
     raw = Path(shutil.copytree(demo_project.folder / "raw", tmp_path / "raw"))
     quay = lispac.new(

@@ -120,7 +120,7 @@ def new_project(
     notes: tuple[str, ...] = ()
     known = tuple(lines)
     if not settled:
-        known, trajectory_reading, accuracy_reading, notes = _settled(
+        known, trajectory_reading, accuracy_reading, notes = settled_readings(
             known, trajectory, trajectory_reading, accuracy, accuracy_reading
         )
     draft = replace(
@@ -137,14 +137,25 @@ def new_project(
     return project, replace(survey, notes=(*notes, *survey.notes))
 
 
-def _settled(
-    lines: tuple[LineSource, ...],
+def settled_readings(
+    lines: Sequence[LineSource],
     trajectory: Path,
     trajectory_reading: Reading,
     accuracy: Path | None,
     accuracy_reading: Reading,
 ) -> tuple[tuple[LineSource, ...], Reading, Reading, tuple[str, ...]]:
-    """How all files of a new project are read, and what was found in them."""
+    """How all files of a new project are read, from what is given and what is found in them.
+
+    Returns
+    -------
+    lines, trajectory_reading, accuracy_reading : settled
+    notes : tuple of str
+
+    Raises
+    ------
+    InputError
+        Where a file cannot be read, or is not what is stated.
+    """
     track_stated = bool(dict(trajectory_reading.options).get("time"))
     trajectory_reading, notes = usual_or_settled(trajectory, "trajectory", trajectory_reading)
     if accuracy is not None:

@@ -25,6 +25,7 @@ from lispac.survey.store.reading import StoredLine
 from lispac.validation.absolute import AbsoluteCheck
 from lispac.workflow.absolute import REACH, SIGMA, check_absolute
 from lispac.workflow.calibration import estimate
+from lispac.workflow.projects import settled_readings
 from lispac.workflow.script_targets import steps_to
 from lispac.workflow.script_text import Code, Files, call, differing, rows
 from lispac.workflow.survey import Survey
@@ -56,7 +57,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
         Loaded for it.
     """
     files = Files([project.trajectory, *(line.path for line in project.lines)])
-    blocks = [[_new(project, files)]]
+    blocks = [[_new(project, files, settled=not _found_again(project, survey))]]
     stored = [name for name, scan in survey.scans.items() if isinstance(scan, StoredLine)]
     if stored:
         blocks.append([call("project.import_lines", stored)])
@@ -121,7 +122,7 @@ def _head(project: Project, files: Files, remarks: list[str]) -> str:
     ])  # fmt: skip
 
 
-def _new(project: Project, files: Files) -> str:
+def _new(project: Project, files: Files, *, settled: bool) -> str:
     settings = project.settings
     named: dict[str, object] = {
         "lines": rows([_line(line, files) for line in project.lines]),
@@ -135,7 +136,24 @@ def _new(project: Project, files: Files) -> str:
     named |= {"lever_arm": settings.lever_arm, **differing(settings, but=("lever_arm",))}
     if project.truth_deg is not None:
         named["truth_deg"] = project.truth_deg
-    return f"project = {call('lispac.new', Code('folder'), **named, settled=True)}"
+    if settled:
+        named["settled"] = True
+    return f"project = {call('lispac.new', Code('folder'), **named)}"
+
+
+def _found_again(project: Project, survey: Survey) -> bool:
+    """Whether looking into the files gives the project's readings, and notes the survey has.
+
+    So it is with a project that was just made; one that was opened does not tell these notes.
+    """
+    stated = project.lines, project.trajectory_reading, project.accuracy_reading
+    try:
+        *found, notes = settled_readings(
+            project.lines, project.trajectory, stated[1], project.accuracy, stated[2]
+        )
+    except LispacError:
+        return False
+    return bool(notes) and tuple(found) == stated and set(notes) <= set(survey.notes)
 
 
 def _gone(project: Project) -> list[str]:
