@@ -119,6 +119,46 @@ def test_mesh_files(ending: str, tmp_path: Path) -> None:
     assert (mesh.name, mesh.reflectance) == ("board", 0.5)
 
 
+OBJ = """# a wall of one face, and a gable counted back from the last vertex
+v -2 -15 6
+v 2 -15 6
+v 2 -17 9
+v -2 -17 9
+f 1//1 2//1 3//1 4//1
+v 0 -17 11
+f -2/7 -3/8 -1/9
+"""
+
+
+def area(mesh: Mesh) -> float:
+    a, b, c = (mesh.vertices[column] for column in mesh.triangles.T)
+    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+
+def test_faces_of_more_than_three_corners_are_not_lost(tmp_path: Path) -> None:
+    """Areas by hand: 4 m by the root of 2**2 + 3**2, and half of 4 m by 2."""
+    path = tmp_path / "house.obj"
+    path.write_text(OBJ)
+    assert area(read_mesh(path, "house", 0.5)) == pytest.approx(4 * np.sqrt(13) + 4, abs=1e-12)
+    path = tmp_path / "wall.ply"
+    path.write_text(
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "-2 -15 6\n2 -15 6\n2 -17 9\n-2 -17 9\n4 0 1 2 3\n"
+    )
+    assert area(read_mesh(path, "wall", 0.5)) == pytest.approx(4 * np.sqrt(13), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "wrong", ["v 1 2", "v 1 2 x", "f 1 2 9", "f 0 1 2", "f 1 2 -7", "f", "f 1 2"]
+)
+def test_an_obj_that_is_cut_is_refused_with_its_line(wrong: str, tmp_path: Path) -> None:
+    path = tmp_path / "cut.obj"
+    path.write_text(f"v 0 0 0\nv 1 0 0\nv 1 1 0\n{wrong}\n")
+    with pytest.raises(InputError, match=r"cut\.obj: line 4 is no sound"):
+        read_mesh(path, "m", 0.4)
+
+
 def test_what_is_no_mesh_is_refused(tmp_path: Path) -> None:
     cloud = tmp_path / "cloud.ply"
     cloud.write_text(

@@ -1,12 +1,19 @@
-"""Meshes of a scene from PLY, OBJ or STL."""
+"""Meshes of a scene from PLY, OBJ or STL.
 
+OBJ is read here: Open3D leaves faces of more than three corners out of it without a word.
+"""
+
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import require_file
 from lispac.simulation.meshes import Mesh
+
+Array = NDArray[np.float64]
 
 ENDINGS = (".ply", ".obj", ".stl")
 
@@ -14,7 +21,8 @@ ENDINGS = (".ply", ".obj", ".stl")
 def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
     """Read a mesh in local coordinates: north, west, up in metres.
 
-    Triangles without area are left out.
+    Faces of more corners are split into triangles, those of OBJ from their first corner; triangles
+    without area are left out.
 
     Raises
     ------
@@ -24,12 +32,7 @@ def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
     path = require_file(Path(path), "mesh")
     if path.suffix.lower() not in ENDINGS:
         raise InputError(f"{path}: a mesh ends in .ply, .obj or .stl; export it as one of these.")
-    import open3d
-
-    with open3d.utility.VerbosityContextManager(open3d.utility.VerbosityLevel.Error):
-        found = open3d.io.read_triangle_mesh(path)
-    vertices = np.asarray(found.vertices, dtype=float)
-    triangles = np.asarray(found.triangles, dtype=np.int64)
+    vertices, triangles = _of_obj(path) if path.suffix.lower() == ".obj" else _of_open3d(path)
     if not len(triangles):
         raise InputError(f"{path}: no triangles are in it; export the mesh, not its points.")
     if not np.isfinite(vertices).all():
@@ -39,3 +42,45 @@ def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
     if not wide.any():
         raise InputError(f"{path}: all its triangles are without area; export the mesh again.")
     return Mesh(name, vertices, triangles[wide], reflectance)
+
+
+def _of_open3d(path: Path) -> tuple[Array, NDArray[np.int64]]:
+    import open3d
+
+    with open3d.utility.VerbosityContextManager(open3d.utility.VerbosityLevel.Error):
+        found = open3d.io.read_triangle_mesh(path)
+    return np.asarray(found.vertices, dtype=float), np.asarray(found.triangles, dtype=np.int64)
+
+
+def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
+    """Vertices (``v``) and faces (``f``); of a corner the first number counts, from 1 or back."""
+    vertices: list[list[float]] = []
+    triangles: list[tuple[int, int, int]] = []
+    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    for number, line in enumerate(lines, 1):
+        kind, *words = line.split("#")[0].split() or [""]
+        try:
+            if kind == "v":
+                x, y, z = (float(word) for word in words[:3])
+                vertices.append([x, y, z])
+            elif kind == "f":
+                corners = [_corner(word, len(vertices)) for word in words]
+                first, *others = corners
+                if len(others) < 2:
+                    raise ValueError(line)
+                triangles += [(first, b, c) for b, c in pairwise(others)]
+        except ValueError:
+            raise InputError(
+                f"{path}: line {number} is no sound {'vertex' if kind == 'v' else 'face'} "
+                f"({line.strip()[:40]}); export the mesh again."
+            ) from None
+    return np.array(vertices).reshape(-1, 3), np.array(triangles, dtype=np.int64).reshape(-1, 3)
+
+
+def _corner(word: str, known: int) -> int:
+    """Index of a vertex among those known so far."""
+    given = int(word.split("/")[0])
+    index = given - 1 if given > 0 else known + given
+    if given == 0 or not 0 <= index < known:
+        raise ValueError(word)
+    return index
