@@ -103,6 +103,13 @@ def test_the_launch_and_the_profiler_are_those_of_the_built_in_survey() -> None:
     assert read_scanner(SCANNER)[1] == Scanner(POINTS_PER_SECOND)
 
 
+def test_a_survey_of_days_is_refused(tmp_path: Path) -> None:
+    """Before anything is sailed: a million metres at 2.2 m/s are 126 hours."""
+    path = edited(tmp_path, SCENE, "run_in_m = 5", "run_in_m = 1_000_000")
+    with pytest.raises(InputError, match=r"takes 126 hours, and no more than 12"):
+        simulation(str(path))
+
+
 def test_a_pos_with_many_errors() -> None:
     pos = read_vessel(resource("vessels") / "launch-outage.toml").pos
     assert isinstance(pos, Together)

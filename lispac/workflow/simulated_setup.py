@@ -22,6 +22,8 @@ from lispac.survey.trajectory import LocalTrajectory
 KINDS = ("scene", "vessel", "scanner")
 FARTHEST = 20_000.0
 """Metres: a scene whose origin is farther from the trajectory lies elsewhere."""
+LONGEST = 12 * 3600.0
+"""Seconds: a survey that takes longer has a figure wrong, and would not fit into memory."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,6 +130,14 @@ def _voyage(
         if described.origin is None:
             raise InputError(f"{file}: [origin] is missing; say where the scene lies.")
         passes = tuple(replace(each, handling=carried.handling) for each in described.passes)
+        takes = sum(each.times[1] - each.times[0] for each in passes)
+        takes += len(passes) * carried.handling.transit + 2 * carried.handling.wait
+        if takes > LONGEST:
+            raise InputError(
+                f"{file}: with {carried.title} the survey takes {takes / 3600:.0f} hours, and no "
+                f"more than {LONGEST / 3600:.0f} are simulated; correct run_in_m and run_out_m, or "
+                "the vessel's speed_m_s, transit_s and wait_s."
+            )
         return described.origin, Sailed(passes, carried.pos_height)
     if not described.stretches:
         raise InputError(
