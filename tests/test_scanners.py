@@ -45,6 +45,22 @@ def test_the_same_beams_about_the_length_of_the_vessel() -> None:
 
 
 @pytest.mark.parametrize("axis", ["x", "z"])
+def test_beams_go_astray_along_the_turn_and_across_it(axis) -> None:
+    """What is read keeps its elevation; from there to what was met it is sigma both ways."""
+    sigma = np.radians(0.05)
+    scanner = replace(TURNING, axis=axis, elevations=(0.0,), range_sigma=0.0, angle_sigma=sigma)
+    echoes = seen(scanner, ROUND, noise=True)
+    about = {"x": 0, "z": 2}[axis]
+    assert np.all(echoes.points_lidar[:, about] == 0)
+    read, met = echoes.points_lidar / 20.0, echoes.true_points_local / 20.0
+    along = np.cross(np.eye(3)[about], read)
+    misses = np.stack([np.sum((met - read) * along, axis=1), met[:, about]])
+    # 80,000 beams know it to 0.25 %
+    np.testing.assert_allclose(misses.std(axis=1), sigma, rtol=0.01)
+    assert abs(np.corrcoef(misses)[0, 1]) < 0.015
+
+
+@pytest.mark.parametrize("axis", ["x", "z"])
 def test_starboard_is_the_mirror_image_of_port(axis) -> None:
     low, high = np.radians([20.0, 60.0])
     scanner = replace(TURNING, axis=axis, window=(low, high), elevations=(0.0,))

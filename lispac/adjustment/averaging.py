@@ -101,7 +101,19 @@ def averaged(
         sigma_attitude=mean(observations.sigma_attitude),
         time=mean(observations.time),
         sighting=observations.sighting[order[start]],
+        apart=_apart(observations.time[order], start, counts),
     )
+
+
+def _apart(time: Array, start: NDArray[np.intp], counts: NDArray[np.intp]) -> Array:
+    """Mean time between two points of a cell, each with itself among them, shape (cells,).
+
+    Times are in order within a cell: each stands after those before it and before the others.
+    """
+    since = time - np.repeat(time[start], counts)
+    place = np.arange(len(time)) - np.repeat(start, counts)
+    more = 2 * place + 1 - np.repeat(counts, counts)
+    return 2 * np.add.reduceat(more * since, start) / counts**2
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,7 +167,7 @@ def _cells(
     distance: float,
     longest: float,
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """The points ordered by cell, and where each cell begins in that order."""
+    """The points ordered by cell and time, and where each cell begins in that order."""
     across = np.empty((len(points), 2))
     for plane in planes:
         across[plane.own] = plane.along
@@ -168,6 +180,6 @@ def _cells(
         # Joined one by one and renumbered, so that the numbers stay small.
         each = each - each.min()
         key = np.unique(key * (int(each.max()) + 1) + each, return_inverse=True)[1].reshape(-1)
-    order = np.argsort(key, kind="stable")
+    order = np.lexsort((observations.time, key))
     start = np.flatnonzero(np.diff(key[order], prepend=-1))
     return order, start

@@ -50,6 +50,8 @@ class Observations:
     radii : mapping of str to float or None
         The targets that are spheres, with their radius in metres, or None where it is unknown;
         all others are planes.
+    apart : ndarray of shape (n,) or None, seconds
+        Mean time between two of the points that an average stands for; None for single points.
     left_out : int
         Points that stood out from their sighting and went into no average.
     """
@@ -68,6 +70,7 @@ class Observations:
     latency: float = 0.0
     radii: Mapping[str, float | None] = field(default_factory=dict)
     left_out: int = 0
+    apart: Array | None = None
 
     def __len__(self) -> int:
         return len(self.time)

@@ -188,7 +188,7 @@ def _points(linearised: Linearised, local: Array) -> tuple[Array, Array, Array, 
 def _test(  # type: ignore[no-untyped-def]
     first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, stray, bridge, surface, pos,
     loss, tuning, tangent, scale, noise, active, local, found,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
@@ -201,7 +201,7 @@ def _test(  # type: ignore[no-untyped-def]
             misclosure, variance = opened(
                 i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                knot, fraction, bridge, surface, pos, out, lidar,
+                knot, fraction, stray, bridge, surface, pos, out, lidar,
             )  # fmt: skip
             widened(i, active, fraction, out, wide, 0)
             explained = 0.0

@@ -170,6 +170,7 @@ class Effects(NamedTuple):
     start: NDArray[np.int64]
     knot: NDArray[np.int64]
     fraction: Array  # of no length in thesis mode
+    stray: Array
     bridge: Array
     surface: Array
     pos: Array
@@ -178,8 +179,9 @@ class Effects(NamedTuple):
     def of(cls, groups: Groups, state: State) -> "Effects":
         """Take them from ``groups`` and ``state``."""
         knots = groups.knots
-        fraction, bridge = (np.zeros(0),) * 2 if knots is None else (knots.fraction, knots.bridge)
-        return cls(groups.start, groups.knot, fraction, bridge, state.surface, state.effects)
+        none = (np.zeros(0),) * 3
+        between = none if knots is None else (knots.fraction, knots.stray, knots.bridge)
+        return cls(groups.start, groups.knot, *between, state.surface, state.effects)
 
 
 class Weighting(NamedTuple):
@@ -201,7 +203,8 @@ class Weighting(NamedTuple):
 @kernel(inline="always")
 def opened(  # type: ignore[no-untyped-def]
     i, t, s, g, at, seen, rate, spheres, sigma_lidar, beam, sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, knot, fraction, bridge, surface, pos, out, lidar,
+    values, rotation, derivatives, turn, shapes, knot, fraction, stray, bridge, surface, pos,
+    out, lidar,
 ):  # fmt: skip
     """Misclosure of point ``i`` with the effects applied, and the variance of its noise."""
     row(
@@ -218,9 +221,9 @@ def opened(  # type: ignore[no-untyped-def]
             misclosure += out[13 + k] * ((1 - u) * pos[before, k] + u * pos[before + 1, k])
         # What the POS error does between two knots that a straight line does not
         for k in range(3):
-            between = bridge[k] * u * (1 - u)
+            between = bridge[k] * stray[i]
             variance += between * (out[13 + k] * sigma_position[i, k]) ** 2
-            between = bridge[3 + k] * u * (1 - u)
+            between = bridge[3 + k] * stray[i]
             variance += between * (out[16 + k] * sigma_attitude[i, k]) ** 2
     else:
         for k in range(3):
@@ -252,7 +255,7 @@ BLOCK = 64
 def _accumulate(  # type: ignore[no-untyped-def]
     first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, stray, bridge, surface, pos,
     loss, tuning, tangent, scale, noise, active, sums,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
@@ -269,7 +272,7 @@ def _accumulate(  # type: ignore[no-untyped-def]
                 misclosure, variance = opened(
                     i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                     sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                    knot, fraction, bridge, surface, pos, out, lidar,
+                    knot, fraction, stray, bridge, surface, pos, out, lidar,
                 )  # fmt: skip
                 if len(fraction) > 0:
                     # At the observed point the derivatives share its noise with the misclosure,
@@ -320,7 +323,7 @@ def residuals(observations: Observations, groups: Groups, state: State) -> Array
 def _residuals(  # type: ignore[no-untyped-def]
     first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, bridge, surface, pos,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, stray, bridge, surface, pos,
     found,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
@@ -330,7 +333,7 @@ def _residuals(  # type: ignore[no-untyped-def]
             misclosure, variance = opened(
                 i, target[i], sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                knot, fraction, bridge, surface, pos, out, lidar,
+                knot, fraction, stray, bridge, surface, pos, out, lidar,
             )  # fmt: skip
             found[0, i] = out[19]
             found[1, i] = misclosure / np.sqrt(variance)

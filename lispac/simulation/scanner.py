@@ -8,7 +8,7 @@ read (thesis 3.4.2).
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -36,6 +36,9 @@ class Scanner:
     where the axis is x, and along ``(cos e cos a, cos e sin a, sin e)`` where it is z. A profiler
     has the one elevation 0 and the axis x, so that ``x_lidar = 0`` for every point.
 
+    A beam goes astray both ways across itself: along the turn what is read of the angle is wrong,
+    and across it the beam leaves at another elevation than the one that is written down.
+
     Attributes
     ----------
     pulses_per_second : float
@@ -46,6 +49,7 @@ class Scanner:
         image.
     max_range : float, metres
     range_sigma, angle_sigma : float, metres and radians
+        The angle's holds along the turn and across it alike.
     divergence : float, radians
         Full width of the beam, which smears echoes at edges.
     elevations : tuple of float, radians
@@ -161,6 +165,39 @@ class _Hits:
         return cls(*(np.concatenate(column) for column in columns))
 
 
+class _Met(NamedTuple):
+    """Rays and what they meet; label -1 where that is nothing."""
+
+    origins: Array
+    directions: Array
+    distance: Array
+    label: NDArray[np.int16]
+    cosine: Array
+
+    @property
+    def points_local(self) -> Array:
+        """Where they meet it, shape (n, 3), metres, local."""
+        return np.asarray(self.origins + self.distance[:, None] * self.directions)
+
+    def of(self, chosen: NDArray[np.intp]) -> "_Met":
+        """Some of the rays."""
+        return _Met(
+            self.origins[chosen], self.directions[chosen], self.distance[chosen],
+            self.label[chosen], self.cosine[chosen],
+        )  # fmt: skip
+
+    def or_else(self, other: "_Met") -> "_Met":
+        """The other's rays where these meet nothing, beside a rim."""
+        meets = self.label >= 0
+        return _Met(
+            np.where(meets[:, None], self.origins, other.origins),
+            np.where(meets[:, None], self.directions, other.directions),
+            np.where(meets, self.distance, other.distance),
+            np.where(meets, self.label, other.label),
+            np.where(meets, self.cosine, other.cosine),
+        )
+
+
 def scan(
     scanner: Scanner,
     scene: Scene,
@@ -185,9 +222,10 @@ def scan(
     generator : numpy Generator or None
         None for a scanner without noise and without width of beam.
     """
-    hits = _met(scanner, scene, states, recorded, starboard, mounting, generator is not None)
+    astray = None if generator is None else generator.spawn(1)[0]
+    hits = _met(scanner, scene, states, recorded, starboard, mounting, astray)
     angle, distance, label = hits.angle, hits.distance, hits.label
-    elevation: Array | float = np.array(scanner.elevations)[hits.beam]
+    elevation = np.array(scanner.elevations)[hits.beam]
     brightness = 60000 * scene.reflectances[label] * hits.cosine
     if generator is not None:
         gap = np.abs(hits.edge_distance - distance)
@@ -199,9 +237,6 @@ def scan(
         distance = distance + sigma * generator.standard_normal(len(angle))
         angle = angle + scanner.angle_sigma * generator.standard_normal(len(angle))
         brightness = brightness * (1 + 0.05 * generator.standard_normal(len(angle)))
-        if len(scanner.elevations) > 1:
-            error = scanner.angle_sigma * generator.standard_normal(len(angle))
-            elevation = elevation + error
     reading = distance - mounting.range_offset
     points_lidar = reading[:, None] * scanner.directions(angle, elevation)
     intensity = np.clip(np.round(brightness), 0, 65535).astype(np.uint16)
@@ -219,10 +254,10 @@ def _met(
     recorded: tuple[float, float],
     starboard: bool,
     mounting: Mounting,
-    wide: bool,
+    astray: np.random.Generator | None,
 ) -> _Hits:
-    """What the pulses meet, and with ``wide`` what the rim of their beams meets."""
-    elevation = np.array(scanner.elevations)
+    """What the pulses meet; where beams go ``astray``, what they and their rims meet there."""
+    elevations = np.array(scanner.elevations)
     rotation_body_lidar = mounting.rotation_body_lidar
     if mounting.scan_angle_offset:
         turn = rotation_matrix(mounting.scan_angle_offset, 0.0, 0.0)
@@ -230,18 +265,18 @@ def _met(
     knots, position, attitude = states
     poses = np.hstack([position, attitude])
 
-    def sent(time: Array, angle: Array, beam: NDArray[np.intp]) -> tuple[Array, Array]:
-        """Origins and directions of these pulses."""
+    def met(time: Array, angle: Array, elevation: Array) -> _Met:
+        """Where these pulses go, and what they meet."""
         at = time + mounting.latency
         # Only the samples around: the kernel walks through them pulse by pulse.
         first = max(int(np.searchsorted(knots, at[0])) - 1, 0)
         last = int(np.searchsorted(knots, at[-1])) + 1
         origins, directions = np.empty((len(at), 3)), np.empty((len(at), 3))
         _send(
-            at, angle, elevation[beam], scanner.axis == "x", knots[first:last], poses[first:last],
+            at, angle, elevation, scanner.axis == "x", knots[first:last], poses[first:last],
             rotation_body_lidar, mounting.lever_arm, origins, directions,
         )  # fmt: skip
-        return origins, directions
+        return _Met(origins, directions, *scene.intersect(origins, directions, scanner.max_range))
 
     parts = []
     angles, delay, beams = scanner.turn(starboard)
@@ -252,22 +287,24 @@ def _met(
         turns = np.arange(begin, min(begin + together, count))
         time = (recorded[0] + turns[:, None] / scanner.turns_per_second + delay).ravel()
         angle, beam = np.tile(angles, len(turns)), np.tile(beams, len(turns))
-        origins, directions = sent(time, angle, beam)
-        ranges, labels, cosines = scene.intersect(origins, directions, scanner.max_range)
-        hit = np.flatnonzero((labels >= 0) & (cosines >= np.cos(scanner.grazing)))
-        distance, label = ranges[hit], labels[hit]
-        true_points = origins[hit] + distance[:, None] * directions[hit]
-        edge_distance = distance
-        if wide and scanner.divergence > 0 and len(hit):
+        found = met(time, angle, elevations[beam])
+        hit = np.flatnonzero((found.label >= 0) & (found.cosine >= np.cos(scanner.grazing)))
+        found = found.of(hit)
+        elevation, edge_distance = elevations[beam[hit]], found.distance
+        if astray is not None and len(hit):
+            elevation = elevation + scanner.angle_sigma * astray.standard_normal(len(hit))
+            found = met(time[hit], angle[hit], elevation).or_else(found)
+            edge_distance = found.distance
+        if astray is not None and scanner.divergence > 0 and len(hit):
             # One more ray on the rim of the beam, on either side in turn
             half = scanner.divergence / 2
             side = np.where((begin * len(angles) + hit) % 2 == 0, half, -half)
-            rim = sent(time[hit], angle[hit] + side, beam[hit])
-            edge, edge_label, _ = scene.intersect(*rim, scanner.max_range)
-            edge_distance = np.where((edge_label >= 0) & (edge_label != label), edge, distance)
+            rim = met(time[hit], angle[hit] + side, elevation)
+            other = (rim.label >= 0) & (rim.label != found.label)
+            edge_distance = np.where(other, rim.distance, found.distance)
         parts.append(
-            _Hits(time[hit], angle[hit], beam[hit], distance, edge_distance, cosines[hit],
-                  true_points, label)
+            _Hits(time[hit], angle[hit], beam[hit], found.distance, edge_distance, found.cosine,
+                  found.points_local, found.label)
         )  # fmt: skip
     return _Hits.joined(parts)
 

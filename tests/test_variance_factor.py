@@ -1,0 +1,103 @@
+"""Where the stated sigmas are those of the simulator, the variance factor is 1."""
+
+from dataclasses import replace
+
+import numpy as np
+import scipy.stats
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
+from lispac.geometry.frames import LocalFrame
+from lispac.simulation.pos_errors import PosErrorModel
+from lispac.simulation.scene import Scene
+from lispac.simulation.survey import Setup, simulated
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.trajectory import LocalTrajectory, Trajectory
+from lispac.workflow.simulated_setup import simulation
+
+SURVEYS = 6
+
+
+def marine() -> Setup:
+    """The two boards of the marine scene and nothing else."""
+    setup = simulation("marine").setup
+    boards = [surface for surface in setup.scene.surfaces if surface.name in setup.targets]
+    return replace(setup, scene=Scene.of(boards), validation=())
+
+
+def surveyed(setup: Setup, seed: int) -> Observations:
+    """One survey with the labels of the truth and the sigmas of the simulator."""
+    survey, pos, scanner = simulated(setup, seed=seed), setup.pos, setup.scanner
+    assert isinstance(pos, PosErrorModel)
+    said = survey.trajectory
+    attitude = np.stack([said.roll, said.pitch, said.heading], axis=1)
+    states = Trajectory(said.time, said.latitude, said.longitude, said.height, attitude)
+    trajectory = LocalTrajectory.of(states, LocalFrame(*setup.origin))
+    seen = [
+        (Sighting(name, line.name), np.flatnonzero(line.label == k), line)
+        for line in survey.lines
+        for k, name in enumerate(survey.surface_names)
+    ]
+    points = np.concatenate([line.points_lidar[own] for _, own, line in seen])
+    time = np.concatenate([line.time[own] for _, own, line in seen])
+    poses = trajectory.at(time)
+    across = scanner.angle_sigma * np.linalg.norm(points, axis=1)
+    return Observations(
+        points_lidar=points,
+        position=poses.position,
+        attitude=poses.attitude,
+        sigma_lidar=np.stack([np.full(len(time), scanner.range_sigma), across, across], axis=1),
+        beam_sigmas=True,
+        sigma_position=np.tile(pos.sigma_position, (len(time), 1)),
+        sigma_attitude=np.tile(pos.sigma_attitude, (len(time), 1)),
+        time=time,
+        sighting=np.repeat(np.arange(len(seen)), [len(own) for _, own, _ in seen]),
+        sightings=tuple(sighting for sighting, _, _ in seen),
+    )
+
+
+def test_the_variance_factor_of_exact_sigmas_is_one() -> None:
+    """Over some surveys, averaged to 10 cm as by default; by chi-square at one in a thousand."""
+    setup, model = marine(), StochasticModel()
+    prior = Mounting(setup.mounting.lever_arm, np.zeros(3))
+    statistic, freedom = 0.0, 0
+    for seed in range(SURVEYS):
+        points = averaged(surveyed(setup, seed), prior, 0.1, longest=model.knot_interval)
+        result = adjust(points, prior, model, diagnostics=False)
+        statistic += result.chi_square.statistic
+        freedom += result.degrees_of_freedom
+    lower, upper = scipy.stats.chi2.ppf([0.0005, 0.9995], freedom) / freedom
+    assert lower < statistic / freedom < upper
+
+
+def test_a_mean_strays_less_from_the_chord_than_its_points() -> None:
+    """Against the mean of the covariances of a Brownian bridge over all pairs of its points."""
+    generator = np.random.default_rng(5)
+    model = StochasticModel()
+    count, interval = 40, model.knot_interval
+    time = interval * (7 + generator.uniform(0.1, 0.9, count))
+    flat = np.column_stack([generator.uniform(0, 0.01, (count, 2)), np.full(count, 5.0)])
+    sigma = np.full((count, 3), 0.01)
+    observations = Observations(
+        points_lidar=flat,
+        position=np.zeros((count, 3)),
+        attitude=np.zeros((count, 3)),
+        sigma_lidar=sigma,
+        sigma_position=sigma,
+        sigma_attitude=sigma,
+        time=time,
+        sighting=np.zeros(count, dtype=np.int64),
+        sightings=(Sighting("T", "L"),),
+    )
+    u = time / interval - 7
+    single = PosErrorKnots.of(observations, model)
+    np.testing.assert_allclose(single.stray, u * (1 - u), atol=1e-9)
+    level = Mounting(np.zeros(3), np.zeros(3))
+    mean = averaged(observations, level, 1.0, longest=interval)
+    assert len(mean) == 1
+    pairs = np.minimum(u[:, None], u) - u[:, None] * u
+    knots = PosErrorKnots.of(mean, model)
+    np.testing.assert_allclose(knots.stray, pairs.mean(), atol=1e-9)
+    assert knots.stray[0] < 0.8 * np.mean(u * (1 - u))
