@@ -20,6 +20,7 @@ RULES = r"""
 thousands = "\u202F"
 decimal = ","
 conjunction = "et"
+alternative = "ou"
 
 [typography]
 ' :' = "\u00A0:"

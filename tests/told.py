@@ -8,36 +8,43 @@ from pathlib import Path
 
 PLACE = "7"
 """Stands for what the program puts into a sentence."""
-NEVER_SHOWN = {"InputError", "ProjectError", "LispacError", "ValueError", "AssertionError"}
+FOR_PROGRAMMERS = {"ValueError", "AssertionError"}
+"""Errors that no user is shown."""
+NEVER_SHOWN = FOR_PROGRAMMERS | {"InputError", "ProjectError", "LispacError"}
 """Errors that stop a command and are kept nowhere."""
 NEVER_CALLED = {"progress", "step"}
 """What they are told is gone with the bar it stood beside."""
 _TWO_WORDS = re.compile(r"[^\W\d_]{2,} .*[^\W\d_]{2,}", re.DOTALL)
 
 
-def told(path: Path, functions: set[str] | None = None) -> Iterator[tuple[int, str]]:
+def told(
+    path: Path, functions: set[str] | None = None, *, at_once: bool = False
+) -> Iterator[tuple[int, str]]:
     """Line and text of each string with two words at least, `PLACE` where values go.
 
     Parameters
     ----------
     functions : only what stands in these
+    at_once : also what is shown and kept nowhere: the errors and the words of a progress bar
     """
     tree = ast.parse(path.read_text(encoding="utf-8"))
     if functions is None:
-        yield from _in(tree)
+        yield from _in(tree, at_once)
         return
     found = [n for n in ast.walk(tree) if isinstance(n, ast.FunctionDef) and n.name in functions]
     assert {each.name for each in found} == functions, path
     for each in found:
-        yield from _in(each)
+        yield from _in(each, at_once)
 
 
-def _in(node: ast.AST) -> Iterator[tuple[int, str]]:
-    if isinstance(node, ast.Raise) and _name(node.exc) in NEVER_SHOWN:
+def _in(node: ast.AST, at_once: bool) -> Iterator[tuple[int, str]]:
+    if isinstance(node, ast.Raise) and _name(node.exc) in (
+        FOR_PROGRAMMERS if at_once else NEVER_SHOWN
+    ):
         return
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
         return  # a docstring
-    if isinstance(node, ast.Call) and _name(node) in NEVER_CALLED:
+    if not at_once and isinstance(node, ast.Call) and _name(node) in NEVER_CALLED:
         return
     if isinstance(node, ast.Constant | ast.JoinedStr):
         for text in _texts(node):
@@ -45,10 +52,10 @@ def _in(node: ast.AST) -> Iterator[tuple[int, str]]:
                 yield node.lineno, text
         for inner in ast.walk(node):
             if isinstance(inner, ast.FormattedValue):
-                yield from _in(inner.value)
+                yield from _in(inner.value, at_once)
         return
     for child in ast.iter_child_nodes(node):
-        yield from _in(child)
+        yield from _in(child, at_once)
 
 
 def _name(error: ast.expr | None) -> str:

@@ -9,6 +9,10 @@ them holds what is true of all. Placeholders stand for what changes:
 - ``{x:name}``: a name of the project and nothing else
 - ``{x:n}``: a number
 - ``{x:list}``: texts as in a sentence: a, b and c
+- ``{x:either}``: the same of a choice: a or b
+- ``{x:foreign}``: words of another program, which stay unless they are known themselves
+- ``{x:file}``: a file or folder, and it stays as it is; where a sentence begins with it, ``:``
+  or ``,`` after it, the sentence is also known without it, as it stands beside a file's name
 """
 
 import re
@@ -28,7 +32,8 @@ LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
 
 _NUMBER = r"[+\-\u2212\u00b1]?\d(?:[\d,]*\d)?(?:\.\d+)?(?:e[+-]?\d+)?"
 _PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
-_KINDS = frozenset({"", "kept", "name", "n", "list"})
+_KINDS = frozenset({"", "kept", "name", "n", "list", "either", "foreign", "file"})
+_ABOUT_FILE = re.compile(r"\{(\w+):file\}[:,] ")
 
 
 @dataclass(frozen=True)
@@ -102,6 +107,7 @@ class Catalogue:
     thousands : sign between groups of three digits
     decimal : sign before the decimals, where numbers are written as the language does
     conjunction : between the last two of a list
+    alternative : between two of which one is true
     exact : translation by English text
     templates : the one with most letters first
     """
@@ -110,6 +116,7 @@ class Catalogue:
     thousands: str
     decimal: str
     conjunction: str
+    alternative: str
     exact: Mapping[str, str]
     templates: tuple[Template, ...]
 
@@ -128,7 +135,7 @@ def catalogue_of(code: str) -> Catalogue:
             f"There is no translation into {code!r}; choose one of {', '.join(LANGUAGES)}."
         )
     if code == "en":
-        return Catalogue("en", ",", ".", "and", {}, ())
+        return Catalogue("en", ",", ".", "and", "or", {}, ())
     folder = resource(f"i18n/{code}")
     rules = (folder / "language.toml").read_text(encoding="utf-8")
     files = sorted(folder.glob("*.ts"))
@@ -146,6 +153,19 @@ def messages(file: Path) -> Iterator[tuple[str, str]]:
 _GIVEN_UP = ("obsolete", "vanished")
 
 
+def without_file(english: str, translation: str) -> tuple[str, str] | None:
+    """Text and translation as they stand beside the name of the file they begin with."""
+    found = _ABOUT_FILE.match(english)
+    if found is None or not _PLACE.sub("", english[found.end() :]):
+        return None
+    said = re.sub(rf"\{{{found.group(1)}\}}[\u00a0 ]?[:,] ", "", translation, count=1)
+    return _capital(english[found.end() :]), _capital(said)
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
 def made(code: str, rules: str, pairs: Iterable[tuple[str, str]]) -> Catalogue:
     """The catalogue of a language from its rules (TOML) and its texts, in any order."""
     tables = tomllib.loads(rules)
@@ -158,9 +178,13 @@ def made(code: str, rules: str, pairs: Iterable[tuple[str, str]]) -> Catalogue:
         for rule, by in typography:
             translation = rule.sub(by, translation)
         exact[english] = translation
+    for english, translation in tuple(exact.items()):
+        bare = without_file(english, translation)
+        if bare is not None:
+            exact.setdefault(*bare)
     templates = [Template(english, said) for english, said in exact.items() if "{" in english]
     templates.sort(key=lambda each: -sum(map(len, each.literals)))
     return Catalogue(
-        code, language["thousands"], language["decimal"], language["conjunction"], exact,
-        tuple(templates),
+        code, language["thousands"], language["decimal"], language["conjunction"],
+        language["alternative"], exact, tuple(templates),
     )  # fmt: skip

@@ -22,6 +22,7 @@ _THOUSANDS = re.compile(r"(?<=\d),(?=\d{3}(?!\d))")
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 _SENTENCE = re.compile(r"(?<=[.?!])[ \u00a0](?=[^\W_])")
 
+_FILE = re.compile(r"(?!.*[:;] )(?=.*[./\\]).*", re.DOTALL)
 _CLAUSE = re.compile(r"[.;:?!] ")
 
 
@@ -66,7 +67,9 @@ class Translator:
     @names.setter
     def names(self, names: frozenset[str]) -> None:
         self._names = names
-        self._parting = [name for name in names if ", " in name or " and " in name]
+        self._parting = [
+            name for name in names if any(sign in name for sign in (", ", " and ", " or "))
+        ]
         self._said: dict[str, str] = {}
 
     @property
@@ -164,24 +167,32 @@ class Translator:
             return None
         if kind == "kept":  # what holds the end of a clause is more than belongs there
             return None if _CLAUSE.search(value) else _Said(value)
-        if kind == "list":
-            return self._list(value)
+        if kind == "file":  # a name may hold the end of a sentence
+            return _Said(value) if _FILE.fullmatch(value) else None
+        if kind == "foreign":
+            return _Said(self.catalogue.exact.get(value, value))
+        if kind in ("list", "either"):
+            return self._list(value, " or " if kind == "either" else " and ")
         # What is not known and holds the end of a sentence is more than belongs there
-        said = self._known(value)
-        return said or (None if _SENTENCE.search(value) else _Said(value, (value,)))
+        bare = value.strip(" ")
+        said = self._known(bare)
+        if said is not None:
+            return _Said(value.replace(bare, said.text), said.unknown)
+        return None if _SENTENCE.search(value) else _Said(value, (value,))
 
-    def _list(self, value: str) -> _Said:
+    def _list(self, value: str, last: str) -> _Said:
+        words = {" and ": self.catalogue.conjunction, " or ": self.catalogue.alternative}
         text, unknown = "", list[str]()
-        for part, sign in _parted(value, self._parting):
+        for part, sign in _parted(value, self._parting, last):
             said = _Said(part) if part in self._names else self._whole(part)
-            joint = f" {self.catalogue.conjunction} " if sign == " and " else sign
+            joint = f" {words[last]} " if sign == last else sign
             text += said.text + joint
             unknown += said.unknown
         return _Said(text, tuple(unknown))
 
 
-def _parted(text: str, whole: Iterable[str]) -> Iterator[tuple[str, str]]:
-    """The parts of ``a, b and c`` with what follows each.
+def _parted(text: str, whole: Iterable[str], last: str) -> Iterator[tuple[str, str]]:
+    """The parts of ``a, b and c`` with what follows each; ``last`` is " and " or " or ".
 
     What stands in brackets stays whole, as do names that could be parted.
     """
@@ -192,7 +203,7 @@ def _parted(text: str, whole: Iterable[str]) -> Iterator[tuple[str, str]]:
         if k == len(text):
             break
         depth += (text[k] == "(") - (text[k] == ")")
-        sign = next((s for s in (", ", " and ") if not depth and text.startswith(s, k)), None)
+        sign = next((s for s in (", ", last) if not depth and text.startswith(s, k)), None)
         if sign is None:
             k += 1
         else:

@@ -1,0 +1,4167 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr_FR" sourcelanguage="en">
+<context>
+    <name>adjustment</name>
+    <message>
+        <source>Give the distances of the error budget in metres, each larger than 0.</source>
+        <translation>Donnez les distances du bilan d&apos;erreur en mètres, chacune supérieure à 0.</translation>
+    </message>
+    <message>
+        <source>A target&apos;s shape is not determined by its points; pick points that spread over it in two directions.</source>
+        <translation>La forme d&apos;une cible n&apos;est pas déterminée par ses points ; désignez des points qui s&apos;y étendent dans deux directions.</translation>
+    </message>
+    <message>
+        <source>These points do not determine boresight and targets; add targets or lines.</source>
+        <translation>Ces points ne déterminent pas les angles de visée et les cibles ; ajoutez des cibles ou des lignes.</translation>
+    </message>
+    <message>
+        <source>There is no target to adjust; pick planar targets first.</source>
+        <translation>Il n&apos;y a pas de cible à compenser ; désignez d&apos;abord des cibles planes.</translation>
+    </message>
+    <message>
+        <source>Target {target:kept} has only {count} points on line {line:kept}; a plane needs at least three: pick it again or leave that line out.</source>
+        <translation>La cible {target} n&apos;a que {count} points sur la ligne {line} ; un plan en demande au moins trois : désignez-la de nouveau ou écartez cette ligne.</translation>
+    </message>
+    <message>
+        <source>A {name} is not a number; leave that point out.</source>
+        <translation>Valeur qui n&apos;est pas un nombre ({name}) ; écartez ce point.</translation>
+    </message>
+    <message>
+        <source>A point lies in the scanner itself; leave it out.</source>
+        <translation>Un point se trouve dans le scanneur même ; écartez-le.</translation>
+    </message>
+    <message>
+        <source>A {name} sigma is negative or not a number; correct it.</source>
+        <translation>Écart-type négatif ou qui n&apos;est pas un nombre ({name}) ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>The LiDAR sigma must be larger than zero; correct it.</source>
+        <translation>L&apos;écart-type du LiDAR doit être supérieur à zéro ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>not tested: the sigmas of thesis mode are too small</source>
+        <translation>non testé : les écarts-types du mode de la thèse sont trop petits</translation>
+    </message>
+</context>
+<context>
+    <name>design</name>
+    <message>
+        <source>As far as {len:n} surveys can tell, the stated 95 % intervals hold the truth as often as they should.</source>
+        <translation>Pour autant que {len} levés puissent le dire, les intervalles à 95 % annoncés contiennent la vérité aussi souvent qu&apos;ils le devraient.</translation>
+    </message>
+    <message>
+        <source>{failed} surveys could not be adjusted and are left out.</source>
+        <translation>{failed} levés n&apos;ont pas pu être compensés et sont laissés de côté.</translation>
+    </message>
+    <message>
+        <source>The adjustment can be told one flatness for all targets, and this plan states some of their own: let it be taken from the data.</source>
+        <translation>La compensation ne peut recevoir qu&apos;une planéité pour toutes les cibles, et ce plan en déclare de particulières : laissez-la être tirée des données.</translation>
+    </message>
+    <message>
+        <source>Adjusted {len:n} of {surveys:n} surveys</source>
+        <translation>{len} levés compensés sur {surveys}</translation>
+    </message>
+    <message>
+        <source>None of the simulated surveys could be adjusted; add lines or targets.</source>
+        <translation>Aucun des levés simulés n&apos;a pu être compensé ; ajoutez des lignes ou des cibles.</translation>
+    </message>
+    <message>
+        <source>the largest of the three sigmas</source>
+        <translation>le plus grand des trois écarts-types</translation>
+    </message>
+    <message>
+        <source>the sigma of roll</source>
+        <translation>l&apos;écart-type du roulis</translation>
+    </message>
+    <message>
+        <source>the sigma of pitch</source>
+        <translation>l&apos;écart-type du tangage</translation>
+    </message>
+    <message>
+        <source>the sigma of yaw</source>
+        <translation>l&apos;écart-type du lacet</translation>
+    </message>
+    <message>
+        <source>the root mean square of the three sigmas (A-optimality)</source>
+        <translation>la moyenne quadratique des trois écarts-types (A-optimalité)</translation>
+    </message>
+    <message>
+        <source>the radius of a ball as large as the confidence ellipsoid (D-optimality)</source>
+        <translation>le rayon d&apos;une boule aussi grande que l&apos;ellipsoïde de confiance (D-optimalité)</translation>
+    </message>
+    <message>
+        <source>This plan does not determine the boresight; add lines in other directions.</source>
+        <translation>Ce plan ne détermine pas les angles de visée ; ajoutez des lignes dans d&apos;autres directions.</translation>
+    </message>
+    <message>
+        <source>No line sees a target: they look away from it, see it too obliquely or are too far off. Let lines pass on the side the targets face, within the scanner&apos;s range.</source>
+        <translation>Aucune ligne ne voit de cible : elles regardent ailleurs, la voient trop obliquement ou sont trop loin. Faites passer les lignes du côté où les cibles font face, à portée du scanneur.</translation>
+    </message>
+    <message>
+        <source>all six</source>
+        <translation>les six</translation>
+    </message>
+    <message>
+        <source>Scenarios done</source>
+        <translation>Scénarios terminés</translation>
+    </message>
+    <message>
+        <source>No plan within these limits determines the boresight. Boards over each other, lines nearer to the wall than allowed and targets that all face one way, which the adjustment refuses, are left out: allow more lines, other headings, or two boards of different inclinations.</source>
+        <translation>Aucun plan dans ces limites ne détermine les angles de visée. Les panneaux qui se recouvrent, les lignes plus près du mur que permis et les cibles qui font toutes face au même côté, que la compensation refuse, sont exclus : permettez plus de lignes, d&apos;autres caps ou deux panneaux d&apos;inclinaisons différentes.</translation>
+    </message>
+    <message>
+        <source>Weighing what each board and line is worth</source>
+        <translation>Évaluation de ce que vaut chaque panneau et chaque ligne</translation>
+    </message>
+    <message>
+        <source>Looked at {count:n} plans, the best {np:n} deg</source>
+        <translation>{count} plans examinés, le meilleur à {np}°</translation>
+    </message>
+    <message>
+        <source>A site needs at least two lines, and a board or a plane that is there anyway; raise the limits.</source>
+        <translation>Un site demande au moins deux lignes, et un panneau ou un plan déjà en place ; relevez les limites.</translation>
+    </message>
+    <message>
+        <source>Say where boards may hang, how inclined and how large.</source>
+        <translation>Dites où des panneaux peuvent être posés, leur inclinaison et leur taille.</translation>
+    </message>
+    <message>
+        <source>{lines} lines of {minutes_per_line:n} minutes and {boards} boards of {minutes_per_board:n} take {needed:n} minutes, longer than the {time_on_site:n} minutes on site; allow fewer, or more time.</source>
+        <translation>{lines} lignes de {minutes_per_line} minutes et {boards} panneaux de {minutes_per_board} prennent {needed} minutes, plus que les {time_on_site} minutes sur place ; permettez-en moins, ou plus de temps.</translation>
+    </message>
+    <message>
+        <source>No heading and distance keep {closest:n} m from the wall; allow others.</source>
+        <translation>Aucun cap ni aucune distance ne garde {closest} m du mur ; permettez-en d&apos;autres.</translation>
+    </message>
+    <message>
+        <source>From {low:n} to {high:n} in steps of {step:n}: the step must be positive, and the second value not less than the first.</source>
+        <translation>De {low} à {high} par pas de {step} : le pas doit être positif, et la seconde valeur ne pas être inférieure à la première.</translation>
+    </message>
+    <message>
+        <source>The stated sigma of {angle} is too small: its 95 % interval holds the truth in {share:n} of the surveys.</source>
+        <translation>L&apos;écart-type annoncé est trop petit ({angle}) : son intervalle à 95 % contient la vérité dans {share} % des levés.</translation>
+    </message>
+</context>
+<context>
+    <name>project</name>
+    <message>
+        <source>is the surface of {other:kept} already</source>
+        <translation>est déjà la surface de {other}</translation>
+    </message>
+    <message>
+        <source>shares points with {other:kept}</source>
+        <translation>a des points en commun avec {other}</translation>
+    </message>
+    <message>
+        <source>they would count twice</source>
+        <translation>ils compteraient deux fois</translation>
+    </message>
+    <message>
+        <source>a validation plane on a target checks nothing</source>
+        <translation>un plan de validation sur une cible ne contrôle rien</translation>
+    </message>
+    <message>
+        <source>Two of the points are the same; an angle needs three.</source>
+        <translation>Deux des points sont le même ; un angle en demande trois.</translation>
+    </message>
+    <message>
+        <source>who answers for the calibration</source>
+        <translation>qui répond de l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>the surveyor&apos;s company</source>
+        <translation>l&apos;entreprise de l&apos;hydrographe</translation>
+    </message>
+    <message>
+        <source>name of the vessel</source>
+        <translation>nom du navire</translation>
+    </message>
+    <message>
+        <source>where the lines were run</source>
+        <translation>où les lignes ont été parcourues</translation>
+    </message>
+    <message>
+        <source>maker and model of the LiDAR</source>
+        <translation>marque et modèle du LiDAR</translation>
+    </message>
+    <message>
+        <source>its serial number</source>
+        <translation>son numéro de série</translation>
+    </message>
+    <message>
+        <source>maker and model of the INS/GNSS</source>
+        <translation>marque et modèle de l&apos;INS/GNSS</translation>
+    </message>
+    <message>
+        <source>day or days of the survey, 2026-03-04 for example</source>
+        <translation>jour ou jours du levé, 2026-03-04 par exemple</translation>
+    </message>
+    <message>
+        <source>how the lever arm was found: tacheometer in dock, 2026-03-04, for example</source>
+        <translation>comment le bras de levier a été trouvé : tachéomètre en cale, 2026-03-04, par exemple</translation>
+    </message>
+    <message>
+        <source>what else the reader should know</source>
+        <translation>ce que le lecteur doit savoir d&apos;autre</translation>
+    </message>
+    <message>
+        <source>{name}: more than one line; put what is left to the remarks.</source>
+        <translation>{name} : plus d&apos;une ligne de texte ; mettez le reste dans les remarques.</translation>
+    </message>
+    <message>
+        <source>{name}: it holds a letter that cannot be printed; type it anew.</source>
+        <translation>{name} : contient un caractère qui ne peut être imprimé ; saisissez de nouveau.</translation>
+    </message>
+    <message>
+        <source>{name}: longer than {longest:n} letters; shorten it.</source>
+        <translation>{name} : plus de {longest} caractères ; raccourcissez.</translation>
+    </message>
+    <message>
+        <source>{name:kept} is missing from this installation; install it again.</source>
+        <translation>{name} manque dans cette installation ; réinstallez le programme.</translation>
+    </message>
+    <message>
+        <source>There is no translation into {code:kept}; choose one of {LANGUAGES:kept}.</source>
+        <translation>Il n&apos;y a pas de traduction en {code} ; choisissez parmi : {LANGUAGES}.</translation>
+    </message>
+    <message>
+        <source>A target&apos;s name needs 1 to {LONGEST_NAME} printable characters; {longest_name:foreign} does not do.</source>
+        <translation>Le nom d&apos;une cible demande de 1 à {LONGEST_NAME} caractères imprimables ; {longest_name} ne convient pas.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: a target&apos;s name cannot hold a slash or a colon.</source>
+        <translation>{name} : le nom d&apos;une cible ne peut contenir ni barre oblique ni deux-points.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: only a sphere has a radius; leave it out for a plane.</source>
+        <translation>{name} : seule une sphère a un rayon ; n&apos;en donnez pas pour un plan.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: a sphere needs a radius above 0 m, or none if unknown.</source>
+        <translation>{name} : une sphère demande un rayon supérieur à 0 m, ou aucun s&apos;il est inconnu.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: lines are compared on planes only; use the sphere as a target.</source>
+        <translation>{name} : les lignes ne se comparent que sur des plans ; employez la sphère comme cible.</translation>
+    </message>
+    <message>
+        <source>position sigma</source>
+        <translation>écart-type de la position</translation>
+    </message>
+    <message>
+        <source>attitude sigma</source>
+        <translation>écart-type de l&apos;attitude</translation>
+    </message>
+    <message>
+        <source>subsampling distance</source>
+        <translation>pas de sous-échantillonnage</translation>
+    </message>
+    <message>
+        <source>LiDAR sigma along x, y, z</source>
+        <translation>écart-type du LiDAR en x, y, z</translation>
+    </message>
+    <message>
+        <source>LiDAR sigma of range and angle</source>
+        <translation>écart-type de la distance et de l&apos;angle du LiDAR</translation>
+    </message>
+    <message>
+        <source>correlation time</source>
+        <translation>temps de corrélation</translation>
+    </message>
+    <message>
+        <source>The {name} is not a number; correct it.</source>
+        <translation>Valeur qui n&apos;est pas un nombre ({name}) ; corrigez-la.</translation>
+    </message>
+    <message>
+        <source>A sigma or the subsampling distance is negative; correct it.</source>
+        <translation>Un écart-type ou le pas de sous-échantillonnage est négatif ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>There is no model of POS errors named {pos_errors:kept}.</source>
+        <translation>Il n&apos;y a pas de modèle d&apos;erreurs du POS nommé {pos_errors}.</translation>
+    </message>
+    <message>
+        <source>The LiDAR sigma is given along x, y, z and along the beam; give one of the two.</source>
+        <translation>L&apos;écart-type du LiDAR est donné en x, y, z et le long du faisceau ; donnez l&apos;un des deux.</translation>
+    </message>
+    <message>
+        <source>A correlation time must be larger than zero seconds; correct it.</source>
+        <translation>Un temps de corrélation doit être supérieur à zéro seconde ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>The surface sigma is negative; correct it.</source>
+        <translation>L&apos;écart-type des surfaces est négatif ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>The longest gap bridged must be longer than zero seconds.</source>
+        <translation>La plus longue lacune franchie doit dépasser zéro seconde.</translation>
+    </message>
+    <message>
+        <source>There is no loss named {loss:kept}.</source>
+        <translation>Il n&apos;y a pas de fonction de perte nommée {loss}.</translation>
+    </message>
+    <message>
+        <source>The latency or range offset is beyond 10 s or 10 m; correct it.</source>
+        <translation>La latence ou le décalage de distance dépasse 10 s ou 10 m ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>There is no parameter {name:kept}; give one of {SWITCHED:kept}.</source>
+        <translation>Il n&apos;y a pas de paramètre {name} ; donnez l&apos;un de ceux-ci : {SWITCHED}.</translation>
+    </message>
+    <message>
+        <source>The sigma of {name:kept} must be larger than zero.</source>
+        <translation>L&apos;écart-type de {name} doit être supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>A parameter is to be estimated twice; name it once.</source>
+        <translation>Un paramètre est à estimer deux fois ; nommez-le une seule fois.</translation>
+    </message>
+    <message>
+        <source>A prior boresight angle is beyond 360 deg; give degrees.</source>
+        <translation>Un angle de visée a priori dépasse 360° ; donnez des degrés.</translation>
+    </message>
+    <message>
+        <source>The lever arm is longer than 100 m; give metres.</source>
+        <translation>Le bras de levier fait plus de 100 m ; donnez des mètres.</translation>
+    </message>
+    <message>
+        <source>The origin&apos;s latitude is beyond 90 deg; give LAT LON HEIGHT in degrees.</source>
+        <translation>La latitude de l&apos;origine dépasse 90° ; donnez LATITUDE LONGITUDE HAUTEUR en degrés.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no estimated boresight yet; estimate first.</source>
+        <translation>{name} : les angles de visée ne sont pas encore estimés ; estimez-les d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no target or validation plane named {name2:kept}.</source>
+        <translation>{name} : il n&apos;y a ni cible ni plan de validation nommé {name2}.</translation>
+    </message>
+    <message>
+        <source>{name:kept} {same}: {share:n} % of {whose} on {line:kept} are the same. Keep one of the two.</source>
+        <translation>{name} {same} : {share} % {whose} sur {line} sont les mêmes. Gardez-en un seul.</translation>
+    </message>
+    <message>
+        <source>{name:kept} {same}: {share:n} % of {whose} on {line:kept} are the same. Keep one of the two{why}.</source>
+        <translation>{name} {same} : {share} % {whose} sur {line} sont les mêmes. Gardez-en un seul{why}.</translation>
+    </message>
+</context>
+<context>
+    <name>files</name>
+    <message>
+        <source>{path:file}: there is no column called {token:kept}; name each column from the left as one of {sorted:kept}, and - for others.</source>
+        <translation>{path} : il n&apos;y a pas de colonne appelée {token} ; nommez chaque colonne depuis la gauche par l&apos;un de ces mots : {sorted}, et - pour les autres.</translation>
+    </message>
+    <message>
+        <source>{path:file}: two columns are named {token:kept}; name each once.</source>
+        <translation>{path} : deux colonnes sont nommées {token} ; nommez chacune une seule fois.</translation>
+    </message>
+    <message>
+        <source>generic text</source>
+        <translation>texte générique</translation>
+    </message>
+    <message>
+        <source>{path:file}: {header:kept} is not a number of header rows; state one, or auto.</source>
+        <translation>{path} : {header} n&apos;est pas un nombre de rangées d&apos;en-tête ; indiquez-en un, ou auto.</translation>
+    </message>
+    <message>
+        <source>No row names the columns; {DEFAULT_COLUMNS:kept} is taken: state the columns if they differ.</source>
+        <translation>Aucune rangée ne nomme les colonnes ; supposées : {DEFAULT_COLUMNS}. Indiquez les colonnes si elles diffèrent.</translation>
+    </message>
+    <message>
+        <source>The file does not say whether its times are UTC; UTC is taken.</source>
+        <translation>Le fichier ne dit pas si ses temps sont en UTC ; UTC est supposé.</translation>
+    </message>
+    <message>
+        <source>The file does not say the sign of {option}; positive {words} is taken.</source>
+        <translation>Le fichier ne dit pas le signe ({option}) ; supposé positif : {words}.</translation>
+    </message>
+    <message>
+        <source>The first values of {option} stay within a full circle of radians, so radians are taken; state degrees if they are.</source>
+        <translation>Les premières valeurs ({option}) restent dans un tour en radians ; les radians sont donc supposés : indiquez des degrés si c&apos;en sont.</translation>
+    </message>
+    <message>
+        <source>CIDCO binary, 22 float64 a point</source>
+        <translation>CIDCO binaire, 22 float64 par point</translation>
+    </message>
+    <message>
+        <source>columns in CIDCO&apos;s order; LiDAR coordinates are taken, the local ones and the POS states go along; points and trajectory share one time base</source>
+        <translation>colonnes dans l&apos;ordre de CIDCO ; les coordonnées du LiDAR sont prises, les coordonnées locales et les états du POS les accompagnent ; points et trajectoire ont la même base de temps</translation>
+    </message>
+    <message>
+        <source>{path:file}: {size:n} bytes are not a whole number of {RECORD}-byte points (the last one has {record}); the file is cut short or not CIDCO&apos;s: copy or export it again.</source>
+        <translation>{path} : {size} octets ne font pas un nombre entier de points de {RECORD} octets (le dernier en a {record}) ; le fichier est tronqué ou n&apos;est pas de CIDCO : copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: point {bad:n} does not hold together (distance to the POS, angles or sigmas): the file is not CIDCO&apos;s or has another byte order; export it again.</source>
+        <translation>{path} : le point {bad} n&apos;est pas cohérent (distance au POS, angles ou écarts-types) : le fichier n&apos;est pas de CIDCO ou a un autre ordre des octets ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Where the file&apos;s local frame stands on Earth: latitude and longitude in degrees, height in metres above the ellipsoid, 46.8 -71.2 20 say.</source>
+        <translation>Où le repère local du fichier se trouve sur la Terre : latitude et longitude en degrés, hauteur en mètres au-dessus de l&apos;ellipsoïde, par exemple 46.8 -71.2 20.</translation>
+    </message>
+    <message>
+        <source>{path:file}: two points at {unlike:n} s hold different POS states, so these are not one trajectory: check that all files are of one survey.</source>
+        <translation>{path} : deux points à {unlike} s ont des états du POS différents ; ce n&apos;est donc pas une seule trajectoire : vérifiez que tous les fichiers sont du même levé.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a trajectory needs two states at least; join more files.</source>
+        <translation>{path} : une trajectoire demande au moins deux états ; joignez plus de fichiers.</translation>
+    </message>
+    <message>
+        <source>The origin {text:kept} is not latitude, longitude (degrees) and height (metres); check it, or leave it out.</source>
+        <translation>L&apos;origine {text} n&apos;est pas latitude, longitude (degrés) et hauteur (mètres) ; vérifiez-la ou ne l&apos;indiquez pas.</translation>
+    </message>
+    <message>
+        <source>{len:n} states of different times</source>
+        <translation>{len} états à des temps différents</translation>
+    </message>
+    <message>
+        <source>The file does not say where its local frame stands on Earth, so 0 N 0 E is taken: the boresight does not depend on it, but state the origin before clouds go on a map.</source>
+        <translation>Le fichier ne dit pas où son repère local se trouve sur la Terre ; 0 N 0 E est donc supposé : les angles de visée n&apos;en dépendent pas, mais indiquez l&apos;origine avant de mettre des nuages sur une carte.</translation>
+    </message>
+    <message>
+        <source>Whether time stamps count from the start of their scan, as the standard says, or from zero</source>
+        <translation>Si les temps comptent depuis le début de leur balayage, comme le dit la norme, ou depuis zéro</translation>
+    </message>
+    <message>
+        <source>Time stamps such as {stamps:n} are too large for the time since the start of a scan: taken as they are.</source>
+        <translation>Des temps tels que {stamps} sont trop grands pour compter depuis le début d&apos;un balayage : pris tels quels.</translation>
+    </message>
+    <message>
+        <source>The scans do not say when they started: time stamps are taken as they are.</source>
+        <translation>Les balayages ne disent pas quand ils ont commencé : les temps sont pris tels quels.</translation>
+    </message>
+    <message>
+        <source>The scans have poses: they are applied where points are georeferenced, not in the scanner frame.</source>
+        <translation>Les balayages ont des poses : elles s&apos;appliquent là où les points sont géoréférencés, pas dans le repère du scanneur.</translation>
+    </message>
+    <message>
+        <source>written by</source>
+        <translation>écrit par</translation>
+    </message>
+    <message>
+        <source>{count:n} in {len:n} scans</source>
+        <translation>{count} en {len} balayages</translation>
+    </message>
+    <message>
+        <source>time stamps counted from the start of their scan</source>
+        <translation>temps comptés depuis le début de leur balayage</translation>
+    </message>
+    <message>
+        <source>time stamps as they are; points and trajectory share one time base</source>
+        <translation>temps tels quels ; points et trajectoire ont la même base de temps</translation>
+    </message>
+    <message>
+        <source>{path:file}: the scans do not say when they started; take the time stamps as they are (option time_from: zero).</source>
+        <translation>{path} : les balayages ne disent pas quand ils ont commencé ; prenez les temps tels quels (option time_from : zero).</translation>
+    </message>
+    <message>
+        <source>{path:file}: E57 cannot be read on this system (pye57 has no build for it); convert the file to LAZ.</source>
+        <translation>{path} : l&apos;E57 ne peut pas être lu sur ce système (pye57 n&apos;existe pas pour lui) ; convertissez le fichier en LAZ.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is not E57: its header is missing or damaged.</source>
+        <translation>{path} : ce n&apos;est pas un E57 : son en-tête manque ou est endommagé.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the header of this E57 file speaks of {length:n} bytes, it has {size:n}; it is cut short or damaged: copy or export it again.</source>
+        <translation>{path} : l&apos;en-tête de ce fichier E57 annonce {length} octets, il en a {size} ; il est tronqué ou endommagé : copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this file holds no points; leave it out.</source>
+        <translation>{path} : ce fichier ne contient aucun point ; écartez-le.</translation>
+    </message>
+    <message>
+        <source>{path:file}: its scans have different fields; export them one by one.</source>
+        <translation>{path} : ses balayages ont des champs différents ; exportez-les un par un.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points have no timeStamp (fields: {none:kept}), so they cannot be put on the trajectory; export with time stamps.</source>
+        <translation>{path} : les points n&apos;ont pas de timeStamp (champs : {none}) et ne peuvent donc être placés sur la trajectoire ; exportez avec les temps.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points have no coordinates; export the file again.</source>
+        <translation>{path} : les points n&apos;ont pas de coordonnées ; exportez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a scan promises {count:n} points and holds {done:n}; copy or export it again.</source>
+        <translation>{path} : un balayage annonce {count} points et en contient {done} ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no line that starts with # names the columns; export with the header, or read the file as generic text and state the columns.</source>
+        <translation>{path} : aucune ligne commençant par # ne nomme les colonnes ; exportez avec l&apos;en-tête, ou lisez le fichier comme texte générique et indiquez les colonnes.</translation>
+    </message>
+    <message>
+        <source>without title</source>
+        <translation>sans titre</translation>
+    </message>
+    <message>
+        <source>Sign of {role}</source>
+        <translation>Signe ({role})</translation>
+    </message>
+    <message>
+        <source>The header does not say the sign of {angle}; iXblue&apos;s is taken (positive {replace}).</source>
+        <translation>L&apos;en-tête ne dit pas le signe ({angle}) ; celui d&apos;iXblue est supposé (positif : {replace}).</translation>
+    </message>
+    <message>
+        <source>The header does not say whether its times are UTC; UTC is taken.</source>
+        <translation>L&apos;en-tête ne dit pas si ses temps sont en UTC ; UTC est supposé.</translation>
+    </message>
+    <message>
+        <source>Sign of pitch</source>
+        <translation>Signe du tangage</translation>
+    </message>
+    <message>
+        <source>Sign of roll</source>
+        <translation>Signe du roulis</translation>
+    </message>
+    <message>
+        <source>{path:file}: there is no such {what} file; check the path.</source>
+        <translation>{path} : ce fichier ({what}) n&apos;existe pas ; vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is a folder, not a {what} file; choose a file.</source>
+        <translation>{path} : c&apos;est un dossier, pas un fichier ({what}) ; choisissez un fichier.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this {what} file cannot be read; check its permissions.</source>
+        <translation>{path} : ce fichier ({what}) ne peut être lu ; vérifiez ses droits d&apos;accès.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this {what} file is empty; export it again.</source>
+        <translation>{path} : ce fichier ({what}) est vide ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {size:n} bytes are not a whole number of {record}-byte {what} records (the last one has {record2}); the file is cut short or not {what2}: copy or export it again.</source>
+        <translation>{path} : {size} octets ne font pas un nombre entier d&apos;enregistrements {what} de {record} octets (le dernier en a {record2}) ; le fichier est tronqué ou n&apos;est pas {what2} : copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this {what} file cannot be read to its end ({error:foreign}); check that the disk is there and nothing else writes to it.</source>
+        <translation>{path} : ce fichier ({what}) ne peut être lu jusqu&apos;à sa fin ({error}) ; vérifiez que le disque est là et que rien d&apos;autre n&apos;y écrit.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {what} record {bad:n} holds a value that is not a number ({such}); export it again.</source>
+        <translation>{path} : l&apos;enregistrement {what} {bad} contient une valeur qui n&apos;est pas un nombre ({such}) ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: times stand on steps of {resolution:n} s from {place} on, as if they had gone through 32-bit numbers; export with 64-bit times.</source>
+        <translation>{path} : les temps vont par pas de {resolution} s à partir de {place}, comme s&apos;ils étaient passés par des nombres de 32 bits ; exportez avec des temps de 64 bits.</translation>
+    </message>
+    <message>
+        <source>run backward</source>
+        <translation>reculent</translation>
+    </message>
+    <message>
+        <source>{path:file}: time runs from {time:n} to {time2:n} s at {place} ({counted:list} of {len:n}); times must increase: sort the file or export it again.</source>
+        <translation>{path} : le temps passe de {time} à {time2} s à {place} ({counted} sur {len}) ; les temps doivent croître : triez le fichier ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>make room on the disk or {remedy}</source>
+        <translation>faites de la place sur le disque ou {remedy}</translation>
+    </message>
+    <message>
+        <source>{path:file}: cannot be written ({error:foreign}); {remedy}.</source>
+        <translation>{path} : écriture impossible ({error}) ; {remedy}.</translation>
+    </message>
+    <message>
+        <source>There is no format {key:kept}; choose one of {known:kept}.</source>
+        <translation>Il n&apos;y a pas de format {key} ; choisissez parmi : {known}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: point format {id} has no gps_time, so its points cannot be put on the trajectory; export the line with GPS time.</source>
+        <translation>{path} : le format de point {id} n&apos;a pas de gps_time et ses points ne peuvent être placés sur la trajectoire ; exportez la ligne avec le temps GPS.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this line holds no points; leave it out.</source>
+        <translation>{path} : cette ligne ne contient aucun point ; écartez-la.</translation>
+    </message>
+    <message>
+        <source>{path:file}: cannot be read as LAS or LAZ ({error:foreign}); copy or export it again.</source>
+        <translation>{path} : illisible comme LAS ou LAZ ({error}) ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the header promises {count:n} points, the file holds {done:n}; copy or export it again.</source>
+        <translation>{path} : l&apos;en-tête annonce {count} points, le fichier en contient {done} ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: point {bad:n} has a coordinate or time that is not a number ({such}); clean or export it again.</source>
+        <translation>{path} : le point {bad} a une coordonnée ou un temps qui n&apos;est pas un nombre ({such}) ; nettoyez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Points lie outside the bounds that the header states: the file may be damaged.</source>
+        <translation>Des points sont hors des bornes indiquées par l&apos;en-tête : le fichier est peut-être endommagé.</translation>
+    </message>
+    <message>
+        <source>{compressed:kept} {version:kept}, point format {id}</source>
+        <translation>{compressed} {version}, format de point {id}</translation>
+    </message>
+    <message>
+        <source>points and trajectory share one time base</source>
+        <translation>points et trajectoire ont la même base de temps</translation>
+    </message>
+    <message>
+        <source>Coordinates are stored in steps of {metres:n} mm in {axis:kept}: the points are no better than that; export with 0.1 mm.</source>
+        <translation>Les coordonnées sont stockées par pas de {metres} mm en {axis} : les points ne valent pas mieux ; exportez à 0.1 mm.</translation>
+    </message>
+    <message>
+        <source>The resolution {scales:n} comes from feet: check the unit.</source>
+        <translation>La résolution {scales} vient de pieds : vérifiez l&apos;unité.</translation>
+    </message>
+    <message>
+        <source>The WKT of the header is not a coordinate system PROJ knows: give it.</source>
+        <translation>Le WKT de l&apos;en-tête n&apos;est pas un système de coordonnées connu de PROJ : indiquez-le.</translation>
+    </message>
+    <message>
+        <source>The header gives no code but the name {name:kept}, taken as EPSG:{crs}: check it.</source>
+        <translation>L&apos;en-tête ne donne pas de code, mais le nom {name}, pris comme EPSG:{crs} : vérifiez-le.</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>sans nom</translation>
+    </message>
+    <message>
+        <source>The header&apos;s coordinate system ({given}) has no known code: give it.</source>
+        <translation>Le système de coordonnées de l&apos;en-tête ({given}) n&apos;a pas de code connu : indiquez-le.</translation>
+    </message>
+    <message>
+        <source>The header says {unit}, but {name:kept} is in {own}: give the coordinate system that the points are in.</source>
+        <translation>L&apos;en-tête dit {unit}, mais {name} est en {own} : indiquez le système de coordonnées des points.</translation>
+    </message>
+    <message>
+        <source>The header&apos;s code of heights, {vertical:kept}, is not known: state them.</source>
+        <translation>Le code de hauteurs de l&apos;en-tête, {vertical}, n&apos;est pas connu : indiquez-les.</translation>
+    </message>
+    <message>
+        <source>{path:file}: cannot be read as LAS or LAZ ({error:foreign}).</source>
+        <translation>{path} : illisible comme LAS ou LAZ ({error}).</translation>
+    </message>
+    <message>
+        <source>{name:kept}: the points&apos; references to waveforms are kept, the waveforms themselves are not; their directions stay those of the source</source>
+        <translation>{name} : les références des points aux formes d&apos;onde sont gardées, les formes d&apos;onde ne le sont pas ; leurs directions restent celles de la source</translation>
+    </message>
+    <message>
+        <source>the column {name:kept} is neither numbers nor flags and is left out</source>
+        <translation>la colonne {name} ne contient ni nombres ni indicateurs et est laissée de côté</translation>
+    </message>
+    <message>
+        <source>{name:file}: points lie more than {scales:n} units from the trajectory, too far to be stored with them; clean the line.</source>
+        <translation>{name} : des points sont à plus de {scales} unités de la trajectoire, trop loin pour être stockés avec elle ; nettoyez la ligne.</translation>
+    </message>
+    <message>
+        <source>{name:file}: the column {dimension:kept} holds {most:kept}, more than LAS has room for ({shift:kept}); correct it in the source.</source>
+        <translation>{name} : la colonne {dimension} contient {most}, plus que LAS n&apos;a de place ({shift}) ; corrigez-la dans la source.</translation>
+    </message>
+    <message>
+        <source>{path:file}: LAZ would not keep what points of several scanner channels say of their waveforms (point format {id}); write LAS instead.</source>
+        <translation>{path} : le LAZ ne garderait pas ce que des points de plusieurs canaux du scanneur disent de leurs formes d&apos;onde (format de point {id}) ; écrivez plutôt du LAS.</translation>
+    </message>
+    <message>
+        <source>{shown:file}: cannot be written ({reason:foreign}); nothing of it is kept: make room on the disk or choose another folder.</source>
+        <translation>{shown} : écriture impossible ({reason}) ; rien n&apos;en est gardé : faites de la place sur le disque ou choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>{path:file}: cannot be read as LAS or LAZ (it does not start with LASF, as these do); check what it is, or export it again.</source>
+        <translation>{path} : illisible comme LAS ou LAZ (ne commence pas par LASF, comme eux) ; vérifiez ce que c&apos;est ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: cannot be read as LAS or LAZ (its header does not fit its {size:n} bytes); copy or export it again.</source>
+        <translation>{path} : illisible comme LAS ou LAZ (son en-tête ne correspond pas à ses {size} octets) ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the file ends after point {held:n} of the {promised:n} that its header promises, so it is cut short; copy or export it again.</source>
+        <translation>{path} : le fichier se termine après le point {held} sur les {promised} que son en-tête annonce ; il est tronqué : copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: {done:n} points looked at</source>
+        <translation>{name} : {done} points examinés</translation>
+    </message>
+    <message>
+        <source>{name:kept}: {k} of {BLOCKS} places looked at</source>
+        <translation>{name} : {k} endroits examinés sur {BLOCKS}</translation>
+    </message>
+    <message>
+        <source>{path:file}: no point looked at has a usable time; export the line again.</source>
+        <translation>{path} : aucun point examiné n&apos;a de temps utilisable ; exportez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a mesh ends in .ply, .obj or .stl; export it as one of these.</source>
+        <translation>{path} : un maillage se termine par .ply, .obj ou .stl ; exportez-le sous l&apos;une de ces formes.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no triangles are in it; export the mesh, not its points.</source>
+        <translation>{path} : il ne contient pas de triangles ; exportez le maillage, pas ses points.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a vertex is not a number; export the mesh again.</source>
+        <translation>{path} : un sommet n&apos;est pas un nombre ; exportez le maillage de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: all its triangles are without area; export the mesh again.</source>
+        <translation>{path} : tous ses triangles sont sans surface ; exportez le maillage de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is not PCD: its header is missing or damaged.</source>
+        <translation>{path} : ce n&apos;est pas un PCD : son en-tête manque ou est endommagé.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the PCD data kind {kind:kept} is not known.</source>
+        <translation>{path} : le genre de données PCD {kind} n&apos;est pas connu.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the header of this PCD file has no {missing:kept}; it is damaged: export it again.</source>
+        <translation>{path} : l&apos;en-tête de ce fichier PCD n&apos;a pas {missing} ; il est endommagé : exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the header of this PCD file is damaged ({error:foreign}); export it again.</source>
+        <translation>{path} : l&apos;en-tête de ce fichier PCD est endommagé ({error}) ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the header of this PCD file is damaged (points {count:foreign}).</source>
+        <translation>{path} : l&apos;en-tête de ce fichier PCD est endommagé (points {count}).</translation>
+    </message>
+    <message>
+        <source>{path:file}: the compressed points do not fit the header ({size:n} bytes, {count:n} points promised); copy or export it again.</source>
+        <translation>{path} : les points compressés ne correspondent pas à l&apos;en-tête ({size} octets, {count} points annoncés) ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the compressed points are damaged; copy or export it again.</source>
+        <translation>{path} : les points compressés sont endommagés ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} has no board; add [[boards]] or [[balls]].</source>
+        <translation>{path} : {key2} n&apos;a pas de panneau ; ajoutez [[boards]] ou [[balls]].</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is empty; add [[lines]].</source>
+        <translation>{path} : {key2} est vide ; ajoutez [[lines]].</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} has {name:kept} twice; give each target its own name.</source>
+        <translation>{path} : {key2} a deux fois {name} ; donnez à chaque cible son propre nom.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} and width_m differ in number; give one of each a size.</source>
+        <translation>{path} : {key2} et width_m diffèrent en nombre ; donnez une valeur de chacun par taille.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} holds {value:n}; give a whole number.</source>
+        <translation>{path} : {key2} contient {value} ; donnez un nombre entier.</translation>
+    </message>
+    <message>
+        <source>No plane file was given; name at least one.</source>
+        <translation>Aucun fichier de plan n&apos;a été indiqué ; nommez-en au moins un.</translation>
+    </message>
+    <message>
+        <source>{path:file}: not a plane file of {COLUMNS} columns of numbers ({error:foreign}).</source>
+        <translation>{path} : ce n&apos;est pas un fichier de plan de {COLUMNS} colonnes de nombres ({error}).</translation>
+    </message>
+    <message>
+        <source>{path:file}: this plane file holds no points.</source>
+        <translation>{path} : ce fichier de plan ne contient aucun point.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a plane file has {COLUMNS} columns, this has {shape}; export it from the plane preparation again.</source>
+        <translation>{path} : un fichier de plan a {COLUMNS} colonnes, celui-ci en a {shape} ; exportez-le de nouveau depuis la préparation des plans.</translation>
+    </message>
+    <message>
+        <source>{path:file}: row {bad:n} holds a value that is not a number.</source>
+        <translation>{path} : la rangée {bad} contient une valeur qui n&apos;est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the plane&apos;s normal (columns 21 to 23) has length {normal:n}, not 1.</source>
+        <translation>{path} : la normale du plan (colonnes 21 à 23) a la longueur {normal}, et non 1.</translation>
+    </message>
+    <message>
+        <source>plane file, 25 columns</source>
+        <translation>fichier de plan, 25 colonnes</translation>
+    </message>
+    <message>
+        <source>LiDAR coordinates are taken, the local ones and the POS states go along; points and trajectory share one time base</source>
+        <translation>Les coordonnées du LiDAR sont prises, les coordonnées locales et les états du POS les accompagnent ; points et trajectoire ont la même base de temps</translation>
+    </message>
+    <message>
+        <source>A plane file holds the points of one target on all lines, not one line.</source>
+        <translation>Un fichier de plan contient les points d&apos;une cible sur toutes les lignes, pas une ligne.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is not PLY: its header is missing or damaged.</source>
+        <translation>{path} : ce n&apos;est pas un PLY : son en-tête manque ou est endommagé.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the PLY format {missing:kept} is not known.</source>
+        <translation>{path} : le format PLY {missing} n&apos;est pas connu.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this PLY file has no vertices.</source>
+        <translation>{path} : ce fichier PLY n&apos;a pas de sommets.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the header of this PLY file is damaged (count {text:foreign}).</source>
+        <translation>{path} : l&apos;en-tête de ce fichier PLY est endommagé (nombre {text}).</translation>
+    </message>
+    <message>
+        <source>{path:file}: {element:kept} has the property {name:kept} of type {none:kept}, which no point of a line has; export points alone, without faces.</source>
+        <translation>{path} : {element} a la propriété {name} de type {none}, qu&apos;aucun point d&apos;une ligne n&apos;a ; exportez les points seuls, sans faces.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {element:kept} has two properties {name:kept}; export it again.</source>
+        <translation>{path} : {element} a deux propriétés {name} ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {element:kept} has no properties; export it again.</source>
+        <translation>{path} : {element} n&apos;a pas de propriétés ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>What the coordinates refer to: the scanner, or the map</source>
+        <translation>Ce à quoi se rapportent les coordonnées : le scanneur ou la carte</translation>
+    </message>
+    <message>
+        <source>Unit of scanner-frame coordinates</source>
+        <translation>Unité des coordonnées dans le repère du scanneur</translation>
+    </message>
+    <message>
+        <source>Coordinate system of georeferenced points: EPSG code, EPSG:32619 say, or WKT</source>
+        <translation>Système de coordonnées des points géoréférencés : code EPSG, EPSG:32619 par exemple, ou WKT</translation>
+    </message>
+    <message>
+        <source>What heights are counted from: ellipsoid, EPSG code of a vertical system, or the path of a geoid grid; empty: as the coordinate system says</source>
+        <translation>D&apos;où comptent les hauteurs : ellipsoid, code EPSG d&apos;un système vertical, ou chemin d&apos;une grille de géoïde ; vide : comme le dit le système de coordonnées</translation>
+    </message>
+    <message>
+        <source>Unit of heights; empty: as the coordinate system says</source>
+        <translation>Unité des hauteurs ; vide : comme le dit le système de coordonnées</translation>
+    </message>
+    <message>
+        <source>Geographic system of the trajectory, EPSG:7912 say; empty: as the points</source>
+        <translation>Système géographique de la trajectoire, EPSG:7912 par exemple ; vide : comme les points</translation>
+    </message>
+    <message>
+        <source>Date of the survey as a decimal year, where datums drift apart</source>
+        <translation>Date du levé en année décimale, là où les référentiels dérivent l&apos;un par rapport à l&apos;autre</translation>
+    </message>
+    <message>
+        <source>What the times count; empty: as the file says</source>
+        <translation>Ce que comptent les temps ; vide : comme le dit le fichier</translation>
+    </message>
+    <message>
+        <source>Where times start again at zero within the line; empty: found by the times</source>
+        <translation>Où les temps repartent de zéro dans la ligne ; vide : trouvé d&apos;après les temps</translation>
+    </message>
+    <message>
+        <source>Name of the field with the time; empty: by the usual names</source>
+        <translation>Nom du champ du temps ; vide : d&apos;après les noms usuels</translation>
+    </message>
+    <message>
+        <source>Unit of the time</source>
+        <translation>Unité du temps</translation>
+    </message>
+    <message>
+        <source>names no coordinate system</source>
+        <translation>ne nomme pas de système de coordonnées</translation>
+    </message>
+    <message>
+        <source>{epoch:kept}: not a date as a decimal year; 2024.5 for example.</source>
+        <translation>{epoch} : pas une date en année décimale ; 2024.5 par exemple.</translation>
+    </message>
+    <message>
+        <source>scanner (LiDAR) frame</source>
+        <translation>repère du scanneur (LiDAR)</translation>
+    </message>
+    <message>
+        <source>{name}, turned into metres</source>
+        <translation>{name}, converti en mètres</translation>
+    </message>
+    <message>
+        <source>{path:file}: cannot be read to its end ({error:foreign}); check the disk or network drive, or copy it again.</source>
+        <translation>{path} : ne peut être lu jusqu&apos;à la fin ({error}) ; vérifiez le disque ou le lecteur réseau, ou copiez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: cannot be read as {what} ({reason:foreign}); copy or export it again.</source>
+        <translation>{path} : illisible comme {what} ({reason}) ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this {what} file is empty; copy or export it again.</source>
+        <translation>{path} : ce fichier {what} est vide ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: there is no field {wanted:kept}; it has {names:kept}.</source>
+        <translation>{path} : il n&apos;y a pas de champ {wanted} ; il a {names}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no field holds a time (it has {none:kept}), so the points cannot be put on the trajectory; export with time, or name the field.</source>
+        <translation>{path} : aucun champ ne contient un temps (champs : {none}) et les points ne peuvent être placés sur la trajectoire ; exportez avec le temps, ou nommez le champ.</translation>
+    </message>
+    <message>
+        <source>, as where the byte order is another one than the file says</source>
+        <translation>, comme lorsque l&apos;ordre des octets n&apos;est pas celui que dit le fichier</translation>
+    </message>
+    <message>
+        <source>{path:file}: times around {float:n} are stored with 32 bits, in steps of {step:n} s: too coarse to put points on the trajectory; export with 64-bit time.</source>
+        <translation>{path} : les temps vers {float} sont stockés en 32 bits, par pas de {step} s : trop grossier pour placer des points sur la trajectoire ; exportez avec un temps de 64 bits.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {len:n} points share the time {float:n}; the file was written without times: export it with them.</source>
+        <translation>{path} : {len} points ont le même temps {float} ; le fichier a été écrit sans temps : exportez-le avec.</translation>
+    </message>
+    <message>
+        <source>time from, to</source>
+        <translation>temps de, à</translation>
+    </message>
+    <message>
+        <source>{time:n}, {time2:n} s (first {len:n} points)</source>
+        <translation>{time}, {time2} s ({len} premiers points)</translation>
+    </message>
+    <message>
+        <source>Coordinates up to {farthest:n} are too large for the scanner frame and the file {NO_SYSTEM}: give its EPSG code.</source>
+        <translation>Des coordonnées jusqu&apos;à {farthest} sont trop grandes pour le repère du scanneur et le fichier {NO_SYSTEM} : indiquez son code EPSG.</translation>
+    </message>
+    <message>
+        <source>The file names a coordinate system, but its coordinates are small enough for the scanner frame: check which it is.</source>
+        <translation>Le fichier nomme un système de coordonnées, mais ses coordonnées sont assez petites pour le repère du scanneur : vérifiez duquel il s&apos;agit.</translation>
+    </message>
+    <message>
+        <source>Points lie up to {farthest:n} from the origin, farther than a vessel&apos;s scanner sees: check the unit (feet, millimetres?) and the frame.</source>
+        <translation>Des points sont à {farthest} de l&apos;origine, plus loin que ne voit le scanneur d&apos;un navire : vérifiez l&apos;unité (pieds, millimètres ?) et le repère.</translation>
+    </message>
+    <message>
+        <source>All points lie {away:n} or more from the origin, so it is hardly the scanner: check the frame.</source>
+        <translation>Tous les points sont à {away} ou plus de l&apos;origine, qui n&apos;est donc guère le scanneur : vérifiez le repère.</translation>
+    </message>
+    <message>
+        <source>The first two coordinates vary by less than 0.02: these may be degrees of longitude and latitude; check the frame.</source>
+        <translation>Les deux premières coordonnées varient de moins de 0.02 : ce sont peut-être des degrés de longitude et de latitude ; vérifiez le repère.</translation>
+    </message>
+    <message>
+        <source>Times are stored with 32 bits, in steps of {step:n} s: export with 64.</source>
+        <translation>Les temps sont stockés en 32 bits, par pas de {step} s : exportez en 64.</translation>
+    </message>
+    <message>
+        <source>Times look as if they had passed through 32 bits (steps of {hidden:n} s): points may be put on the wrong pose; export with 64-bit time.</source>
+        <translation>Les temps semblent être passés par 32 bits (pas de {hidden} s) : des points peuvent être placés sur une mauvaise pose ; exportez avec un temps de 64 bits.</translation>
+    </message>
+    <message>
+        <source>Times are whole numbers: check their unit.</source>
+        <translation>Les temps sont des nombres entiers : vérifiez leur unité.</translation>
+    </message>
+    <message>
+        <source>All points looked at share one time: the file may hold no times.</source>
+        <translation>Tous les points examinés ont le même temps : le fichier ne contient peut-être pas de temps.</translation>
+    </message>
+    <message>
+        <source>Times run backward {backward:n} times in the first {count:n} points; points are taken in the order of the file.</source>
+        <translation>Les temps reculent {backward} fois dans les {count} premiers points ; les points sont pris dans l&apos;ordre du fichier.</translation>
+    </message>
+    <message>
+        <source>no known time base</source>
+        <translation>aucune base de temps connue</translation>
+    </message>
+    <message>
+        <source>Date of mission</source>
+        <translation>Date de la mission</translation>
+    </message>
+    <message>
+        <source>Mapping frame</source>
+        <translation>Repère de la projection</translation>
+    </message>
+    <message>
+        <source>Made from</source>
+        <translation>Fait à partir de</translation>
+    </message>
+    <message>
+        <source>{path:file}: no line names the columns (TIME, ..., LATITUDE, LONGITUDE, ...); export with the header, or read the file as generic text and state the columns.</source>
+        <translation>{path} : aucune ligne ne nomme les colonnes (TIME, ..., LATITUDE, LONGITUDE, ...) ; exportez avec l&apos;en-tête, ou lisez le fichier comme texte générique et indiquez les colonnes.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {name:kept} is in degrees, minutes and seconds or in hours; export decimal degrees and seconds.</source>
+        <translation>{path} : {name} est en degrés, minutes et secondes ou en heures ; exportez des degrés et des secondes décimaux.</translation>
+    </message>
+    <message>
+        <source>POSPac text export</source>
+        <translation>export texte de POSPac</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: {strip:kept} is not a row of numbers; export the file again.</source>
+        <translation>{path}, rangée {row} : {strip} n&apos;est pas une rangée de nombres ; exportez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: there is no project here ({FILE_NAME:kept} is missing).</source>
+        <translation>{folder} : il n&apos;y a pas de projet ici ({FILE_NAME} manque).</translation>
+    </message>
+    <message>
+        <source>{path:file}: made by a newer version of the program (schema {version}); update it.</source>
+        <translation>{path} : fait par une version plus récente du programme (schéma {version}) ; mettez celui-ci à jour.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the project file is damaged ({in_one_line:foreign}); restore it from a copy.</source>
+        <translation>{path} : le fichier du projet est endommagé ({in_one_line}) ; restaurez-le depuis une copie.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points of target {name:kept} are missing; restore the file from a copy of the project, or make the project again.</source>
+        <translation>{path} : les points de la cible {name} manquent ; restaurez le fichier depuis une copie du projet, ou refaites le projet.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points of target {target:kept} are damaged ({in_one_line:foreign}); restore the file from a copy of the project, or make the project again.</source>
+        <translation>{path} : les points de la cible {target} sont endommagés ({in_one_line}) ; restaurez le fichier depuis une copie du projet, ou refaites le projet.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the header promises {count:n} points, the file has room for {max:n}; it is cut short: copy or export it again.</source>
+        <translation>{path} : l&apos;en-tête annonce {count} points, le fichier a de la place pour {max} ; il est tronqué : copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: point {number:n} reads {strip:foreign}, which is not {len:n} numbers as the header says; copy or export it again.</source>
+        <translation>{path} : le point {number} se lit {strip}, ce qui ne fait pas {len} nombres comme le dit l&apos;en-tête ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the field {name:kept} holds more than one value a point.</source>
+        <translation>{path} : le champ {name} contient plus d&apos;une valeur par point.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points have no {missing:kept} (fields: {none:kept}); export them with coordinates and time.</source>
+        <translation>{path} : les points n&apos;ont pas {missing} (champs : {none}) ; exportez-les avec les coordonnées et le temps.</translation>
+    </message>
+    <message>
+        <source>The time {field:kept} is in whole numbers: state its unit.</source>
+        <translation>Le temps {field} est en nombres entiers : indiquez son unité.</translation>
+    </message>
+    <message>
+        <source>Coordinates are stored with 32 bits, in steps of {grain:n} mm at {farthest:n}: the points are no better than that; export with 64.</source>
+        <translation>Les coordonnées sont stockées en 32 bits, par pas de {grain} mm à {farthest} : les points ne valent pas mieux ; exportez en 64.</translation>
+    </message>
+    <message>
+        <source>{field:kept} is the time in {time_unit}s; points and trajectory share one time base</source>
+        <translation>{field} est le temps en {time_unit}s ; points et trajectoire ont la même base de temps</translation>
+    </message>
+    <message>
+        <source>{name} has no option {name2:kept}; leave it out.</source>
+        <translation>{name} n&apos;a pas d&apos;option {name2} ; ne l&apos;indiquez pas.</translation>
+    </message>
+    <message>
+        <source>{name}: {name2:kept} cannot be {value:kept}; choose {choices:kept}.</source>
+        <translation>{name} : {name2} ne peut être {value} ; choisissez {choices}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a trajectory needs at least two SBET records, this has one; export more.</source>
+        <translation>{path} : une trajectoire demande au moins deux enregistrements SBET, ce fichier en a un ; exportez-en plus.</translation>
+    </message>
+    <message>
+        <source>check the unit and that this is SBET</source>
+        <translation>vérifiez l&apos;unité et que c&apos;est bien un SBET</translation>
+    </message>
+    <message>
+        <source>latitude and longitude look exchanged: choose the order longitude-latitude</source>
+        <translation>latitude et longitude semblent échangées : choisissez l&apos;ordre longitude-latitude</translation>
+    </message>
+    <message>
+        <source>these look like degrees: choose the unit degrees, or export in radians</source>
+        <translation>celles-ci ressemblent à des degrés : choisissez l&apos;unité degrees, ou exportez en radians</translation>
+    </message>
+    <message>
+        <source>it may be of another byte order or another format: export it again</source>
+        <translation>il a peut-être un autre ordre des octets ou un autre format : exportez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>{path:file}: latitude or longitude is out of range for {unit} from SBET record {first:n} on (up to {largest:n}); this is not SBET in {unit2}: {hint}.</source>
+        <translation>{path} : latitude ou longitude hors limites en {unit} à partir de l&apos;enregistrement SBET {first} (jusqu&apos;à {largest}) ; ce n&apos;est pas un SBET en {unit2} : {hint}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: its numbers are big-endian, which smrmsg is not; export it again with little-endian numbers.</source>
+        <translation>{path} : ses nombres sont gros-boutistes (big-endian), ce que smrmsg n&apos;est pas ; exportez-le de nouveau en petit-boutiste.</translation>
+    </message>
+    <message>
+        <source>{path:file}: an accuracy is negative; this is not an smrmsg file: choose another.</source>
+        <translation>{path} : une précision est négative ; ce n&apos;est pas un fichier smrmsg : choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {size:n} bytes are nothing; export it again.</source>
+        <translation>{path} : {size} octets ne sont rien ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {size:n} bytes are not two SBET records; export it again.</source>
+        <translation>{path} : {size} octets ne font pas deux enregistrements SBET ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>not two SBET records</source>
+        <translation>pas deux enregistrements SBET</translation>
+    </message>
+    <message>
+        <source>The numbers are big-endian, which SBET is not; check who wrote the file.</source>
+        <translation>Les nombres sont gros-boutistes (big-endian), ce que SBET n&apos;est pas ; vérifiez qui a écrit le fichier.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this SBET file cannot be read; check that the disk is there.</source>
+        <translation>{path} : ce fichier SBET ne peut être lu ; vérifiez que le disque est là.</translation>
+    </message>
+    <message>
+        <source>The file ends within a record ({record} of {RECORD} bytes): it is cut short or not SBET; copy or export it again.</source>
+        <translation>Le fichier se termine au milieu d&apos;un enregistrement ({record} octets sur {RECORD}) : il est tronqué ou n&apos;est pas un SBET ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{lost:n} of the records looked at hold values that are not numbers.</source>
+        <translation>{lost} des enregistrements examinés contiennent des valeurs qui ne sont pas des nombres.</translation>
+    </message>
+    <message>
+        <source>The numbers are not those of an SBET; choose the format the file has.</source>
+        <translation>Les nombres ne sont pas ceux d&apos;un SBET ; choisissez le format du fichier.</translation>
+    </message>
+    <message>
+        <source>Wander angle</source>
+        <translation>Angle de dérive (wander)</translation>
+    </message>
+    <message>
+        <source>Latitude and longitude reach {max:n} and can be neither radians nor degrees; choose the format the file has.</source>
+        <translation>Latitude et longitude atteignent {max} et ne peuvent être ni des radians ni des degrés ; choisissez le format du fichier.</translation>
+    </message>
+    <message>
+        <source>Latitude and longitude look like degrees; all angles are taken to be in degrees.</source>
+        <translation>Latitude et longitude ressemblent à des degrés ; tous les angles sont supposés en degrés.</translation>
+    </message>
+    <message>
+        <source>The heading stays below 6.3 and may be in radians although the positions are in degrees; export the file in radians to be sure.</source>
+        <translation>Le cap reste au-dessous de 6.3 et est peut-être en radians alors que les positions sont en degrés ; exportez le fichier en radians pour en être sûr.</translation>
+    </message>
+    <message>
+        <source>The first of the two positions exceeds 90 deg, so longitude is taken to stand before latitude.</source>
+        <translation>La première des deux positions dépasse 90° ; la longitude est donc supposée avant la latitude.</translation>
+    </message>
+    <message>
+        <source>The platform heading is taken less the wander angle, after Applanix.</source>
+        <translation>Le cap de la plateforme est pris moins l&apos;angle de dérive (wander), selon Applanix.</translation>
+    </message>
+    <message>
+        <source>all zero</source>
+        <translation>toutes nulles</translation>
+    </message>
+    <message>
+        <source>All velocities are zero, so neither their axes nor the wander angle could be checked against the course.</source>
+        <translation>Toutes les vitesses sont nulles : ni leurs axes ni l&apos;angle de dérive (wander) n&apos;ont pu être comparés à la route.</translation>
+    </message>
+    <message>
+        <source>The carrier hardly moves in the part looked at, so the velocities could not be checked against the course.</source>
+        <translation>Le porteur ne bouge guère dans la partie examinée : les vitesses n&apos;ont pas pu être comparées à la route.</translation>
+    </message>
+    <message>
+        <source>Longitude is taken to stand before latitude: only then do the velocities agree with the positions.</source>
+        <translation>La longitude est supposée avant la latitude : c&apos;est seulement ainsi que les vitesses concordent avec les positions.</translation>
+    </message>
+    <message>
+        <source>agree with the positions in no known frame</source>
+        <translation>ne concordent avec les positions dans aucun repère connu</translation>
+    </message>
+    <message>
+        <source>The velocities agree with the positions in no known frame (the best, {best}, misses by {best2:n} % of the speed); check axes, unit and heading.</source>
+        <translation>Les vitesses ne concordent avec les positions dans aucun repère connu (le meilleur, {best}, s&apos;en écarte de {best2} % de la vitesse) ; vérifiez les axes, l&apos;unité et le cap.</translation>
+    </message>
+    <message>
+        <source>{best} (agree with the positions to {best2:n} % of the speed)</source>
+        <translation>{best} (concordent avec les positions à {best2} % de la vitesse)</translation>
+    </message>
+    <message>
+        <source>The heading is taken {heading}: it then follows the course to {np:n} deg instead of {np2:n}.</source>
+        <translation>Le cap est pris {heading} : il suit alors la route à {np}° au lieu de {np2}°.</translation>
+    </message>
+    <message>
+        <source>The velocities count from true north although there is a wander angle (up to {np:n} deg), so the heading may do so too; it is taken less the wander angle, after Applanix: check with the writer of the file.</source>
+        <translation>Les vitesses comptent depuis le nord vrai bien qu&apos;il y ait un angle de dérive (wander, jusqu&apos;à {np}°) ; le cap aussi, peut-être ; il est pris moins l&apos;angle de dérive, selon Applanix : vérifiez auprès de l&apos;auteur du fichier.</translation>
+    </message>
+    <message>
+        <source>as Applanix states: roll positive starboard down, pitch positive bow up</source>
+        <translation>comme l&apos;indique Applanix : roulis positif quand tribord descend, tangage positif quand l&apos;étrave monte</translation>
+    </message>
+    <message>
+        <source>signs not checked</source>
+        <translation>signes non vérifiés</translation>
+    </message>
+    <message>
+        <source>All angular rates are zero, so the signs of roll and pitch could not be checked; they are taken {stated}.</source>
+        <translation>Toutes les vitesses angulaires sont nulles : les signes du roulis et du tangage n&apos;ont pas pu être vérifiés ; ils sont pris {stated}.</translation>
+    </message>
+    <message>
+        <source>The motion looked at is too small to check the sign of {unknown:list} against the angular rates; it is taken {stated}.</source>
+        <translation>Le mouvement examiné est trop petit pour vérifier le signe par les vitesses angulaires ({unknown}) ; il est pris {stated}.</translation>
+    </message>
+    <message>
+        <source>The angular rates say that signs differ from Applanix&apos;s: {facts:list}. This holds if the rates are in the writer&apos;s own body axes, x forward; check with the writer of the file.</source>
+        <translation>Les vitesses angulaires disent que des signes diffèrent de ceux d&apos;Applanix : {facts}. Cela vaut si elles sont dans les axes propres de l&apos;auteur du fichier, x vers l&apos;avant ; vérifiez auprès de lui.</translation>
+    </message>
+    <message>
+        <source>(by the angular rates)</source>
+        <translation>(d&apos;après les vitesses angulaires)</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} has to grow, by 360 deg at most.</source>
+        <translation>{path} : {key2} doit croître, de 360° au plus.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is empty; give the elevation of every beam.</source>
+        <translation>{path} : {key2} est vide ; donnez l&apos;élévation de chaque faisceau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is missing; write [[surfaces]] above each surface.</source>
+        <translation>{path} : {key2} manque ; écrivez [[surfaces]] au-dessus de chaque surface.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} cannot be used for a target: {error}.</source>
+        <translation>{path} : {key2} ne peut servir de cible : {error}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} {name:kept} stands twice; give each target a name of its own.</source>
+        <translation>{path} : {key2} {name} apparaît deux fois ; donnez à chaque cible un nom propre.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} cannot be given to a {kind}; seek boards, walls and spheres.</source>
+        <translation>{path} : {key2} ne peut être donné à ceci : {kind} ; cherchez des panneaux, des murs et des sphères.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is validation; a ball can only be a target.</source>
+        <translation>{path} : {key2} est validation ; une boule ne peut être que cible.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is missing; say how far off the lines pass.</source>
+        <translation>{path} : {key2} manque ; dites à quelle distance passent les lignes.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} lies along the heading; the site has to lie abeam.</source>
+        <translation>{path} : {key2} est le long du cap ; le site doit être par le travers.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} mixes headings with start_s; give one of the two in all.</source>
+        <translation>{path} : {key2} mêle des caps et start_s ; donnez l&apos;un des deux partout.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is missing; write [[lines]] above each line.</source>
+        <translation>{path} : {key2} manque ; écrivez [[lines]] au-dessus de chaque ligne.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} holds a line of less than 1 m; give run_in_m and run_out_m.</source>
+        <translation>{path} : {key2} contient une ligne de moins de 1 m ; donnez run_in_m et run_out_m.</translation>
+    </message>
+    <message>
+        <source>coordinate list</source>
+        <translation>liste de coordonnées</translation>
+    </message>
+    <message>
+        <source>{path:file}: no row of coordinates is in it; give rows of name, x, y, z.</source>
+        <translation>{path} : il ne contient aucune rangée de coordonnées ; donnez des rangées de nom, x, y, z.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no row of coordinates follows its names; export it again.</source>
+        <translation>{path} : aucune rangée de coordonnées ne suit ses noms ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: more than {MOST:n} rows are in it, so it is no list of targets; leave only their rows in it.</source>
+        <translation>{path} : il contient plus de {MOST} rangées et n&apos;est donc pas une liste de cibles ; n&apos;y laissez que leurs rangées.</translation>
+    </message>
+    <message>
+        <source>name {twice:kept} twice</source>
+        <translation>nomment {twice} deux fois</translation>
+    </message>
+    <message>
+        <source>no name in front</source>
+        <translation>ne commencent pas par un nom</translation>
+    </message>
+    <message>
+        <source>which are x, y, z is not clear</source>
+        <translation>ne disent pas clairement où sont x, y, z</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row}: {count} of its {len:n} columns are numbers, and {named}; put a row of names above them (name, x, y, z), or state the columns.</source>
+        <translation>{path}, rangée {row} : {count} de ses {len} colonnes sont des nombres, et {named} ; mettez au-dessus une rangée de noms (name, x, y, z), ou indiquez les colonnes.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row}: {count} of its {len:n} columns are numbers, and three coordinates are needed; put a row of names above them (name, x, y, z), or state the columns.</source>
+        <translation>{path}, rangée {row} : {count} de ses {len} colonnes sont des nombres, et il faut trois coordonnées ; mettez au-dessus une rangée de noms (name, x, y, z), ou indiquez les colonnes.</translation>
+    </message>
+    <message>
+        <source>three coordinates are needed</source>
+        <translation>il faut trois coordonnées</translation>
+    </message>
+    <message>
+        <source>{where}: it has {len:n} columns where {needed} are needed ({meant:kept}); complete the row or take it out.</source>
+        <translation>{where} : elle a {len} colonnes où il en faut {needed} ({meant}) ; complétez la rangée ou retirez-la.</translation>
+    </message>
+    <message>
+        <source>{where}: {axis:kept} is {axis2:foreign}, which is not a number; correct the row or take it out.</source>
+        <translation>{where} : {axis} vaut {axis2}, ce qui n&apos;est pas un nombre ; corrigez la rangée ou retirez-la.</translation>
+    </message>
+    <message>
+        <source>{where}: the role is {word:foreign}; give target or validation (T or V), or leave it empty.</source>
+        <translation>{where} : le rôle est {word} ; donnez target ou validation (T ou V), ou laissez-le vide.</translation>
+    </message>
+    <message>
+        <source>{where}: sigma is {text:foreign}, which is no number of metres that is zero or more; correct the row.</source>
+        <translation>{where} : sigma vaut {text}, ce qui n&apos;est pas un nombre de mètres supérieur ou égal à zéro ; corrigez la rangée.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row}: {name:kept} stands in row {name2} already; give each target a name of its own.</source>
+        <translation>{path}, rangée {row} : {name} est déjà dans la rangée {name2} ; donnez à chaque cible un nom propre.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row}: these coordinates stand in row {coordinates} already; one target is picked once.</source>
+        <translation>{path}, rangée {row} : ces coordonnées sont déjà dans la rangée {coordinates} ; une cible se désigne une seule fois.</translation>
+    </message>
+    <message>
+        <source>{path:file}: point {good:n} has a coordinate that is not a usable number; clean or export it again.</source>
+        <translation>{path} : le point {good} a une coordonnée qui n&apos;est pas un nombre utilisable ; nettoyez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this {WHAT} holds no points; export it again.</source>
+        <translation>{path} : ce fichier ({WHAT}) ne contient aucun point ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a {WHAT} is read from LAS, LAZ, E57 or text (x, y, z); export it as one of these.</source>
+        <translation>{path} : un {WHAT} se lit en LAS, LAZ, E57 ou texte (x, y, z) ; exportez-le sous l&apos;une de ces formes.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no row of coordinates is in it; give rows of x, y, z.</source>
+        <translation>{path} : il ne contient aucune rangée de coordonnées ; donnez des rangées x, y, z.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {sample:n}: three coordinates are needed; name the columns x, y, z in a row above them.</source>
+        <translation>{path}, rangée {sample} : il faut trois coordonnées ; nommez les colonnes x, y, z dans une rangée au-dessus.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {sample:n}: a static scan as text is read with decimal points; this one has commas: export it again.</source>
+        <translation>{path}, rangée {sample} : un balayage statique en texte se lit avec des points décimaux ; celui-ci a des virgules : exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>text of a {WHAT}</source>
+        <translation>texte d&apos;un {WHAT}</translation>
+    </message>
+    <message>
+        <source>{path:file}: the column names given ({none:kept}) lack {missing:kept}; name every column of the file from the left.</source>
+        <translation>{path} : aux noms de colonnes donnés ({none}) il manque {missing} ; nommez chaque colonne du fichier depuis la gauche.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {number:n}: {len:n} columns where {len2:n} were named ({names:kept}); copy or export it again where it is cut short, or name the columns the file has.</source>
+        <translation>{path}, rangée {number} : {len} colonnes où {len2} ont été nommées ({names}) ; copiez-le ou exportez-le de nouveau s&apos;il est tronqué, ou nommez les colonnes du fichier.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {number:n}: {error:foreign}; rows must be numbers.</source>
+        <translation>{path}, rangée {number} : {error} ; les rangées doivent être des nombres.</translation>
+    </message>
+    <message>
+        <source>Name of each column from the left, parted by blanks: time x y z are needed, - passes a column over; empty: as the first row of the file says</source>
+        <translation>Nom de chaque colonne depuis la gauche, séparés par des blancs : time x y z sont nécessaires, - passe une colonne ; vide : comme le dit la première rangée du fichier</translation>
+    </message>
+    <message>
+        <source>What parts the columns</source>
+        <translation>Ce qui sépare les colonnes</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Signe décimal</translation>
+    </message>
+    <message>
+        <source>not named</source>
+        <translation>non nommées</translation>
+    </message>
+    <message>
+        <source>The file does not name its columns: name them from the left, time x y z at least.</source>
+        <translation>Le fichier ne nomme pas ses colonnes : nommez-les depuis la gauche, au moins time x y z.</translation>
+    </message>
+    <message>
+        <source>time in {time_unit}s; points and trajectory share one time base</source>
+        <translation>temps en {time_unit}s ; points et trajectoire ont la même base de temps</translation>
+    </message>
+    <message>
+        <source>The head of the file speaks of feet: check the unit.</source>
+        <translation>La tête du fichier parle de pieds : vérifiez l&apos;unité.</translation>
+    </message>
+    <message>
+        <source>Times are as hh:mm:ss; the file does not say whether they are UTC: choose the time base (utc-day or gps-day).</source>
+        <translation>Les temps sont en hh:mm:ss ; le fichier ne dit pas s&apos;ils sont en UTC : choisissez la base de temps (utc-day ou gps-day).</translation>
+    </message>
+    <message>
+        <source>{path:file}: the file does not name its columns; name them from the left, time x y z at least.</source>
+        <translation>{path} : le fichier ne nomme pas ses colonnes ; nommez-les depuis la gauche, au moins time x y z.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no row of four numbers or more is in it (a time is seconds, or hh:mm:ss without a date); this is not a text file of points.</source>
+        <translation>{path} : il ne contient aucune rangée de quatre nombres ou plus (un temps est en secondes, ou hh:mm:ss sans date) ; ce n&apos;est pas un fichier texte de points.</translation>
+    </message>
+    <message>
+        <source>{path:file}: rows must be numbers ({error:foreign}).</source>
+        <translation>{path} : les rangées doivent être des nombres ({error}).</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {k:n}: {column:kept} is {column2:foreign};</source>
+        <translation>{path}, rangée {k} : {column} vaut {column2} ;</translation>
+    </message>
+    <message>
+        <source>times above it are as hh:mm:ss.</source>
+        <translation>les temps au-dessus sont en hh:mm:ss.</translation>
+    </message>
+    <message>
+        <source>rows must be numbers.</source>
+        <translation>les rangées doivent être des nombres.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this text is UTF-16; save it as UTF-8.</source>
+        <translation>{path} : ce texte est en UTF-16 ; enregistrez-le en UTF-8.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is not text with one point a row.</source>
+        <translation>{path} : ce n&apos;est pas un texte d&apos;un point par rangée.</translation>
+    </message>
+    <message>
+        <source>{name:file}: {text:kept} cannot stand in CSV; rename it.</source>
+        <translation>{name} : {text} ne peut figurer dans un CSV ; renommez-le.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {number:n}: this is not text; choose the format it has.</source>
+        <translation>{path}, rangée {number} : ce n&apos;est pas du texte ; choisissez le format du fichier.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this {what} file cannot be read to its end ({strerror:foreign}); check that the disk is there.</source>
+        <translation>{path} : ce fichier ({what}) ne peut être lu jusqu&apos;à sa fin ({strerror}) ; vérifiez que le disque est là.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: {len:n} columns where at least {width} are needed; copy or export the file again where it is cut short, or state its columns.</source>
+        <translation>{path}, rangée {row} : {len} colonnes où il en faut au moins {width} ; copiez ou exportez le fichier de nouveau s&apos;il est tronqué, ou indiquez ses colonnes.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: {name:kept} is {index:foreign}, which is not a usable value; check the columns stated, or export the file again.</source>
+        <translation>{path}, rangée {row} : {name} vaut {index}, une valeur inutilisable ; vérifiez les colonnes indiquées, ou exportez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the file holds no rows of data; check what is stated of its separators and header, or export it again.</source>
+        <translation>{path} : le fichier ne contient aucune rangée de données ; vérifiez ce qui est indiqué de ses séparateurs et de son en-tête, ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>By the name of its column x is in {said}, but {name:kept} is in {unit}: give the code of the same system in the unit of the file, or export in that of the system.</source>
+        <translation>D&apos;après le nom de sa colonne, x est en {said}, mais {name} est en {unit} : donnez le code du même système dans l&apos;unité du fichier, ou exportez dans celle du système.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is not sound TOML ({error:foreign}); correct it.</source>
+        <translation>{path} : ce n&apos;est pas du TOML correct ({error}) ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is {value:foreign}, not a text; put words between quotes.</source>
+        <translation>{path} : {key2} vaut {value}, pas un texte ; mettez les mots entre guillemets.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is {value:foreign}; give one of {words:kept}.</source>
+        <translation>{path} : {key2} vaut {value} ; donnez l&apos;un de ces mots : {words}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is {value:foreign}; give true or false.</source>
+        <translation>{path} : {key2} vaut {value} ; donnez true ou false.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is {value:foreign}; give {many} in brackets.</source>
+        <translation>{path} : {key2} vaut {value} ; donnez {many} entre crochets.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is {value:foreign}, not a table; write [{key:kept}] above its keys.</source>
+        <translation>{path} : {key2} vaut {value}, pas une table ; écrivez [{key}] au-dessus de ses clés.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is no list of tables; write [[{key:kept}]] above each of them.</source>
+        <translation>{path} : {key2} n&apos;est pas une liste de tables ; écrivez [[{key}]] au-dessus de chacune.</translation>
+    </message>
+    <message>
+        <source>did you mean {near:kept}?</source>
+        <translation>vouliez-vous dire {near} ?</translation>
+    </message>
+    <message>
+        <source>known are {sorted:kept}</source>
+        <translation>connus : {sorted}</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is not known here; {wanted}.</source>
+        <translation>{path} : {key2} n&apos;est pas connu ici ; {wanted}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is not known here; it has to be named {key:kept}.</source>
+        <translation>{path} : {key2} n&apos;est pas connu ici ; le nom doit être {key}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {self:kept} is missing; add it.</source>
+        <translation>{path} : {self} manque ; ajoutez-le.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} holds {value:foreign}, which is not a number; correct it.</source>
+        <translation>{path} : {key2} contient {value}, qui n&apos;est pas un nombre ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} holds {value:kept}, which is not finite; correct it.</source>
+        <translation>{path} : {key2} contient {value}, qui n&apos;est pas fini ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} holds {value:n}; give {wanted}.</source>
+        <translation>{path} : {key2} contient {value} ; donnez {wanted}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} holds {value:n}; give at most {most:n}.</source>
+        <translation>{path} : {key2} contient {value} ; donnez au plus {most}.</translation>
+    </message>
+    <message>
+        <source>they fit no known time base; check which column or record is the time</source>
+        <translation>ils ne conviennent à aucune base de temps connue ; vérifiez quelle colonne ou quel champ est le temps</translation>
+    </message>
+    <message>
+        <source>{path:file}: times from {time:n} to {time2:n} cannot be {name}; {hint}.</source>
+        <translation>{path} : des temps de {time} à {time2} ne peuvent être ceci : {name} ; {hint}.</translation>
+    </message>
+    <message>
+        <source>{path:file}, {place}: a height of {height:n} m cannot be; check the columns and their unit.</source>
+        <translation>{path}, {place} : une hauteur de {height} m est impossible ; vérifiez les colonnes et leur unité.</translation>
+    </message>
+    <message>
+        <source>{path:file}, {place}: roll, pitch, heading {angles:kept} deg cannot be; state degrees where radians were taken, or check the columns.</source>
+        <translation>{path}, {place} : roulis, tangage, cap {angles} deg sont impossibles ; indiquez des degrés si des radians ont été supposés, ou vérifiez les colonnes.</translation>
+    </message>
+    <message>
+        <source>hours, minutes and seconds</source>
+        <translation>heures, minutes et secondes</translation>
+    </message>
+    <message>
+        <source>{path:file}: a trajectory needs at least two rows, this has one; export more.</source>
+        <translation>{path} : une trajectoire demande au moins deux rangées, ce fichier en a une ; exportez-en plus.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: a standard deviation is negative; check that this is the column of standard deviations, or export again.</source>
+        <translation>{path}, rangée {row} : un écart-type est négatif ; vérifiez que c&apos;est bien la colonne des écarts-types, ou exportez de nouveau.</translation>
+    </message>
+    <message>
+        <source>latitude and longitude (or easting and northing)</source>
+        <translation>latitude et longitude (ou est et nord)</translation>
+    </message>
+    <message>
+        <source>{path:file}: there is no column of {role}; export it too, or choose another file.</source>
+        <translation>{path} : il manque une colonne ({role}) ; exportez-la aussi, ou choisissez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the columns {none:kept} lack {missing:list}; export these too, or state the columns.</source>
+        <translation>{path} : aux colonnes {none} il manque {missing} ; exportez-les aussi, ou indiquez les colonnes.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the positions are eastings and northings; state their coordinate system (an EPSG code, EPSG:32619 say).</source>
+        <translation>{path} : les positions sont des coordonnées est et nord ; indiquez leur système de coordonnées (un code EPSG, EPSG:32619 par exemple).</translation>
+    </message>
+    <message>
+        <source>{path:file}: a heading from grid north needs eastings, northings and their coordinate system; state the system or choose a true heading.</source>
+        <translation>{path} : un cap compté du nord de la grille demande les coordonnées est et nord et leur système de coordonnées ; indiquez le système ou choisissez un cap vrai.</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>un angle</translation>
+    </message>
+    <message>
+        <source>{path:file}: column {name:kept} is in {UNIT_WORDS} by its header, and should be {wanted}; mend the header, or export it again.</source>
+        <translation>{path} : la colonne {name} est en {UNIT_WORDS} d&apos;après son en-tête, et devrait être {wanted} ; corrigez l&apos;en-tête, ou exportez de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: its rows have a date, so their times are UTC or GPS seconds, not {name}; choose unix (UTC) or gps-full (GPS).</source>
+        <translation>{path} : ses rangées ont une date ; leurs temps sont donc des secondes UTC ou GPS, et non ceci : {name} ; choisissez unix (UTC) ou gps-full (GPS).</translation>
+    </message>
+    <message>
+        <source>latitude and longitude may be swapped: state the columns the other way round</source>
+        <translation>latitude et longitude sont peut-être échangées : indiquez les colonnes dans l&apos;autre ordre</translation>
+    </message>
+    <message>
+        <source>they are degrees read as radians: state degrees</source>
+        <translation>ce sont des degrés lus comme des radians : indiquez des degrés</translation>
+    </message>
+    <message>
+        <source>check the columns and their unit</source>
+        <translation>vérifiez les colonnes et leur unité</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: latitude {lat:n} and longitude {lon:n} deg are not on Earth; {hint}.</source>
+        <translation>{path}, rangée {row} : latitude {lat}° et longitude {lon}° ne sont pas sur la Terre ; {hint}.</translation>
+    </message>
+    <message>
+        <source>{sum:n} per second</source>
+        <translation>{sum} par seconde</translation>
+    </message>
+    <message>
+        <source>Times from {time:n} to {time2:n} s fit no known time base; check which column or record is the time.</source>
+        <translation>Des temps de {time} à {time2} s ne conviennent à aucune base de temps connue ; vérifiez quelle colonne ou quel champ est le temps.</translation>
+    </message>
+    <message>
+        <source>points in gaps cannot be used</source>
+        <translation>les points dans les lacunes ne peuvent servir</translation>
+    </message>
+    <message>
+        <source>The trajectory has {wide:n} gaps longer than {longest_gap:n} s, the longest {float:n} s; {UNUSABLE}.</source>
+        <translation>La trajectoire a {wide} lacunes de plus de {longest_gap} s, la plus longue de {float} s ; {UNUSABLE}.</translation>
+    </message>
+    <message>
+        <source>The trajectory has {wide:n} gap longer than {longest_gap:n} s, the longest {float:n} s; {UNUSABLE}.</source>
+        <translation>La trajectoire a {wide} lacune de plus de {longest_gap} s, la plus longue de {float} s ; {UNUSABLE}.</translation>
+    </message>
+    <message>
+        <source>The positions move at {fast:n} m/s; degrees may have been read as radians, or the times may be in another unit.</source>
+        <translation>Les positions se déplacent à {fast} m/s ; des degrés ont peut-être été lus comme des radians, ou les temps sont dans une autre unité.</translation>
+    </message>
+    <message>
+        <source>The positions move at {fast:n} m/s in the middle, faster than a vessel; check the unit of the positions and of the times, and the coordinate system where there is one.</source>
+        <translation>Les positions se déplacent à {fast} m/s en médiane, plus vite qu&apos;un navire ; vérifiez l&apos;unité des positions et des temps, et le système de coordonnées s&apos;il y en a un.</translation>
+    </message>
+    <message>
+        <source>The positions jump: in places they move at up to {float:n} m/s, in the middle at {fast:n} m/s; look at the track and process the trajectory again.</source>
+        <translation>Les positions sautent : par endroits elles se déplacent à {float} m/s, contre {fast} m/s en médiane ; regardez la trace et retraitez la trajectoire.</translation>
+    </message>
+    <message>
+        <source>The carrier hardly moves in the part looked at, so heading and the order of latitude and longitude could not be checked against the course.</source>
+        <translation>Le porteur ne bouge guère dans la partie examinée : le cap et l&apos;ordre de latitude et longitude n&apos;ont pas pu être comparés à la route.</translation>
+    </message>
+    <message>
+        <source>Latitude and longitude look exchanged: the course then follows the heading.</source>
+        <translation>Latitude et longitude semblent échangées : la route suit alors le cap.</translation>
+    </message>
+    <message>
+        <source>The heading points backward along the course; check that it is the bow&apos;s and clockwise from north.</source>
+        <translation>Le cap pointe vers l&apos;arrière de la route ; vérifiez que c&apos;est celui de l&apos;étrave, dans le sens horaire depuis le nord.</translation>
+    </message>
+    <message>
+        <source>Heading and course over ground differ by {np:n} deg in the middle; check the heading, its unit and its sense.</source>
+        <translation>Le cap et la route fond diffèrent de {np}° en médiane ; vérifiez le cap, son unité et son sens.</translation>
+    </message>
+    <message>
+        <source>velocity north</source>
+        <translation>vitesse nord</translation>
+    </message>
+    <message>
+        <source>velocity east</source>
+        <translation>vitesse est</translation>
+    </message>
+    <message>
+        <source>velocity down</source>
+        <translation>vitesse vers le bas</translation>
+    </message>
+    <message>
+        <source>Which way the bow moves where pitch grows.</source>
+        <translation>Dans quel sens bouge l&apos;étrave quand le tangage croît.</translation>
+    </message>
+    <message>
+        <source>Which side goes down where roll grows; starboard down is port up.</source>
+        <translation>Quel côté descend quand le roulis croît ; tribord descend veut dire bâbord monte.</translation>
+    </message>
+    <message>
+        <source>What the times count.</source>
+        <translation>Ce que comptent les temps.</translation>
+    </message>
+    <message>
+        <source>{size:n} bytes are not a whole number of {SMRMSG_RECORD}-byte records: the file is empty, cut short or not smrmsg; copy or export it again.</source>
+        <translation>{size} octets ne font pas un nombre entier d&apos;enregistrements de {SMRMSG_RECORD} octets : le fichier est vide, tronqué ou n&apos;est pas un smrmsg ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Applanix SBET</source>
+        <translation>SBET d&apos;Applanix</translation>
+    </message>
+    <message>
+        <source>Whether the wander angle has to be taken off the platform heading to get true heading.</source>
+        <translation>Si l&apos;angle de dérive (wander) doit être retiré du cap de la plateforme pour obtenir le cap vrai.</translation>
+    </message>
+    <message>
+        <source>Axes of the velocities; they serve to check the heading.</source>
+        <translation>Axes des vitesses ; elles servent à vérifier le cap.</translation>
+    </message>
+    <message>
+        <source>Unit of all angles.</source>
+        <translation>Unité de tous les angles.</translation>
+    </message>
+    <message>
+        <source>Which of the two positions stands first.</source>
+        <translation>Laquelle des deux positions vient en premier.</translation>
+    </message>
+    <message>
+        <source>Order of the bytes.</source>
+        <translation>Ordre des octets.</translation>
+    </message>
+    <message>
+        <source>Coordinate system of eastings and northings where there is no latitude (EPSG:...).</source>
+        <translation>Système de coordonnées des coordonnées est et nord là où il n&apos;y a pas de latitude (EPSG:...).</translation>
+    </message>
+    <message>
+        <source>Exail (iXblue) APPS or Delph INS text</source>
+        <translation>Texte Exail (iXblue) APPS ou Delph INS</translation>
+    </message>
+    <message>
+        <source>Applanix POSPac text</source>
+        <translation>Texte Applanix POSPac</translation>
+    </message>
+    <message>
+        <source>Text, columns stated</source>
+        <translation>Texte, colonnes indiquées</translation>
+    </message>
+    <message>
+        <source>What each column is, from the left: time, date, latitude, longitude, easting, northing, height, roll, pitch, heading; - passes one over.</source>
+        <translation>Ce qu&apos;est chaque colonne, depuis la gauche : time, date, latitude, longitude, easting, northing, height, roll, pitch, heading ; - en passe une.</translation>
+    </message>
+    <message>
+        <source>What stands between the columns.</source>
+        <translation>Ce qui se trouve entre les colonnes.</translation>
+    </message>
+    <message>
+        <source>Rows to pass over at the head; auto: up to the first of numbers.</source>
+        <translation>Rangées à passer en tête ; auto : jusqu&apos;à la première rangée de nombres.</translation>
+    </message>
+    <message>
+        <source>Unit of latitude and longitude.</source>
+        <translation>Unité de la latitude et de la longitude.</translation>
+    </message>
+    <message>
+        <source>Unit of roll, pitch and heading.</source>
+        <translation>Unité du roulis, du tangage et du cap.</translation>
+    </message>
+    <message>
+        <source>Unit of eastings and northings; empty: as in the coordinate system, of whose kind plain feet are too.</source>
+        <translation>Unité des coordonnées est et nord ; vide : comme dans le système de coordonnées, qui dit aussi de quels pieds il s&apos;agit.</translation>
+    </message>
+    <message>
+        <source>Unit of the heights; empty: as in the coordinate system where it has heights, else metres.</source>
+        <translation>Unité des hauteurs ; vide : comme dans le système de coordonnées s&apos;il a des hauteurs, sinon le mètre.</translation>
+    </message>
+    <message>
+        <source>North that the heading counts from.</source>
+        <translation>Nord à partir duquel compte le cap.</translation>
+    </message>
+    <message>
+        <source>Coordinate system of eastings and northings (EPSG:32619, say).</source>
+        <translation>Système de coordonnées des coordonnées est et nord (EPSG:32619 par exemple).</translation>
+    </message>
+    <message>
+        <source>CIDCO binary, states of its points</source>
+        <translation>CIDCO binaire, états de ses points</translation>
+    </message>
+    <message>
+        <source>CIDCO binary, sigmas of its states</source>
+        <translation>CIDCO binaire, écarts-types de ses états</translation>
+    </message>
+    <message>
+        <source>Applanix smrmsg</source>
+        <translation>smrmsg d&apos;Applanix</translation>
+    </message>
+    <message>
+        <source>Exail (iXblue) text, standard deviations</source>
+        <translation>Texte Exail (iXblue), écarts-types</translation>
+    </message>
+    <message>
+        <source>Applanix POSPac text, standard deviations</source>
+        <translation>Texte Applanix POSPac, écarts-types</translation>
+    </message>
+    <message>
+        <source>Column {name:kept} is in feet, the file does not say which, and {text:kept} is in {words}; feet of 0.3048 m are taken. US survey feet would put the positions metres elsewhere: make sure which they are, and state it or name it in the header.</source>
+        <translation>La colonne {name} est en pieds, le fichier ne dit pas lesquels, et {text} est en {words} ; des pieds de 0.3048 m sont supposés. Les pieds d&apos;arpentage américains placeraient les positions à des mètres de là : assurez-vous de l&apos;unité, et indiquez-la ou nommez-la dans l&apos;en-tête.</translation>
+    </message>
+    <message>
+        <source>In {text:kept} ({name:kept}) the positions lie at latitude {middle:n}, longitude {middle2:n} deg, and it is meant for {elsewhere:kept}: check the coordinate system, the unit of eastings and northings (feet, metres), and their order.</source>
+        <translation>En {text} ({name}), les positions sont à la latitude {middle}°, longitude {middle2}°, alors que le système est prévu pour {elsewhere} : vérifiez le système de coordonnées, l&apos;unité des coordonnées est et nord (pieds, mètres), et leur ordre.</translation>
+    </message>
+    <message>
+        <source>{path:file}: eastings and northings lie outside {text:kept} ({name:kept}); state the coordinate system they are in, and check that they are not swapped.</source>
+        <translation>{path} : les coordonnées est et nord sont hors de {text} ({name}) ; indiquez leur système de coordonnées et vérifiez qu&apos;elles ne sont pas échangées.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {text:kept} ({name:kept}) is not a projected coordinate system; state the one of the eastings and northings.</source>
+        <translation>{path} : {text} ({name}) n&apos;est pas un système de coordonnées projeté ; indiquez celui des coordonnées est et nord.</translation>
+    </message>
+    <message>
+        <source>No unit is stated for the heights in column {name:kept}, and eastings and northings are in {words}; metres are taken: make sure, and state feet if they are, or name them in the header.</source>
+        <translation>Aucune unité n&apos;est indiquée pour les hauteurs de la colonne {name}, et les coordonnées est et nord sont en {words} ; le mètre est supposé : assurez-vous-en, et indiquez des pieds si c&apos;en sont, ou nommez-les dans l&apos;en-tête.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the coordinate system {text:kept} cannot be used ({said:foreign}); state an EPSG code such as EPSG:32619.</source>
+        <translation>{path} : le système de coordonnées {text} ne peut être employé ({said}) ; indiquez un code EPSG tel que EPSG:32619.</translation>
+    </message>
+    <message>
+        <source>The columns lack {missing:list}; a trajectory needs them.</source>
+        <translation>Il manque aux colonnes : {missing} ; une trajectoire en a besoin.</translation>
+    </message>
+    <message>
+        <source>Standard deviations are all zero; the file holds no accuracy.</source>
+        <translation>Les écarts-types sont tous nuls ; le fichier ne contient pas de précision.</translation>
+    </message>
+    <message>
+        <source>Standard deviations are large (in the middle {np:n} m and {np2:n} deg); check their unit.</source>
+        <translation>Les écarts-types sont grands (médianes : {np} m et {np2}°) ; vérifiez leur unité.</translation>
+    </message>
+    <message>
+        <source>The last rows do not go on from the first ones: the file may be cut short or its times run backward. The facts are those of the first rows; reading names the row.</source>
+        <translation>Les dernières rangées ne font pas suite aux premières : le fichier est peut-être tronqué ou ses temps reculent. Les constats sont ceux des premières rangées ; la lecture nommera la rangée.</translation>
+    </message>
+    <message>
+        <source>: as where feet are taken for metres, or metres for feet</source>
+        <translation>, comme lorsque des pieds sont pris pour des mètres, ou des mètres pour des pieds</translation>
+    </message>
+    <message>
+        <source>error of the lever arm</source>
+        <translation>erreur du bras de levier</translation>
+    </message>
+    <message>
+        <source>The {name} is beyond {most:n} {unit:kept}; give a smaller one.</source>
+        <translation>Valeur au-delà de {most} {unit} ({name}) ; donnez-en une plus petite.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key2:kept} is missing; write [[pos]] above each of its errors.</source>
+        <translation>{path} : {key2} manque ; écrivez [[pos]] au-dessus de chacune de ses erreurs.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the point at {place:foreign} lies outside {name:kept} or its geoid grid ({int:n} such points): check the coordinate system.</source>
+        <translation>{path} : le point {place} est hors de {name} ou de sa grille de géoïde (nombre de tels points : {int}) : vérifiez le système de coordonnées.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points name no coordinate system; give its EPSG code, EPSG:32619 for example.</source>
+        <translation>{path} : les points ne nomment pas de système de coordonnées ; donnez son code EPSG, EPSG:32619 par exemple.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the shift from {name:kept} to {name2:kept} changes with time: state the date of the survey as a decimal year (its epoch; at the command line --epoch 2024.5, or epoch=2024.5 among the options of a line).</source>
+        <translation>{path} : le passage de {name} à {name2} change avec le temps : indiquez la date du levé en année décimale (son époque ; en ligne de commande --epoch 2024.5, ou epoch=2024.5 parmi les options d&apos;une ligne).</translation>
+    </message>
+    <message>
+        <source>{path:file}: point {good:n} has a coordinate or time that is not a usable number ({such} up to here); clean or export it again.</source>
+        <translation>{path} : le point {good} a une coordonnée ou un temps qui n&apos;est pas un nombre utilisable ({such} jusqu&apos;ici) ; nettoyez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: point {good:n} has a coordinate or time that is not a usable number ({such} up to here{hint}); clean or export it again.</source>
+        <translation>{path} : le point {good} a une coordonnée ou un temps qui n&apos;est pas un nombre utilisable ({such} jusqu&apos;ici{hint}) ; nettoyez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>The positions move at {ratio:n} times the speed in {name:kept} and {name2:kept}; check the unit of the positions and the coordinate system.</source>
+        <translation>Les positions se déplacent à {ratio} fois la vitesse que donnent {name} et {name2} ; vérifiez l&apos;unité des positions et le système de coordonnées.</translation>
+    </message>
+    <message>
+        <source>The positions move at {ratio:n} times the speed in {name:kept} and {name2:kept}{hint}; check the unit of the positions and the coordinate system.</source>
+        <translation>Les positions se déplacent à {ratio} fois la vitesse que donnent {name} et {name2}{hint} ; vérifiez l&apos;unité des positions et le système de coordonnées.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {foreign:kept} is no axis of the local frame (north, west, up); say which coordinate system the list is in.</source>
+        <translation>{path} : {foreign} n&apos;est pas un axe du repère local (nord, ouest, haut) ; dites dans quel système de coordonnées est la liste.</translation>
+    </message>
+    <message>
+        <source>{path:file}{where}: {foreign:kept} is no axis of the local frame (north, west, up); say which coordinate system the list is in.</source>
+        <translation>{path}{where} : {foreign} n&apos;est pas un axe du repère local (nord, ouest, haut) ; dites dans quel système de coordonnées est la liste.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the columns {said}; name them from the left: name, x, y, z for example, and - for one that is not used.</source>
+        <translation>{path} : les colonnes {said} ; nommez-les depuis la gauche : name, x, y, z par exemple, et - pour celles qui ne servent pas.</translation>
+    </message>
+    <message>
+        <source>{path:file}{where}: the columns {said}; name them from the left: name, x, y, z for example, and - for one that is not used.</source>
+        <translation>{path}{where} : les colonnes {said} ; nommez-les depuis la gauche : name, x, y, z par exemple, et - pour celles qui ne servent pas.</translation>
+    </message>
+    <message>
+        <source>not stated; the values fit {fitting:either}</source>
+        <translation>non indiquée ; les valeurs conviennent à {fitting}</translation>
+    </message>
+    <message>
+        <source>The file states {name}, but times such as {float:n} are {fitting:either}: choose the time base.</source>
+        <translation>Le fichier indique {name}, mais des temps tels que {float} sont {fitting} : choisissez la base de temps.</translation>
+    </message>
+    <message>
+        <source>The velocities fit the axes {others:either} about as well: the motion looked at does not tell them apart.</source>
+        <translation>Les vitesses conviennent aussi bien aux axes {others} : le mouvement examiné ne les distingue pas.</translation>
+    </message>
+    <message>
+        <source>The times cannot be {stated}; by their values they are {bases:either}.</source>
+        <translation>Les temps ne peuvent être ceci : {stated}. D&apos;après leurs valeurs, ils sont {bases}.</translation>
+    </message>
+    <message>
+        <source>The times are taken as {name}; by their values alone they could also be {others:either}.</source>
+        <translation>Base de temps supposée : {name}. D&apos;après leurs seules valeurs, les temps pourraient aussi être {others}.</translation>
+    </message>
+    <message>
+        <source>{file:file}, row {row:n}</source>
+        <translation>{file}, rangée {row}</translation>
+    </message>
+    <message>
+        <source>{file:file}, row {row:n}: {name:kept}</source>
+        <translation>{file}, rangée {row} : {name}</translation>
+    </message>
+    <message>
+        <source>, row {row:n}</source>
+        <translation>, rangée {row}</translation>
+    </message>
+    <message>
+        <source>row {row:n}</source>
+        <translation>rangée {row}</translation>
+    </message>
+    <message>
+        <source>record {k:n}</source>
+        <translation>enregistrement {k}</translation>
+    </message>
+    <message>
+        <source>{what:kept} record {k:n}</source>
+        <translation>enregistrement {what} {k}</translation>
+    </message>
+    <message>
+        <source>{n:n} such point</source>
+        <translation>{n} tel point</translation>
+    </message>
+    <message>
+        <source>{n:n} such points</source>
+        <translation>{n} tels points</translation>
+    </message>
+    <message>
+        <source>{n:n} such record</source>
+        <translation>{n} tel enregistrement</translation>
+    </message>
+    <message>
+        <source>{n:n} such records</source>
+        <translation>{n} tels enregistrements</translation>
+    </message>
+    <message>
+        <source>{n:n} repeat</source>
+        <translation>{n} se répètent</translation>
+    </message>
+    <message>
+        <source>{n:n} run backward</source>
+        <translation>{n} reculent</translation>
+    </message>
+    <message>
+        <source>{n:n} numbers</source>
+        <translation>{n} nombres</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>nombres</translation>
+    </message>
+    <message>
+        <source>at least {n:n}</source>
+        <translation>au moins {n}</translation>
+    </message>
+    <message>
+        <source>more than {n:n}</source>
+        <translation>plus de {n}</translation>
+    </message>
+    <message>
+        <source>did you mean {near:kept}</source>
+        <translation>vouliez-vous dire {near}</translation>
+    </message>
+    <message>
+        <source>lack {names:kept}</source>
+        <translation>n&apos;ont pas {names}</translation>
+    </message>
+    <message>
+        <source>name {names:kept} twice</source>
+        <translation>nomment {names} deux fois</translation>
+    </message>
+    <message>
+        <source>choose {names:kept}</source>
+        <translation>choisissez {names}</translation>
+    </message>
+    <message>
+        <source>positive {words}</source>
+        <translation>positif : {words}</translation>
+    </message>
+    <message>
+        <source>SBET</source>
+        <translation>SBET</translation>
+    </message>
+    <message>
+        <source>smrmsg</source>
+        <translation>smrmsg</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texte</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>maillage</translation>
+    </message>
+    <message>
+        <source>survey</source>
+        <translation>levé</translation>
+    </message>
+    <message>
+        <source>logo</source>
+        <translation>logo</translation>
+    </message>
+    <message>
+        <source>trajectory accuracy</source>
+        <translation>précision de la trajectoire</translation>
+    </message>
+    <message>
+        <source>trajectory</source>
+        <translation>trajectoire</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>ligne</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>fichier ou dossier introuvable</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>accès refusé</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>le disque est plein</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ce n&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>nom de fichier trop long</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>disque en lecture seule</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>erreur d&apos;entrée-sortie</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>quota de disque dépassé</translation>
+    </message>
+    <message>
+        <source>LAS</source>
+        <translation>LAS</translation>
+    </message>
+    <message>
+        <source>LAZ</source>
+        <translation>LAZ</translation>
+    </message>
+    <message>
+        <source>CIDCO</source>
+        <translation>CIDCO</translation>
+    </message>
+    <message>
+        <source>CIDCO binary</source>
+        <translation>CIDCO binaire</translation>
+    </message>
+    <message>
+        <source>{view:foreign} (stated, not applied)</source>
+        <translation>{view} (indiqué, non appliqué)</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>secondes</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>date</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>latitude</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>longitude</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+</context>
+<context>
+    <name>report</name>
+    <message>
+        <source>Reading {name:kept} for its digest</source>
+        <translation>Lecture de {name} pour son empreinte</translation>
+    </message>
+    <message>
+        <source>Dot and bar: a calibration with its 95 % interval (brown: the mounting has moved). Line and band:
+mean of those before, and three sigmas of the difference.</source>
+        <translation>Point et barre : un étalonnage avec son intervalle à 95 % (brun : le montage a bougé). Ligne et bande :\nmoyenne des précédents et trois écarts-types de la différence.</translation>
+    </message>
+    <message>
+        <source>POS errors that drift</source>
+        <translation>Erreurs du POS qui dérivent</translation>
+    </message>
+    <message>
+        <source>every point its own POS error (thesis)</source>
+        <translation>chaque point avec sa propre erreur du POS (thèse)</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>non déterminés</translation>
+    </message>
+    <message>
+        <source>1 sigma (deg)</source>
+        <translation>Écart-type (°)</translation>
+    </message>
+    <message>
+        <source>Minutes on site (targets x lines beside each)</source>
+        <translation>Minutes sur place (cibles x lignes à côté de chacune)</translation>
+    </message>
+    <message>
+        <source>{path:file}: only PNG and SVG pictures go into a report.</source>
+        <translation>{path} : seules des images PNG et SVG entrent dans un rapport.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this picture cannot be read ({strerror:foreign}).</source>
+        <translation>{path} : cette image ne peut être lue ({strerror}).</translation>
+    </message>
+    <message>
+        <source>Heights are above the vessel&apos;s POS. The distance is from the middle of the site to the line; off wall: the least on the way; straight from, to: metres along the line before and after the middle is abeam. Keep course and speed there. The order of the lines counts. Hang the boards flat and firm: the sigmas rest on their not moving by a millimetre.</source>
+        <translation>Les hauteurs sont au-dessus du POS du navire. La distance va du milieu du site à la ligne ; au mur : la plus petite en chemin ; droit de, à : mètres le long de la ligne avant et après le travers du milieu. Tenez-y cap et vitesse. L&apos;ordre des lignes compte. Posez les panneaux bien plans et solidement : les écarts-types supposent qu&apos;ils ne bougent pas d&apos;un millimètre.</translation>
+    </message>
+    <message>
+        <source>Lines, in this order</source>
+        <translation>Lignes, dans cet ordre</translation>
+    </message>
+    <message>
+        <source>This plan does not determine the boresight.</source>
+        <translation>Ce plan ne détermine pas les angles de visée.</translation>
+    </message>
+    <message>
+        <source>Expected (1 sigma): roll {sigma:n}, pitch {sigma2:n}, yaw {sigma3:n} deg; {duration:n} minutes of lines</source>
+        <translation>Attendu (1 sigma) : roulis {sigma}°, tangage {sigma2}°, lacet {sigma3}° ; {duration} minutes de lignes</translation>
+    </message>
+    <message>
+        <source>From above; numbers stand where a line begins, opposite lines are drawn beside each other</source>
+        <translation>Vu d&apos;en haut ; les numéros sont au début des lignes, les lignes opposées sont dessinées côte à côte</translation>
+    </message>
+    <message>
+        <source>Along the wall, to the right as seen from the water (m)</source>
+        <translation>Le long du mur, vers la droite vu de l&apos;eau (m)</translation>
+    </message>
+    <message>
+        <source>Above POS (m)</source>
+        <translation>Au-dessus du POS (m)</translation>
+    </message>
+    <message>
+        <source>off the wall (m)</source>
+        <translation>au mur (m)</translation>
+    </message>
+    <message>
+        <source>above POS (m)</source>
+        <translation>au-dessus du POS (m)</translation>
+    </message>
+    <message>
+        <source>from level (deg)</source>
+        <translation>sur l&apos;horizontale (°)</translation>
+    </message>
+    <message>
+        <source>faces (deg)</source>
+        <translation>fait face à (°)</translation>
+    </message>
+    <message>
+        <source>heading (deg)</source>
+        <translation>cap (°)</translation>
+    </message>
+    <message>
+        <source>site on</source>
+        <translation>site sur</translation>
+    </message>
+    <message>
+        <source>off wall (m)</source>
+        <translation>au mur (m)</translation>
+    </message>
+    <message>
+        <source>straight from, to (m)</source>
+        <translation>droit de, à (m)</translation>
+    </message>
+    <message>
+        <source>{degrees:n}, leans back</source>
+        <translation>{degrees}, penche en arrière</translation>
+    </message>
+    <message>
+        <source>{degrees:n}, leans forward</source>
+        <translation>{degrees}, penche en avant</translation>
+    </message>
+    <message>
+        <source>The report could not be set ({message:foreign}).</source>
+        <translation>Le rapport n&apos;a pas pu être composé ({message}).</translation>
+    </message>
+    <message>
+        <source>{path:file}: this picture cannot be drawn ({message:foreign}); save it anew as PNG or SVG.</source>
+        <translation>{path} : cette image ne peut être dessinée ({message}) ; enregistrez-la de nouveau en PNG ou SVG.</translation>
+    </message>
+    <message>
+        <source>Type I: is it still a board, near where it stands?</source>
+        <translation>Type I : est-ce encore un panneau, près de là où il se trouve ?</translation>
+    </message>
+    <message>
+        <source>Type II: how far the board is shifted</source>
+        <translation>Type II : de combien le panneau est déplacé</translation>
+    </message>
+    <message>
+        <source>Signed orthogonal distance (m)</source>
+        <translation>Distance orthogonale signée (m)</translation>
+    </message>
+    <message>
+        <source>Type II: how far the board is turned</source>
+        <translation>Type II : de combien le panneau est tourné</translation>
+    </message>
+    <message>
+        <source>Angular deviation (deg)</source>
+        <translation>Écart angulaire (°)</translation>
+    </message>
+    <message>
+        <source>Inclination of the board (deg; positive leans to the vessel)</source>
+        <translation>Inclinaison du panneau (° ; positif penche vers le navire)</translation>
+    </message>
+    <message>
+        <source>Line (deg)</source>
+        <translation>Ligne (°)</translation>
+    </message>
+    <message>
+        <source>Inclination (deg)</source>
+        <translation>Inclinaison (°)</translation>
+    </message>
+    <message>
+        <source>Centroidal distance (m)</source>
+        <translation>Distance centroïdale (m)</translation>
+    </message>
+    <message>
+        <source>{label} at {np:n} deg on line {said:foreign}</source>
+        <translation>{label} à {np}° sur la ligne {said}</translation>
+    </message>
+    <message>
+        <source>Kept (deg)</source>
+        <translation>Gardées (°)</translation>
+    </message>
+    <message>
+        <source>Thesis keeps</source>
+        <translation>La thèse garde</translation>
+    </message>
+    <message>
+        <source>Best (deg)</source>
+        <translation>Meilleure (°)</translation>
+    </message>
+    <message>
+        <source>Lines that differ</source>
+        <translation>Lignes différentes</translation>
+    </message>
+    <message>
+        <source>Inclination is</source>
+        <translation>L&apos;inclinaison est</translation>
+    </message>
+    <message>
+        <source>Lines are</source>
+        <translation>Les lignes sont</translation>
+    </message>
+    <message>
+        <source>Why not</source>
+        <translation>Pourquoi non</translation>
+    </message>
+    <message>
+        <source>the same as</source>
+        <translation>les mêmes que</translation>
+    </message>
+    <message>
+        <source>others than</source>
+        <translation>d&apos;autres que</translation>
+    </message>
+    <message>
+        <source>Fewest lines that show every error: {sets:foreign}.</source>
+        <translation>Le moins de lignes qui montrent toutes les erreurs : {sets}.</translation>
+    </message>
+</context>
+<context>
+    <name>simulation</name>
+    <message>
+        <source>Meshes are ready</source>
+        <translation>Les maillages sont prêts</translation>
+    </message>
+    <message>
+        <source>Scanned line {x} of {len:n}</source>
+        <translation>Ligne {x} balayée sur {len}</translation>
+    </message>
+    <message>
+        <source>With a latency of {latency:n} s the lines lead out of the trajectory; give a smaller one, or let the vessel wait longer (wait_s).</source>
+        <translation>Avec une latence de {latency} s, les lignes sortent de la trajectoire ; donnez-en une plus petite, ou laissez le navire attendre plus longtemps (wait_s).</translation>
+    </message>
+    <message>
+        <source>Line {x} is to be recorded from {ends:n} to {ends2:n} s, where the trajectory ({time:n} to {time2:n} s) has no states or a gap: give start_s and stop_s inside it, in its own time.</source>
+        <translation>La ligne {x} est à enregistrer de {ends} à {ends2} s, où la trajectoire (de {time} à {time2} s) n&apos;a pas d&apos;états ou a une lacune : donnez start_s et stop_s à l&apos;intérieur, dans son propre temps.</translation>
+    </message>
+    <message>
+        <source>Fewest lines that show every error: {sets:foreign} (the same as the {n:n} of the thesis&apos;s table 3.3).</source>
+        <translation>Le moins de lignes qui montrent toutes les erreurs : {sets} (les mêmes que les {n} du tableau 3.3 de la thèse).</translation>
+    </message>
+    <message>
+        <source>Fewest lines that show every error: {sets:foreign} (others than the {n:n} of the thesis&apos;s table 3.3).</source>
+        <translation>Le moins de lignes qui montrent toutes les erreurs : {sets} (d&apos;autres que les {n} du tableau 3.3 de la thèse).</translation>
+    </message>
+</context>
+<context>
+    <name>survey</name>
+    <message>
+        <source>{word:foreign} is not a direction on a vessel; use {DIRECTIONS:kept}.</source>
+        <translation>{word} n&apos;est pas une direction sur un navire ; employez {DIRECTIONS}.</translation>
+    </message>
+    <message>
+        <source>The axes {axes:list} do not span space; give three different lines.</source>
+        <translation>Les axes {axes} n&apos;engendrent pas l&apos;espace ; donnez trois droites différentes.</translation>
+    </message>
+    <message>
+        <source>X {x} and Y {y} lie on one line; give two different lines.</source>
+        <translation>X {x} et Y {y} sont sur une même droite ; donnez deux droites différentes.</translation>
+    </message>
+    <message>
+        <source>the signs follow from the axes stated, by the right-hand rule</source>
+        <translation>les signes découlent des axes indiqués, par la règle de la main droite</translation>
+    </message>
+    <message>
+        <source>{name:kept}: the body axes {in_words} are left-handed, so no rotation leads there from scanner axes that stay as they are; let the scanner&apos;s axes be turned with the body&apos;s.</source>
+        <translation>{name} : les axes du navire {in_words} sont indirects ; aucune rotation n&apos;y mène donc depuis des axes du scanneur laissés tels quels ; faites tourner les axes du scanneur avec ceux du navire.</translation>
+    </message>
+    <message>
+        <source>{name:kept} is not offered as angles, only as a matrix; give or take that.</source>
+        <translation>{name} n&apos;est pas proposé en angles, seulement en matrice ; donnez ou prenez celle-ci.</translation>
+    </message>
+    <message>
+        <source>A rotation needs three rows of three numbers; correct the matrix.</source>
+        <translation>Une rotation demande trois rangées de trois nombres ; corrigez la matrice.</translation>
+    </message>
+    <message>
+        <source>The matrix is not a rotation: its rows are off by {off:n} from being orthogonal and of length one; give six decimals or more, and no scale.</source>
+        <translation>La matrice n&apos;est pas une rotation : ses rangées s&apos;écartent de {off} de l&apos;orthogonalité et de la longueur un ; donnez six décimales ou plus, et pas d&apos;échelle.</translation>
+    </message>
+    <message>
+        <source>The matrix mirrors (determinant -1) instead of rotating: one axis has the wrong sign; check the directions of the axes.</source>
+        <translation>La matrice est un miroir (déterminant -1) et non une rotation : un axe a le mauvais signe ; vérifiez les directions des axes.</translation>
+    </message>
+    <message>
+        <source>The lever arm given here replaces that of the present matrix.</source>
+        <translation>Le bras de levier donné ici remplace celui de la matrice actuelle.</translation>
+    </message>
+    <message>
+        <source>The lever arm is that of the present matrix, unchanged: none was given here.</source>
+        <translation>Le bras de levier est celui de la matrice actuelle, inchangé : aucun n&apos;a été donné ici.</translation>
+    </message>
+    <message>
+        <source>The lines are taken as turned and moved by the present 4x4 matrix, so its lever arm is part of the new one: the one given here stands on top of it. Where they were only turned, give the 3x3 alone.</source>
+        <translation>Les lignes sont considérées comme tournées et déplacées par la matrice 4x4 actuelle ; son bras de levier fait donc partie du nouveau : celui donné ici s&apos;y ajoute. Si elles ont seulement été tournées, donnez la 3x3 seule.</translation>
+    </message>
+    <message>
+        <source>The lines are taken as turned and moved by the present 4x4 matrix, so its lever arm is the new one, turned by what was found. Where they were only turned, give the 3x3 alone and the lever arm of the lines.</source>
+        <translation>Les lignes sont considérées comme tournées et déplacées par la matrice 4x4 actuelle ; son bras de levier, tourné de ce qui a été trouvé, est donc le nouveau. Si elles ont seulement été tournées, donnez la 3x3 seule et le bras de levier des lignes.</translation>
+    </message>
+    <message>
+        <source>There is no system named {key:kept}; choose one of {known:kept}.</source>
+        <translation>Il n&apos;y a pas de système nommé {key} ; choisissez parmi : {known}.</translation>
+    </message>
+    <message>
+        <source>{where}: {error:foreign}; give a matrix of 3x3 or 4x4 numbers.</source>
+        <translation>{where} : {error} ; donnez une matrice de 3x3 ou 4x4 nombres.</translation>
+    </message>
+    <message>
+        <source>{where}: {size} numbers are no 3x3 or 4x4 matrix; give 9 or 16.</source>
+        <translation>{where} : {size} nombres ne font pas une matrice 3x3 ou 4x4 ; donnez-en 9 ou 16.</translation>
+    </message>
+    <message>
+        <source>{where}: the last row of a 4x4 matrix is 0 0 0 1; give rows, not columns.</source>
+        <translation>{where} : la dernière rangée d&apos;une matrice 4x4 est 0 0 0 1 ; donnez des rangées, pas des colonnes.</translation>
+    </message>
+    <message>
+        <source>{where}: a number of the lever arm is not finite; correct it.</source>
+        <translation>{where} : un nombre du bras de levier n&apos;est pas fini ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>is turned {turned} deg to starboard</source>
+        <translation>est tourné de {turned}° vers tribord</translation>
+    </message>
+    <message>
+        <source>is turned {turned} deg to port</source>
+        <translation>est tourné de {turned}° vers bâbord</translation>
+    </message>
+    <message>
+        <source>The scanner is parallel to the body.</source>
+        <translation>Le scanneur est parallèle au navire.</translation>
+    </message>
+    <message>
+        <source>(first turned, then pitched, then rolled)</source>
+        <translation>(tourné d&apos;abord, puis tangué, puis roulé)</translation>
+    </message>
+    <message>
+        <source>forward of</source>
+        <translation>vers l&apos;avant</translation>
+    </message>
+    <message>
+        <source>aft of</source>
+        <translation>vers l&apos;arrière</translation>
+    </message>
+    <message>
+        <source>to port of</source>
+        <translation>vers bâbord</translation>
+    </message>
+    <message>
+        <source>to starboard of</source>
+        <translation>vers tribord</translation>
+    </message>
+    <message>
+        <source>The scanner&apos;s optical centre is at the POS centre.</source>
+        <translation>Le centre optique du scanneur est au centre du POS.</translation>
+    </message>
+    <message>
+        <source>The scanner&apos;s optical centre is {listed:list} the POS centre.</source>
+        <translation>Le centre optique du scanneur, par rapport au centre du POS : {listed}.</translation>
+    </message>
+    <message>
+        <source>The point at {place:foreign} lies outside {name:kept} or its geoid grid ({int:n} such points): check the coordinate system.</source>
+        <translation>Le point {place} est hors de {name} ou de sa grille de géoïde (nombre de tels points : {int}) : vérifiez le système de coordonnées.</translation>
+    </message>
+    <message>
+        <source>{short:kept}: PROJ cannot use this coordinate system ({short2:foreign}); give its EPSG code, EPSG:32619 for example.</source>
+        <translation>{short} : PROJ ne peut employer ce système de coordonnées ({short2}) ; donnez son code EPSG, EPSG:32619 par exemple.</translation>
+    </message>
+    <message>
+        <source>{short:kept}: this coordinate system is not tied to the earth; give the EPSG code of the one the points are in.</source>
+        <translation>{short} : ce système de coordonnées n&apos;est pas lié à la Terre ; donnez le code EPSG de celui des points.</translation>
+    </message>
+    <message>
+        <source>{short:kept}: earth-centred coordinates have no heights to choose; leave the height out.</source>
+        <translation>{short} : des coordonnées géocentriques n&apos;ont pas de hauteurs à choisir ; n&apos;indiquez pas de hauteur.</translation>
+    </message>
+    <message>
+        <source>The points name no coordinate system; give its EPSG code, EPSG:32619 for example.</source>
+        <translation>Les points ne nomment pas de système de coordonnées ; donnez son code EPSG, EPSG:32619 par exemple.</translation>
+    </message>
+    <message>
+        <source>{short:foreign}: not a coordinate system known to PROJ; give its EPSG code, EPSG:32619 for example, or its WKT.</source>
+        <translation>{short} : pas un système de coordonnées connu de PROJ ; donnez son code EPSG, EPSG:32619 par exemple, ou son WKT.</translation>
+    </message>
+    <message>
+        <source>{height:kept}: {name:kept} is not a system of heights; give ellipsoid, the EPSG code of a vertical system, or a geoid grid (.gtx, .tif).</source>
+        <translation>{height} : {name} n&apos;est pas un système de hauteurs ; donnez ellipsoid, le code EPSG d&apos;un système vertical, ou une grille de géoïde (.gtx, .tif).</translation>
+    </message>
+    <message>
+        <source>{height_unit:kept}: not a unit; choose {UNITS:kept}.</source>
+        <translation>{height_unit} : pas une unité ; choisissez {UNITS}.</translation>
+    </message>
+    <message>
+        <source>{short:kept}: not a geographic coordinate system; the datum of a trajectory is one such as EPSG:7912 (ITRF2014).</source>
+        <translation>{short} : pas un système de coordonnées géographiques ; le référentiel d&apos;une trajectoire en est un, tel que EPSG:7912 (ITRF2014).</translation>
+    </message>
+    <message>
+        <source>{name:kept} names no datum; give the EPSG code of the system.</source>
+        <translation>{name} ne nomme pas de référentiel ; donnez le code EPSG du système.</translation>
+    </message>
+    <message>
+        <source>{name:kept} is not on the ellipsoid of satellite positioning but on {name2:kept}: state the datum of the trajectory, EPSG:4979 (WGS 84) for example.</source>
+        <translation>{name} n&apos;est pas sur l&apos;ellipsoïde du positionnement par satellites mais sur {name2} : indiquez le référentiel de la trajectoire, EPSG:4979 (WGS 84) par exemple.</translation>
+    </message>
+    <message>
+        <source>The shift from {name:kept} to {name2:kept} changes with time: state the date of the survey as a decimal year (its epoch; at the command line --epoch 2024.5, or epoch=2024.5 among the options of a line).</source>
+        <translation>Le passage de {name} à {name2} change avec le temps : indiquez la date du levé en année décimale (son époque ; en ligne de commande --epoch 2024.5, ou epoch=2024.5 parmi les options d&apos;une ligne).</translation>
+    </message>
+    <message>
+        <source>From {name:kept} to {name2:kept} PROJ knows no way, and no grid file would help</source>
+        <translation>De {name} à {name2}, PROJ ne connaît aucun passage, et aucun fichier de grille n&apos;y aiderait</translation>
+    </message>
+    <message>
+        <source>{told}: give the code of a system whose datum is tied to {name:kept} (epsg.org lists them), or state another datum of the trajectory, or none where both are in one.</source>
+        <translation>{told} : donnez le code d&apos;un système dont le référentiel est lié à {name} (epsg.org en donne la liste), ou indiquez un autre référentiel de la trajectoire, ou aucun si les deux sont dans un seul.</translation>
+    </message>
+    <message>
+        <source>, and what its heights are counted from apart from it</source>
+        <translation>, et d&apos;où comptent ses hauteurs, à part</translation>
+    </message>
+    <message>
+        <source>{grid:file}: there is no such geoid grid; check the path.</source>
+        <translation>{grid} : cette grille de géoïde n&apos;existe pas ; vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>{grid:file}: PROJ takes no commas or quotes in a path; rename the grid.</source>
+        <translation>{grid} : PROJ n&apos;accepte ni virgule ni guillemet dans un chemin ; renommez la grille.</translation>
+    </message>
+    <message>
+        <source>{grid:file}: cannot be read as a geoid grid; give a .gtx or GeoTIFF grid of PROJ.</source>
+        <translation>{grid} : illisible comme grille de géoïde ; donnez une grille .gtx ou GeoTIFF de PROJ.</translation>
+    </message>
+    <message>
+        <source>Points from {np:n} to {np2:n} s lie outside the trajectory ({known:n} to {known2:n} s): check that both use the same time base.</source>
+        <translation>Des points de {np} à {np2} s sont hors de la trajectoire (de {known} à {known2} s) : vérifiez que les deux ont la même base de temps.</translation>
+    </message>
+    <message>
+        <source>{path:file}: half of the points lie farther than {farthest:n} km from the origin (up to {np:n} m), so they are not in the scanner frame: leave the frame unstated, or state frame=georeferenced and the coordinate system; check the unit.</source>
+        <translation>{path} : la moitié des points sont à plus de {farthest} km de l&apos;origine (jusqu&apos;à {np} m) ; ils ne sont donc pas dans le repère du scanneur : n&apos;indiquez pas de repère, ou indiquez frame=georeferenced et le système de coordonnées ; vérifiez l&apos;unité.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of an imported line is damaged ({said:foreign}); import the line again.</source>
+        <translation>{path} : cette partie d&apos;une ligne importée est endommagée ({said}) ; importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: made by a newer version of the program; update it.</source>
+        <translation>{path} : fait par une version plus récente du programme ; mettez celui-ci à jour.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the imported line is damaged ({error:foreign}); import the line again.</source>
+        <translation>{path} : la ligne importée est endommagée ({error}) ; importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of the imported line {line:kept} {found}; import the line again.</source>
+        <translation>{path} : cette partie de la ligne importée {line} {found} ; importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>(about {amount:kept} while importing)</source>
+        <translation>(environ {amount} pendant l&apos;import)</translation>
+    </message>
+    <message>
+        <source>{folder:file}: what the import has written cannot be read back ({error:foreign}); check the disk, then import the line again.</source>
+        <translation>{folder} : ce que l&apos;import a écrit ne peut être relu ({error}) ; vérifiez le disque, puis importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: the line cannot be written here ({error:foreign}); choose a project folder that can be written, then import the line again.</source>
+        <translation>{folder} : la ligne ne peut être écrite ici ({error}) ; choisissez un dossier de projet où l&apos;on peut écrire, puis importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: this line is being imported already; wait for it or stop that import.</source>
+        <translation>{folder} : cette ligne est déjà en cours d&apos;import ; attendez-le ou arrêtez-le.</translation>
+    </message>
+    <message>
+        <source>{done:n} of {points:n} points came back from the disk</source>
+        <translation>{done} points sur {points} relus du disque</translation>
+    </message>
+    <message>
+        <source>Ordering {line:kept}: bringing it on the disk</source>
+        <translation>Mise en ordre de {line} : regroupement sur le disque</translation>
+    </message>
+    <message>
+        <source>{source:file}: the attribute {name:kept} is not a number for every point and cannot be imported; export the line without it.</source>
+        <translation>{source} : l&apos;attribut {name} n&apos;est pas un nombre pour chaque point et ne peut être importé ; exportez la ligne sans lui.</translation>
+    </message>
+    <message>
+        <source>{source:file}: from point {index:n} on the points have other attributes than before{what:foreign}; import these as lines of their own.</source>
+        <translation>{source} : à partir du point {index}, les points ont d&apos;autres attributs qu&apos;avant{what} ; importez-les comme des lignes séparées.</translation>
+    </message>
+    <message>
+        <source>{source:file}: a line cannot have more than {MOST:n} points; split the file.</source>
+        <translation>{source} : une ligne ne peut avoir plus de {MOST} points ; divisez le fichier.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: this line was imported again since it was opened, by another window or command; open the project again to go on with it.</source>
+        <translation>{name} : cette ligne a été importée de nouveau depuis son ouverture, par une autre fenêtre ou commande ; rouvrez le projet pour continuer avec elle.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: this line is being imported at the moment, by another window or command; wait until that has ended, then try again.</source>
+        <translation>{line} : cette ligne est en cours d&apos;import par une autre fenêtre ou commande ; attendez la fin, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: its import was interrupted; import it again, it goes on where it stood.</source>
+        <translation>{line} : son import a été interrompu ; importez-la de nouveau, il reprend où il en était.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: this line is not imported yet; import it.</source>
+        <translation>{line} : cette ligne n&apos;est pas encore importée ; importez-la.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: this is the line {line:kept}, not {line2:kept}; import it.</source>
+        <translation>{folder} : c&apos;est la ligne {line}, et non {line2} ; importez-la.</translation>
+    </message>
+    <message>
+        <source>Checking {line:kept}, which was copied</source>
+        <translation>Vérification de {line}, qui a été copiée</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of an imported line cannot be read ({error:foreign}); check the disk, or import the line again.</source>
+        <translation>{path} : cette partie d&apos;une ligne importée ne peut être lue ({error}) ; vérifiez le disque, ou importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of an imported line has changed since (its checksum does not hold); import the line again.</source>
+        <translation>{path} : cette partie d&apos;une ligne importée a changé depuis (sa somme de contrôle n&apos;est plus la bonne) ; importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>block {number} of the import is cut short</source>
+        <translation>le bloc {number} de l&apos;import est tronqué</translation>
+    </message>
+    <message>
+        <source>{path:file}: there is no point in it; leave the line out.</source>
+        <translation>{path} : elle ne contient aucun point ; écartez la ligne.</translation>
+    </message>
+    <message>
+        <source>There is no time base {key:kept}; choose one of {KEYS:kept}.</source>
+        <translation>Il n&apos;y a pas de base de temps {key} ; choisissez parmi : {KEYS}.</translation>
+    </message>
+    <message>
+        <source>No known time base brings the points onto the trajectory; check that both are of the same survey, or state the time bases.</source>
+        <translation>Aucune base de temps connue ne place les points sur la trajectoire ; vérifiez que les deux sont du même levé, ou indiquez les bases de temps.</translation>
+    </message>
+    <message>
+        <source>{share:n} % of the points inside it</source>
+        <translation>{share} % des points à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Point times fit the trajectory as they are, with {share}</source>
+        <translation>Les temps des points conviennent à la trajectoire tels quels, avec {share}</translation>
+    </message>
+    <message>
+        <source>Points in {name} fit the trajectory in {name2} after adding {shift:n} s, with {share}</source>
+        <translation>Les points ({name}) conviennent à la trajectoire ({name2}) une fois {shift} s ajoutées, avec {share}</translation>
+    </message>
+    <message>
+        <source>Times have lost precision to 32-bit numbers and stand on steps of {resolution:n} s; export them again with 64-bit times.</source>
+        <translation>Les temps ont perdu leur précision en passant par 32 bits et vont par pas de {resolution} s ; exportez-les de nouveau avec des temps de 64 bits.</translation>
+    </message>
+    <message>
+        <source>{backward:n} of {count:n} times run backward; sort the file or export it again.</source>
+        <translation>{backward} temps sur {count} reculent ; triez le fichier ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{duplicates:n} of {count:n} times repeat the one before; sort the file or export it again.</source>
+        <translation>{duplicates} temps sur {count} répètent le précédent ; triez le fichier ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>The line has no points.</source>
+        <translation>La ligne n&apos;a pas de points.</translation>
+    </message>
+    <message>
+        <source>The trajectory covers all points.</source>
+        <translation>La trajectoire couvre tous les points.</translation>
+    </message>
+    <message>
+        <source>{usable:n} of {count:n} points cannot be used: {outside:n} ({share_outside:n} %) lie outside the trajectory, {in_gaps:n} ({share_in_gaps:n} %) in gaps of it longer than {longest_gap:n} s.</source>
+        <translation>{usable} points sur {count} ne peuvent servir : {outside} ({share_outside} %) sont hors de la trajectoire, {in_gaps} ({share_in_gaps} %) dans des lacunes de celle-ci de plus de {longest_gap} s.</translation>
+    </message>
+    <message>
+        <source>times are those after {where}: counted on by {period:n} s</source>
+        <translation>les temps sont ceux d&apos;après {where} : comptés avec {period} s de plus</translation>
+    </message>
+    <message>
+        <source>as its values suggest</source>
+        <translation>comme ses valeurs le suggèrent</translation>
+    </message>
+    <message>
+        <source>as read from the file</source>
+        <translation>lu dans le fichier</translation>
+    </message>
+    <message>
+        <source>its times from {times:n} to {times2:n} s cannot be {name}, as stated; {hint}.</source>
+        <translation>ses temps de {times} à {times2} s ne peuvent être ceci, comme indiqué : {name} ; {hint}.</translation>
+    </message>
+    <message>
+        <source>{shift:n} s are added to its times, from {words} to the trajectory&apos;s {words2}</source>
+        <translation>{shift} s sont ajoutées à ses temps, de {words} vers ceux de la trajectoire : {words2}</translation>
+    </message>
+    <message>
+        <source>in {words} none of its points lies within the trajectory, whose times are {words2}</source>
+        <translation>avec ses temps ({words}), aucun de ses points n&apos;est dans la trajectoire, dont les temps sont : {words2}</translation>
+    </message>
+    <message>
+        <source>{told}; state the time base that the times are in, or give the trajectory of the same survey.</source>
+        <translation>{told} ; indiquez la base de temps de ces temps, ou donnez la trajectoire du même levé.</translation>
+    </message>
+    <message>
+        <source>The trajectory&apos;s pitch is beyond {np:n} deg most of the time, where roll and heading cannot be told apart: export it for a body frame whose first axis is level (vessel or reference frame, not the tilted IMU&apos;s own).</source>
+        <translation>Le tangage de la trajectoire dépasse {np}° la plupart du temps, où roulis et cap ne se distinguent pas : exportez-la pour un repère du navire dont le premier axe est horizontal (navire ou référence, et non celui de l&apos;IMU inclinée).</translation>
+    </message>
+    <message>
+        <source>{folder:file}: the disk is full; make room or move the project to a larger disk, then import the line again.</source>
+        <translation>{folder} : le disque est plein ; faites de la place ou mettez le projet sur un disque plus grand, puis importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: the disk is full; make room{room} or move the project to a larger disk, then import the line again.</source>
+        <translation>{folder} : le disque est plein ; faites de la place{room} ou mettez le projet sur un disque plus grand, puis importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: files cannot grow as large as this line needs; move the project to a disk that takes large files, then import the line again.</source>
+        <translation>{folder} : les fichiers ne peuvent y devenir aussi grands que cette ligne le demande ; mettez le projet sur un disque qui accepte de grands fichiers, puis importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: files cannot grow as large as this line needs{room}; move the project to a disk that takes large files, then import the line again.</source>
+        <translation>{folder} : les fichiers ne peuvent y devenir aussi grands que cette ligne le demande{room} ; mettez le projet sur un disque qui accepte de grands fichiers, puis importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>times restart at {where}: counted on by {period:n} s</source>
+        <translation>les temps repartent de zéro à {where} : comptés ensuite avec {period} s de plus</translation>
+    </message>
+    <message>
+        <source>times restart at {where}{reach}: counted on by {period:n} s</source>
+        <translation>les temps repartent de zéro à {where}{reach} : comptés ensuite avec {period} s de plus</translation>
+    </message>
+    <message>
+        <source>{told}: {name:kept} stands for all its realizations, and only each of these is tied to {name2:kept}. Give the system on the realization that the survey is in (the latest are {named:foreign}) with the date of the survey as a decimal year.</source>
+        <translation>{told} : {name} désigne toutes ses réalisations, et seule chacune de celles-ci est liée à {name2}. Donnez le système sur la réalisation du levé (les plus récentes sont {named}) avec la date du levé en année décimale.</translation>
+    </message>
+    <message>
+        <source>{told}: {name:kept} stands for all its realizations, and only each of these is tied to {name2:kept}. Give the system on the realization that the survey is in (the latest are {named:foreign}) with the date of the survey as a decimal year{apart}.</source>
+        <translation>{told} : {name} désigne toutes ses réalisations, et seule chacune de celles-ci est liée à {name2}. Donnez le système sur la réalisation du levé (les plus récentes sont {named}) avec la date du levé en année décimale{apart}.</translation>
+    </message>
+    <message>
+        <source>by their values they are {fitting:either}: state {fitting2:kept}, or leave it unstated</source>
+        <translation>d&apos;après leurs valeurs, ce sont {fitting} : indiquez {fitting2}, ou n&apos;indiquez rien</translation>
+    </message>
+    <message>
+        <source>{told}; by their values these could also be {names:either}, where the points lie inside: make sure what the trajectory counts, and state it ({options:kept}).</source>
+        <translation>{told} ; d&apos;après leurs valeurs, ceux-ci pourraient aussi être {names}, où les points sont à l&apos;intérieur : assurez-vous de ce que compte la trajectoire et indiquez-le ({options}).</translation>
+    </message>
+    <message>
+        <source>{base} do not tell the date; state the date.</source>
+        <translation>Ceci ne dit pas la date : {base} ; indiquez la date.</translation>
+    </message>
+    <message>
+        <source>{share:n} % of the points inside it (leap seconds of today, {n:n} s, as neither file tells the date)</source>
+        <translation>{share} % des points à l&apos;intérieur (secondes intercalaires d&apos;aujourd&apos;hui, {n} s, aucun des fichiers ne disant la date)</translation>
+    </message>
+    <message>
+        <source>{share:n} % of the points inside it; by the times alone a further shift of {others:either} fits as well</source>
+        <translation>{share} % des points à l&apos;intérieur ; d&apos;après les seuls temps, un décalage supplémentaire de {others} convient aussi bien</translation>
+    </message>
+    <message>
+        <source>{share:n} % of the points inside it (leap seconds of today, {n:n} s, as neither file tells the date); by the times alone a further shift of {others:either} fits as well</source>
+        <translation>{share} % des points à l&apos;intérieur (secondes intercalaires d&apos;aujourd&apos;hui, {n} s, aucun des fichiers ne disant la date) ; d&apos;après les seuls temps, un décalage supplémentaire de {others} convient aussi bien</translation>
+    </message>
+    <message>
+        <source>Point times fit the trajectory as they are, with {share}.</source>
+        <translation>Les temps des points conviennent à la trajectoire tels quels, avec {share}.</translation>
+    </message>
+    <message>
+        <source>Points in {own} fit the trajectory in {other} after adding {shift:n} s, with {share}.</source>
+        <translation>Les points ({own}) conviennent à la trajectoire ({other}) une fois {shift} s ajoutées, avec {share}.</translation>
+    </message>
+    <message>
+        <source>{words}, with the leap seconds of today, {n:n} s, as neither tells the date</source>
+        <translation>{words}, avec les secondes intercalaires d&apos;aujourd&apos;hui, {n} s, aucun des deux ne disant la date</translation>
+    </message>
+    <message>
+        <source>{told}; {others:either} would fit as well: make sure of the day</source>
+        <translation>{told} ; {others} conviendraient aussi bien : assurez-vous du jour</translation>
+    </message>
+    <message>
+        <source>{shift:n} s are added to its times, from {own} to the trajectory&apos;s {other}.</source>
+        <translation>{shift} s sont ajoutées à ses temps, de {own} vers ceux de la trajectoire : {other}.</translation>
+    </message>
+    <message>
+        <source>{told}; {others:either} would fit as well: make sure of the day.</source>
+        <translation>{told} ; {others} conviendraient aussi bien : assurez-vous du jour.</translation>
+    </message>
+    <message>
+        <source>{shift:n} s are added to its times.</source>
+        <translation>{shift} s sont ajoutées à ses temps.</translation>
+    </message>
+    <message>
+        <source>{base} (stated)</source>
+        <translation>{base} (indiqué)</translation>
+    </message>
+    <message>
+        <source>{base} (as its values suggest)</source>
+        <translation>{base} (comme ses valeurs le suggèrent)</translation>
+    </message>
+    <message>
+        <source>{base} (as read from the file)</source>
+        <translation>{base} (lu dans le fichier)</translation>
+    </message>
+    <message>
+        <source>{shift:n} s ({base})</source>
+        <translation>{shift} s ({base})</translation>
+    </message>
+    <message>
+        <source>Times are those after {where}: counted on by {period:n} s.</source>
+        <translation>Les temps sont ceux d&apos;après {where} : comptés avec {period} s de plus.</translation>
+    </message>
+    <message>
+        <source>Times restart at {where} (after {t:n} s): counted on by {period:n} s.</source>
+        <translation>Les temps repartent de zéro à {where} (après {t} s) : comptés ensuite avec {period} s de plus.</translation>
+    </message>
+    <message>
+        <source>Times restart at {where}: counted on by {period:n} s.</source>
+        <translation>Les temps repartent de zéro à {where} : comptés ensuite avec {period} s de plus.</translation>
+    </message>
+    <message>
+        <source>(after {t:n} s)</source>
+        <translation>(après {t} s)</translation>
+    </message>
+    <message>
+        <source>midnight</source>
+        <translation>minuit</translation>
+    </message>
+    <message>
+        <source>the end of the week</source>
+        <translation>la fin de la semaine</translation>
+    </message>
+    <message>
+        <source>Its times from {times:n} to {times2:n} s cannot be {name}, as stated; {hint}.</source>
+        <translation>Ses temps de {times} à {times2} s ne peuvent être ceci, comme indiqué : {name} ; {hint}.</translation>
+    </message>
+    <message>
+        <source>From {name:kept} to {name2:kept} PROJ needs {grids:kept}, which is not on this machine and not fetched from the network: put it into {folder:kept}, or export the points with ellipsoidal heights in the datum of the trajectory.</source>
+        <translation>De {name} à {name2}, PROJ a besoin de {grids}, qui n&apos;est pas sur cette machine et n&apos;a pas été cherché sur le réseau : mettez-le dans {folder}, ou exportez les points avec des hauteurs ellipsoïdales dans le référentiel de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>From {name:kept} to {name2:kept} PROJ needs {grids:kept}, which are not on this machine and not fetched from the network: put them into {folder:kept}, or export the points with ellipsoidal heights in the datum of the trajectory.</source>
+        <translation>De {name} à {name2}, PROJ a besoin de {grids}, qui ne sont pas sur cette machine et n&apos;ont pas été cherchés sur le réseau : mettez-les dans {folder}, ou exportez les points avec des hauteurs ellipsoïdales dans le référentiel de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>From {name:kept} to {name2:kept} PROJ needs {grids:kept}, which is not on this machine and not fetched from the network: give the geoid as a file (.gtx, .tif), put it into {folder:kept}, or export the points with ellipsoidal heights in the datum of the trajectory.</source>
+        <translation>De {name} à {name2}, PROJ a besoin de {grids}, qui n&apos;est pas sur cette machine et n&apos;a pas été cherché sur le réseau : donnez le géoïde en fichier (.gtx, .tif), mettez-le dans {folder}, ou exportez les points avec des hauteurs ellipsoïdales dans le référentiel de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>From {name:kept} to {name2:kept} PROJ needs {grids:kept}, which are not on this machine and not fetched from the network: give the geoid as a file (.gtx, .tif), put them into {folder:kept}, or export the points with ellipsoidal heights in the datum of the trajectory.</source>
+        <translation>De {name} à {name2}, PROJ a besoin de {grids}, qui ne sont pas sur cette machine et n&apos;ont pas été cherchés sur le réseau : donnez le géoïde en fichier (.gtx, .tif), mettez-les dans {folder}, ou exportez les points avec des hauteurs ellipsoïdales dans le référentiel de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>From {name:kept} to {name2:kept} PROJ needs a grid file that is not on this machine and not fetched from the network: put it into {folder:kept}, or export the points with ellipsoidal heights in the datum of the trajectory.</source>
+        <translation>De {name} à {name2}, PROJ a besoin d&apos;une grille qui n&apos;est pas sur cette machine et n&apos;a pas été cherchée sur le réseau : mettez-la dans {folder}, ou exportez les points avec des hauteurs ellipsoïdales dans le référentiel de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>From {name:kept} to {name2:kept} PROJ needs a grid file that is not on this machine and not fetched from the network: give the geoid as a file (.gtx, .tif), put it into {folder:kept}, or export the points with ellipsoidal heights in the datum of the trajectory.</source>
+        <translation>De {name} à {name2}, PROJ a besoin d&apos;une grille qui n&apos;est pas sur cette machine et n&apos;a pas été cherchée sur le réseau : donnez le géoïde en fichier (.gtx, .tif), mettez-la dans {folder}, ou exportez les points avec des hauteurs ellipsoïdales dans le référentiel de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Half of the points come out farther than {far:n} km from the scanner with {name:kept}: check the coordinate system and its unit, and that points and trajectory share one time base.</source>
+        <translation>Avec {name}, la moitié des points tombent à plus de {far} km du scanneur : vérifiez le système de coordonnées et son unité, et que points et trajectoire ont la même base de temps.</translation>
+    </message>
+    <message>
+        <source>{path:file}: half of the points come out farther than {far:n} km from the scanner with {name:kept}: check the coordinate system and its unit, and that points and trajectory share one time base.</source>
+        <translation>{path} : la moitié des points tombent à plus de {far} km du scanneur avec {name} : vérifiez le système de coordonnées et son unité, et que points et trajectoire ont la même base de temps.</translation>
+    </message>
+    <message>
+        <source>The scanner {says:list}.</source>
+        <translation>Le scanneur {says}.</translation>
+    </message>
+    <message>
+        <source>The scanner {says:list} (first turned, then pitched, then rolled).</source>
+        <translation>Le scanneur {says} (rotations dans l&apos;ordre : lacet, tangage, roulis).</translation>
+    </message>
+    <message>
+        <source>{n:n} m forward of</source>
+        <translation>{n} m vers l&apos;avant</translation>
+    </message>
+    <message>
+        <source>{n:n} m aft of</source>
+        <translation>{n} m vers l&apos;arrière</translation>
+    </message>
+    <message>
+        <source>{n:n} m to port of</source>
+        <translation>{n} m vers bâbord</translation>
+    </message>
+    <message>
+        <source>{n:n} m to starboard of</source>
+        <translation>{n} m vers tribord</translation>
+    </message>
+    <message>
+        <source>{n:n} m above</source>
+        <translation>{n} m au-dessus</translation>
+    </message>
+    <message>
+        <source>{n:n} m below</source>
+        <translation>{n} m au-dessous</translation>
+    </message>
+    <message>
+        <source>{n:n} deg bow down</source>
+        <translation>{n}° étrave en bas</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>has {n:n} of {all:n} bytes</source>
+        <translation>a {n} octets sur {all}</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>rayon</translation>
+    </message>
+    <message>
+        <source>looks {looks} deg bow down</source>
+        <translation>pointe {looks}° étrave en bas</translation>
+    </message>
+    <message>
+        <source>looks {looks} deg bow up</source>
+        <translation>pointe {looks}° étrave en haut</translation>
+    </message>
+    <message>
+        <source>leans {n:n} deg with its left side up</source>
+        <translation>penche de {n}°, côté gauche (bâbord) en haut</translation>
+    </message>
+    <message>
+        <source>leans {n:n} deg with its right side up</source>
+        <translation>penche de {n}°, côté droit (tribord) en haut</translation>
+    </message>
+</context>
+<context>
+    <name>targets</name>
+    <message>
+        <source>Looking for flat surfaces in every line</source>
+        <translation>Recherche de surfaces planes sur chaque ligne</translation>
+    </message>
+    <message>
+        <source>Found {len:n} planes</source>
+        <translation>{len} plans trouvés</translation>
+    </message>
+    <message>
+        <source>The expected width and height must be lengths above zero.</source>
+        <translation>La largeur et la hauteur attendues doivent être des longueurs supérieures à zéro.</translation>
+    </message>
+    <message>
+        <source>The expected inclination must be from 0 to 90 deg.</source>
+        <translation>L&apos;inclinaison attendue doit être de 0 à 90°.</translation>
+    </message>
+    <message>
+        <source>There is no line named {first_line:kept}.</source>
+        <translation>Il n&apos;y a pas de ligne nommée {first_line}.</translation>
+    </message>
+    <message>
+        <source>There is no line to seek a {word} in.</source>
+        <translation>Il n&apos;y a pas de ligne où chercher ceci : {word}.</translation>
+    </message>
+    <message>
+        <source>No line has a {word} at the seed ({nearest_line:kept}: {nearest_line2}) Set the seed on the target, or enlarge the radius.</source>
+        <translation>Aucune ligne n&apos;a ceci au germe : {word} ({nearest_line} : {nearest_line2}) Placez le germe sur la cible, ou agrandissez le rayon.</translation>
+    </message>
+    <message>
+        <source>Looked for the target in {name:kept}</source>
+        <translation>Cible cherchée sur {name}</translation>
+    </message>
+    <message>
+        <source>The two points lie above each other; a section needs a direction.</source>
+        <translation>Les deux points sont l&apos;un au-dessus de l&apos;autre ; une coupe demande une direction.</translation>
+    </message>
+    <message>
+        <source>The plane finder cannot work with {name:kept} = {getattr:kept}.</source>
+        <translation>La recherche de plans ne peut se faire avec {name} = {getattr}.</translation>
+    </message>
+    <message>
+        <source>at most {degrees:n} deg of tilt</source>
+        <translation>au plus {degrees}° d&apos;inclinaison</translation>
+    </message>
+    <message>
+        <source>stop criterion {stop:n}</source>
+        <translation>critère d&apos;arrêt {stop}</translation>
+    </message>
+    <message>
+        <source>random seed {seed}</source>
+        <translation>germe aléatoire {seed}</translation>
+    </message>
+    <message>
+        <source>A sphere cannot be sought with radii from {least} m to {most} m; give two lengths above zero, the smaller one first.</source>
+        <translation>Une sphère ne peut être cherchée avec des rayons de {least} m à {most} m ; donnez deux longueurs supérieures à zéro, la plus petite d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>The thinning distance must be a number of metres.</source>
+        <translation>Le pas de sous-échantillonnage doit être un nombre de mètres.</translation>
+    </message>
+</context>
+<context>
+    <name>validation</name>
+    <message>
+        <source>The maximum distance must be positive, and it is {max_distance} m.</source>
+        <translation>La distance maximale doit être positive, et elle est de {max_distance} m.</translation>
+    </message>
+    <message>
+        <source>The reference cloud of a cloud-to-cloud distance holds no point.</source>
+        <translation>Le nuage de référence d&apos;une distance de nuage à nuage ne contient aucun point.</translation>
+    </message>
+    <message>
+        <source>Indexing the clouds</source>
+        <translation>Indexation des nuages</translation>
+    </message>
+    <message>
+        <source>Measuring distances</source>
+        <translation>Mesure des distances</translation>
+    </message>
+    <message>
+        <source>The {name} cloud must be an array of shape (n, 3), and its shape is {shape:foreign}.</source>
+        <translation>Le nuage ({name}) doit être un tableau de forme (n, 3), et sa forme est {shape}.</translation>
+    </message>
+    <message>
+        <source>The {name} cloud holds {bad} of {len:n} points whose coordinates are not finite numbers; remove them before measuring distances.</source>
+        <translation>Le nuage ({name}) contient {bad} points sur {len} dont les coordonnées ne sont pas des nombres finis ; retirez-les avant de mesurer des distances.</translation>
+    </message>
+    <message>
+        <source>Comparing {a:kept} and {b:kept} on {name:kept}</source>
+        <translation>Comparaison de {a} et {b} sur {name}</translation>
+    </message>
+    <message>
+        <source>Compared {len:n} pairs of lines on {name:kept}</source>
+        <translation>{len} paires de lignes comparées sur {name}</translation>
+    </message>
+    <message>
+        <source>The validation plane {name:kept} is not placed on the same lines before and after: {only:kept} stands in one state only.</source>
+        <translation>Le plan de validation {name} n&apos;est pas placé sur les mêmes lignes avant et après : {only} n&apos;est que dans un état.</translation>
+    </message>
+    <message>
+        <source>The points of {name:kept} on line {line:kept} ({state}) must have the shape (n, 3), and theirs is {shape:foreign}.</source>
+        <translation>Les points de {name} sur la ligne {line} ({state}) doivent avoir la forme (n, 3), et la leur est {shape}.</translation>
+    </message>
+    <message>
+        <source>The points of {name:kept} on line {line:kept} ({state}) hold coordinates that are not finite numbers.</source>
+        <translation>Les points de {name} sur la ligne {line} ({state}) contiennent des coordonnées qui ne sont pas des nombres finis.</translation>
+    </message>
+    <message>
+        <source>Line {line:kept} has {len:n} points on {name:kept} before and {len2:n} after; both states must hold the same points.</source>
+        <translation>La ligne {line} a {len} points sur {name} avant et {len2} après ; les deux états doivent avoir les mêmes points.</translation>
+    </message>
+    <message>
+        <source>The heading of line {line:kept}, seen on {name:kept}, is not given.</source>
+        <translation>Le cap de la ligne {line}, vue sur {name}, n&apos;est pas donné.</translation>
+    </message>
+    <message>
+        <source>There is no local model {kind:kept}; choose {FEWEST:kept}.</source>
+        <translation>Il n&apos;y a pas de modèle local {kind} ; choisissez {FEWEST}.</translation>
+    </message>
+    <message>
+        <source>The radius of a local {kind} must be positive, and it is {radius} m.</source>
+        <translation>Modèle local ({kind}) : le rayon doit être positif, et il est de {radius} m.</translation>
+    </message>
+    <message>
+        <source>A local {kind} needs at least {kind2} neighbours, and {neighbours} were asked for.</source>
+        <translation>Modèle local ({kind}) : il faut au moins {kind2} voisins, et {neighbours} ont été demandés.</translation>
+    </message>
+    <message>
+        <source>scale of the normals</source>
+        <translation>échelle des normales</translation>
+    </message>
+    <message>
+        <source>diameter of the cylinder</source>
+        <translation>diamètre du cylindre</translation>
+    </message>
+    <message>
+        <source>depth of the cylinder</source>
+        <translation>profondeur du cylindre</translation>
+    </message>
+    <message>
+        <source>The {name} must be positive, and it is {value} m.</source>
+        <translation>Valeur qui doit être positive ({name}) : elle est de {value} m.</translation>
+    </message>
+    <message>
+        <source>There is no place to measure a distance at.</source>
+        <translation>Il n&apos;y a aucun endroit où mesurer une distance.</translation>
+    </message>
+    <message>
+        <source>A plane with its confidence needs at least four points of each line.</source>
+        <translation>Un plan avec son intervalle demande au moins quatre points de chaque ligne.</translation>
+    </message>
+    <message>
+        <source>The points of a line lie in one row and make no plane.</source>
+        <translation>Les points d&apos;une ligne sont alignés et ne font pas un plan.</translation>
+    </message>
+    <message>
+        <source>The line has no surface within reach of the reference.</source>
+        <translation>La ligne n&apos;a pas de surface à portée de la référence.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: three angles and their covariance are needed.</source>
+        <translation>{name} : il faut trois angles et leur covariance.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: its covariance is not positive; a calibration without uncertainty cannot be compared.</source>
+        <translation>{name} : sa covariance n&apos;est pas positive ; un étalonnage sans incertitude ne peut être comparé.</translation>
+    </message>
+    <message>
+        <source>Repeatability needs at least two calibrations of the same mounting.</source>
+        <translation>La répétabilité demande au moins deux étalonnages du même montage.</translation>
+    </message>
+    <message>
+        <source>Statistics need at least one distance and only finite ones.</source>
+        <translation>Des statistiques demandent au moins une distance, et seulement des distances finies.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow</name>
+    <message>
+        <source>The reference sigma must be zero or more, and it is {sigma} m.</source>
+        <translation>L&apos;écart-type de la référence doit être positif ou nul, et il est de {sigma} m.</translation>
+    </message>
+    <message>
+        <source>The reach must be more than 0 and at most 10 m, and it is {reach:n} m.</source>
+        <translation>La portée doit être supérieure à 0 et de 10 m au plus, et elle est de {reach} m.</translation>
+    </message>
+    <message>
+        <source>Comparing {line:kept} with {name:kept}</source>
+        <translation>Comparaison de {line} avec {name}</translation>
+    </message>
+    <message>
+        <source>{path:file}: no line has a flat place within {reach:n} m of this reference; check its coordinates, or widen the reach.</source>
+        <translation>{path} : aucune ligne n&apos;a d&apos;endroit plan à moins de {reach} m de cette référence ; vérifiez ses coordonnées, ou élargissez la portée.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no line has {fewest} flat places within {reach:n} m of this reference; check its coordinates, or widen the reach.</source>
+        <translation>{path} : aucune ligne n&apos;a {fewest} endroits plans à moins de {reach} m de cette référence ; vérifiez ses coordonnées, ou élargissez la portée.</translation>
+    </message>
+    <message>
+        <source>Compared {len:n} lines with {name:kept}</source>
+        <translation>{len} lignes comparées avec {name}</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no answer yet; estimate first.</source>
+        <translation>{name} : il n&apos;y a pas encore de réponse ; estimez d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>The sigmas of the lever arm must be zero or more; correct them.</source>
+        <translation>Les écarts-types du bras de levier doivent être positifs ou nuls ; corrigez-les.</translation>
+    </message>
+    <message>
+        <source>on line {line:kept} only</source>
+        <translation>sur la ligne {line} seulement</translation>
+    </message>
+    <message>
+        <source>seed it on</source>
+        <translation>placez son germe sur</translation>
+    </message>
+    <message>
+        <source>Target {name:kept} is used {where}, so nothing compares it; {other} another line or leave the target out.</source>
+        <translation>La cible {name} est employée {where}, rien ne la compare donc ; {other} une autre ligne ou écartez la cible.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no target to adjust; pick planar targets first.</source>
+        <translation>{name} : il n&apos;y a pas de cible à compenser ; désignez d&apos;abord des cibles planes.</translation>
+    </message>
+    <message>
+        <source>Selecting the points again, round {x} of {rounds}</source>
+        <translation>Nouvelle sélection des points, tour {x} sur {rounds}</translation>
+    </message>
+    <message>
+        <source>A process of this run ended from outside, perhaps for want of memory; start again with fewer --workers.</source>
+        <translation>Un processus de ce calcul a été arrêté de l&apos;extérieur, peut-être faute de mémoire ; recommencez avec moins de --workers.</translation>
+    </message>
+    <message>
+        <source>{in_gaps:n} points in gaps of the trajectory or where its pitch is beyond 80 deg</source>
+        <translation>{in_gaps} points dans des lacunes de la trajectoire ou là où son tangage dépasse 80°</translation>
+    </message>
+    <message>
+        <source>{stem:kept}: none of its {in_gaps:n} points lies within the trajectory ({known:n} to {known2:n} s); check the date and the time base, or leave the line out.</source>
+        <translation>{stem} : aucun de ses {in_gaps} points n&apos;est dans la trajectoire (de {known} à {known2} s) ; vérifiez la date et la base de temps, ou écartez la ligne.</translation>
+    </message>
+    <message>
+        <source>Campaigns on several machines need the package distributed: pip install lispac[cluster], on this machine and on the workers.</source>
+        <translation>Les campagnes sur plusieurs machines demandent le paquet distributed : pip install lispac[cluster], sur cette machine et sur les autres.</translation>
+    </message>
+    <message>
+        <source>{address:kept}: not the address of a scheduler; it is written tcp://HOST:PORT, for example tcp://192.168.1.20:8786.</source>
+        <translation>{address} : ce n&apos;est pas l&apos;adresse d&apos;un ordonnanceur ; elle s&apos;écrit tcp://HÔTE:PORT, par exemple tcp://192.168.1.20:8786.</translation>
+    </message>
+    <message>
+        <source>{address:kept}: no scheduler answers there within {CONNECT:n} s; start one with `dask scheduler`, and mind the address it prints and the firewall.</source>
+        <translation>{address} : aucun ordonnanceur n&apos;y répond en {CONNECT} s ; démarrez-en un par `dask scheduler`, et faites attention à l&apos;adresse qu&apos;il affiche et au pare-feu.</translation>
+    </message>
+    <message>
+        <source>{address:kept}: the scheduler has no workers; start one on each machine with `dask worker {address2:kept} --nworkers auto --nthreads 1`.</source>
+        <translation>{address} : l&apos;ordonnanceur n&apos;a pas de travailleurs ; démarrez-en un sur chaque machine par `dask worker {address2} --nworkers auto --nthreads 1`.</translation>
+    </message>
+    <message>
+        <source>The scheduler {address:kept}</source>
+        <translation>L&apos;ordonnanceur {address}</translation>
+    </message>
+    <message>
+        <source>The worker {worker:kept}</source>
+        <translation>Le travailleur {worker}</translation>
+    </message>
+    <message>
+        <source>{address:kept}: all workers are gone; start them and the campaign again.</source>
+        <translation>{address} : tous les travailleurs sont partis ; démarrez-les et recommencez la campagne.</translation>
+    </message>
+    <message>
+        <source>{address:kept}: the same {len:n} calculations lost their worker again and again; it has too little memory, or is stopped from outside.</source>
+        <translation>{address} : les mêmes {len} calculs ont perdu leur travailleur encore et encore ; il a trop peu de mémoire, ou est arrêté de l&apos;extérieur.</translation>
+    </message>
+    <message>
+        <source>{address:kept}: the connection to the scheduler or its workers was lost; start the campaign again.</source>
+        <translation>{address} : la liaison avec l&apos;ordonnanceur ou ses travailleurs est perdue ; recommencez la campagne.</translation>
+    </message>
+    <message>
+        <source>no LISPAC that answers ({found:foreign})</source>
+        <translation>aucun LISPAC qui réponde ({found})</translation>
+    </message>
+    <message>
+        <source>{who} has {has}, and this is {wanted:kept}: install the same everywhere.</source>
+        <translation>{who} a {has}, alors qu&apos;ici c&apos;est {wanted} : installez le même partout.</translation>
+    </message>
+    <message>
+        <source>A worker that came later</source>
+        <translation>Un travailleur arrivé plus tard</translation>
+    </message>
+    <message>
+        <source>they lie outside {where}</source>
+        <translation>elles sont hors de ce système : {where}</translation>
+    </message>
+    <message>
+        <source>in {where} they are {distance:n} km from the trajectory</source>
+        <translation>en {where}, elles sont à {distance} km de la trajectoire</translation>
+    </message>
+    <message>
+        <source>{said}; {first} comes first, then {second}: exchange the two</source>
+        <translation>{said} ; {first} vient d&apos;abord, puis {second} : échangez les deux</translation>
+    </message>
+    <message>
+        <source>{said}; give metres north, west and up from its origin, or a coordinate system</source>
+        <translation>{said} ; donnez les mètres nord, ouest et haut depuis son origine, ou un système de coordonnées</translation>
+    </message>
+    <message>
+        <source>{said}; check the coordinate system and the order of the numbers</source>
+        <translation>{said} ; vérifiez le système de coordonnées et l&apos;ordre des nombres</translation>
+    </message>
+    <message>
+        <source>{what}: the coordinates {numbers:kept} cannot be used: {said}.</source>
+        <translation>{what} : les coordonnées {numbers} ne peuvent servir : {said}.</translation>
+    </message>
+    <message>
+        <source>Finding {name:kept} in every line</source>
+        <translation>Recherche de {name} sur chaque ligne</translation>
+    </message>
+    <message>
+        <source>Demo done</source>
+        <translation>Démonstration terminée</translation>
+    </message>
+    <message>
+        <source>All targets face the same way, and the adjustment refuses that: add a target of another inclination.</source>
+        <translation>Toutes les cibles font face au même côté, ce que la compensation refuse : ajoutez une cible d&apos;une autre inclinaison.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: this folder cannot be made ({strerror:foreign}).</source>
+        <translation>{folder} : ce dossier ne peut être créé ({strerror}).</translation>
+    </message>
+    <message>
+        <source>{name:kept} on {line:kept} would keep {len:n} points only; untick the sighting in the table instead.</source>
+        <translation>{name} sur {line} ne garderait que {len} points ; décochez plutôt la vue dans le tableau.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: what would be left is no surface. {error}</source>
+        <translation>{name} : ce qui resterait n&apos;est pas une surface. {error}</translation>
+    </message>
+    <message>
+        <source>{path:file}: a report is written as {REPORT_ENDINGS:kept}; end its name so.</source>
+        <translation>{path} : un rapport s&apos;écrit en {REPORT_ENDINGS} ; terminez son nom ainsi.</translation>
+    </message>
+    <message>
+        <source>Collecting the report</source>
+        <translation>Préparation du rapport</translation>
+    </message>
+    <message>
+        <source>Report written</source>
+        <translation>Rapport écrit</translation>
+    </message>
+    <message>
+        <source>Setting the pages</source>
+        <translation>Mise en page</translation>
+    </message>
+    <message>
+        <source>Pages set</source>
+        <translation>Pages composées</translation>
+    </message>
+    <message>
+        <source>velocities, accelerations, rates and wander angle in the SBET are zero</source>
+        <translation>vitesses, accélérations, vitesses angulaires et angle de dérive (wander) du SBET sont nuls</translation>
+    </message>
+    <message>
+        <source>Targets written</source>
+        <translation>Cibles écrites</translation>
+    </message>
+    <message>
+        <source>{spheres:kept}: a sphere does not go into a plane file; leave it out.</source>
+        <translation>{spheres} : une sphère n&apos;entre pas dans un fichier de plan ; écartez-la.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no planar target to export; pick one first.</source>
+        <translation>{name} : il n&apos;y a pas de cible plane à exporter ; désignez-en d&apos;abord une.</translation>
+    </message>
+    <message>
+        <source>Plane files written</source>
+        <translation>Fichiers de plan écrits</translation>
+    </message>
+    <message>
+        <source>{output:file}: this is the survey&apos;s own trajectory; choose another name.</source>
+        <translation>{output} : c&apos;est la trajectoire même du levé ; choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>latitude, longitude and height are as in {name:kept}: in the datum and at the epoch it was computed in, which the exported file does not name</source>
+        <translation>latitude, longitude et hauteur sont comme dans {name} : dans le référentiel et à l&apos;époque où elle a été calculée, que le fichier exporté ne nomme pas</translation>
+    </message>
+    <message>
+        <source>coordinates at the epoch of the trajectory, not moved to another one</source>
+        <translation>coordonnées à l&apos;époque de la trajectoire, non ramenées à une autre</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no target to export; pick one first.</source>
+        <translation>{name} : il n&apos;y a pas de cible à exporter ; désignez-en d&apos;abord une.</translation>
+    </message>
+    <message>
+        <source>Lines written</source>
+        <translation>Lignes écrites</translation>
+    </message>
+    <message>
+        <source>{name:kept}: its file is not there; points, attributes and the records of its header are those kept at the import</source>
+        <translation>{name} : son fichier n&apos;est pas là ; points, attributs et enregistrements de son en-tête sont ceux gardés à l&apos;import</translation>
+    </message>
+    <message>
+        <source>{name:kept}: its file is not there; the points have all their attributes, but other records of the file&apos;s header, and the scaling and descriptions of its extra attributes, are not kept</source>
+        <translation>{name} : son fichier n&apos;est pas là ; les points ont tous leurs attributs, mais les autres enregistrements de l&apos;en-tête du fichier, ainsi que l&apos;échelle et la description de ses attributs supplémentaires, ne sont pas gardés</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no line {name2:kept}; the lines are {known:kept}.</source>
+        <translation>{name} : il n&apos;y a pas de ligne {name2} ; les lignes sont {known}.</translation>
+    </message>
+    <message>
+        <source>coordinates are metres North, West, Up in the local frame</source>
+        <translation>les coordonnées sont des mètres nord, ouest, haut dans le repère local</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is a file of the survey itself; choose another name or folder.</source>
+        <translation>{path} : c&apos;est un fichier du levé même ; choisissez un autre nom ou dossier.</translation>
+    </message>
+    <message>
+        <source>a system that is not named</source>
+        <translation>un système qui n&apos;est pas nommé</translation>
+    </message>
+    <message>
+        <source>{folder:file}: there is no such folder.</source>
+        <translation>{folder} : ce dossier n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>{named:kept}: there is no project in it; name a folder that holds projects.</source>
+        <translation>{named} : il ne contient aucun projet ; nommez un dossier qui contient des projets.</translation>
+    </message>
+    <message>
+        <source>Left out: {error}</source>
+        <translation>Laissé de côté : {error}</translation>
+    </message>
+    <message>
+        <source>Left out: {name:kept} has no answer yet.</source>
+        <translation>Laissé de côté : {name} n&apos;a pas encore de réponse.</translation>
+    </message>
+    <message>
+        <source>its dates ({stated:foreign}) hold no day like 2026-03-04</source>
+        <translation>ses dates ({stated}) ne contiennent pas de jour comme 2026-03-04</translation>
+    </message>
+    <message>
+        <source>it has no date</source>
+        <translation>il n&apos;a pas de date</translation>
+    </message>
+    <message>
+        <source>Left out: {name:kept}: {why}; lispac identity {name2:kept} --dates, or Details for the report, gives it one.</source>
+        <translation>Laissé de côté : {name} : {why} ; lispac identity {name2} --dates, ou « Details for the report », lui en donne une.</translation>
+    </message>
+    <message>
+        <source>{len:n} calibrations of {len2:n} systems</source>
+        <translation>{len} étalonnages de {len2} systèmes</translation>
+    </message>
+    <message>
+        <source>{name:kept} is the first.</source>
+        <translation>{name} est le premier.</translation>
+    </message>
+    <message>
+        <source>{largest} by {np:n} deg, {abs:n} of its sigmas</source>
+        <translation>{largest} de {np}°, {abs} fois son écart-type</translation>
+    </message>
+    <message>
+        <source>{name:kept} differs from those before it ({told}): the mounting has moved, or one of the calibrations is wrong. A new series begins.</source>
+        <translation>{name} diffère des précédents ({told}) : le montage a bougé, ou l&apos;un des étalonnages est faux. Une nouvelle série commence.</translation>
+    </message>
+    <message>
+        <source>{name:kept} lies within the limits that those before it set (most off: {told}).</source>
+        <translation>{name} est dans les limites que fixent les précédents (écart le plus grand : {told}).</translation>
+    </message>
+    <message>
+        <source>These projects do not name vessel, scanner and INS/GNSS: whether they are of one system is not known.</source>
+        <translation>Ces projets ne nomment pas navire, scanneur et INS/GNSS : on ne sait pas s&apos;ils sont d&apos;un même système.</translation>
+    </message>
+    <message>
+        <source>Left out: {folder:file} rests on the same lines as {folder2:file}.</source>
+        <translation>Laissé de côté : {folder} repose sur les mêmes lignes que {folder2}.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no line named {name2:kept}.</source>
+        <translation>{name} : il n&apos;y a pas de ligne nommée {name2}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: there is no such line file, and {name:kept} has to be imported again: {without_remedy}; bring it back.</source>
+        <translation>{path} : ce fichier de ligne n&apos;existe pas, et {name} est à importer de nouveau : {without_remedy} ; remettez-le en place.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: {changed:list} changed since it was imported; import it again.</source>
+        <translation>{name} : ceci a changé depuis l&apos;import : {changed} ; importez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the file of {name:kept} cannot be read ({error:foreign}), so nothing tells whether it is still what was imported; bring it back, or take it away.</source>
+        <translation>{path} : le fichier de {name} ne peut être lu ({error}), rien ne dit donc s&apos;il est encore ce qui a été importé ; remettez-le en place, ou retirez-le.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: {path:file} has changed since it was imported; import it again.</source>
+        <translation>{name} : {path} a changé depuis l&apos;import ; importez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the file went away while it was imported; bring it back and import it again.</source>
+        <translation>{path} : le fichier a disparu pendant l&apos;import ; remettez-le en place et importez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the file changed while it was imported; import it again when nothing writes to it.</source>
+        <translation>{path} : le fichier a changé pendant l&apos;import ; importez-le de nouveau quand rien n&apos;y écrit.</translation>
+    </message>
+    <message>
+        <source>{path:file}: its points ({times:n} to {times2:n} s) lie outside the trajectory ({known:n} to {known2:n} s); check the date and the time base, or leave the line out. {told}</source>
+        <translation>{path} : ses points (de {times} à {times2} s) sont hors de la trajectoire (de {known} à {known2} s) ; vérifiez la date et la base de temps, ou écartez la ligne. {told}</translation>
+    </message>
+    <message>
+        <source>Add the survey&apos;s files: drop them here, or press Add files.</source>
+        <translation>Ajoutez les fichiers du levé : déposez-les ici, ou cliquez sur « Ajouter des fichiers ».</translation>
+    </message>
+    <message>
+        <source>The files are being looked into.</source>
+        <translation>Les fichiers sont en cours d&apos;examen.</translation>
+    </message>
+    <message>
+        <source>({more} more files have errors.)</source>
+        <translation>({more} autres fichiers ont des erreurs.)</translation>
+    </message>
+    <message>
+        <source>({more} more file has errors.)</source>
+        <translation>({more} autre fichier a des erreurs.)</translation>
+    </message>
+    <message>
+        <source>No file is the trajectory yet: add the SBET, or a text export of it.</source>
+        <translation>Aucun fichier n&apos;est encore la trajectoire : ajoutez le SBET, ou un export texte de celle-ci.</translation>
+    </message>
+    <message>
+        <source>No file is a line yet: add the scan file of at least one.</source>
+        <translation>Aucun fichier n&apos;est encore une ligne : ajoutez le fichier de balayage d&apos;une ligne au moins.</translation>
+    </message>
+    <message>
+        <source>Two lines are named {twice:kept}; rename a file.</source>
+        <translation>Deux lignes sont nommées {twice} ; renommez un fichier.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the project.</source>
+        <translation>Choisissez un dossier pour le projet.</translation>
+    </message>
+    <message>
+        <source>There is a project in this folder already; choose another.</source>
+        <translation>Il y a déjà un projet dans ce dossier ; choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>This is a file; choose a folder for the project.</source>
+        <translation>C&apos;est un fichier ; choisissez un dossier pour le projet.</translation>
+    </message>
+    <message>
+        <source>{place:file} cannot be written; choose another folder.</source>
+        <translation>{place} ne peut être écrit ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Height (ellipsoid)</source>
+        <translation>Hauteur (ellipsoïde)</translation>
+    </message>
+    <message>
+        <source>Height (sea level)</source>
+        <translation>Hauteur (niveau de la mer)</translation>
+    </message>
+    <message>
+        <source>Pass over</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>No row names the columns</source>
+        <translation>Aucune rangée ne nomme les colonnes</translation>
+    </message>
+    <message>
+        <source>Looking into {name:kept}</source>
+        <translation>Examen de {name}</translation>
+    </message>
+    <message>
+        <source>It may be {name}, but hardly: choose its role if it is.</source>
+        <translation>Ce pourrait être ceci, mais à peine : {name}. Choisissez son rôle si c&apos;est le cas.</translation>
+    </message>
+    <message>
+        <source>No column is the {missing:list} yet; choose in the head of the preview what each column is.</source>
+        <translation>Il manque encore une colonne : {missing}. Choisissez en tête de l&apos;aperçu ce qu&apos;est chaque colonne.</translation>
+    </message>
+    <message>
+        <source>{epoch:kept}: not a date as a decimal year; 2024.5, say.</source>
+        <translation>{epoch} : pas une date en année décimale ; 2024.5, par exemple.</translation>
+    </message>
+    <message>
+        <source>The points lie outside {name:kept}.</source>
+        <translation>Les points sont hors de {name}.</translation>
+    </message>
+    <message>
+        <source>Leave it out</source>
+        <translation>L&apos;écarter</translation>
+    </message>
+    <message>
+        <source>This is the line {name:kept} of the project already.</source>
+        <translation>C&apos;est déjà la ligne {name} du projet.</translation>
+    </message>
+    <message>
+        <source>More than one file has the role {role}, and a project has one; leave the others out.</source>
+        <translation>Plusieurs fichiers ont ce rôle : {role} ; un projet n&apos;en a qu&apos;un : écartez les autres.</translation>
+    </message>
+    <message>
+        <source>State the coordinate system</source>
+        <translation>Indiquer le système de coordonnées</translation>
+    </message>
+    <message>
+        <source>Choose anew</source>
+        <translation>Choisir de nouveau</translation>
+    </message>
+    <message>
+        <source>The columns are those chosen for the last file laid out alike.</source>
+        <translation>Les colonnes sont celles choisies pour le dernier fichier de même disposition.</translation>
+    </message>
+    <message>
+        <source>The file is long: the first {len:n} times looked at stand for it here, the rest is checked when the project is made.</source>
+        <translation>Le fichier est long : ici, les {len} premiers temps examinés le représentent, le reste est vérifié à la création du projet.</translation>
+    </message>
+    <message>
+        <source>Exchange them</source>
+        <translation>Les échanger</translation>
+    </message>
+    <message>
+        <source>They are degrees</source>
+        <translation>Ce sont des degrés</translation>
+    </message>
+    <message>
+        <source>They are feet</source>
+        <translation>Ce sont des pieds</translation>
+    </message>
+    <message>
+        <source>Look at the coordinate system</source>
+        <translation>Voir le système de coordonnées</translation>
+    </message>
+    <message>
+        <source>Look at the signs</source>
+        <translation>Voir les signes</translation>
+    </message>
+    <message>
+        <source>Choose the time base</source>
+        <translation>Choisir la base de temps</translation>
+    </message>
+    <message>
+        <source>Choose the frame</source>
+        <translation>Choisir le repère</translation>
+    </message>
+    <message>
+        <source>Its times ({own:n} to {own2:n} s) do not meet those of the trajectory ({track:n} to {track2:n} s); give the file that belongs to it, or leave it out and type the accuracies.</source>
+        <translation>Ses temps (de {own} à {own2} s) ne rencontrent pas ceux de la trajectoire (de {track} à {track2} s) ; donnez le fichier qui va avec elle, ou écartez-le et saisissez les précisions.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Bridge up to {bridged:n} s</source>
+        <translation>Franchir jusqu&apos;à {bridged} s</translation>
+    </message>
+    <message>
+        <source>With {shift:n} s added, {share:n} % lie inside: make sure whether the scanner wrote {name}.</source>
+        <translation>Avec {shift} s ajoutées, {share} % sont à l&apos;intérieur : assurez-vous si le scanneur a écrit ceci : {name}.</translation>
+    </message>
+    <message>
+        <source>They do not restart</source>
+        <translation>Ils ne repartent pas de zéro</translation>
+    </message>
+    <message>
+        <source>{shift:n} s are added to its times</source>
+        <translation>{shift} s sont ajoutées à ses temps</translation>
+    </message>
+    <message>
+        <source>{told}. By the times alone {others:either} would fit as well: make sure which time base the scanner wrote.</source>
+        <translation>{told}. D&apos;après les seuls temps, {others} conviendraient aussi bien : assurez-vous de la base de temps du scanneur.</translation>
+    </message>
+    <message>
+        <source>Points in {name}, trajectory in {name2}</source>
+        <translation>Points en {name}, trajectoire en {name2}</translation>
+    </message>
+    <message>
+        <source>{share} lie before or after the trajectory</source>
+        <translation>{share} sont avant ou après la trajectoire</translation>
+    </message>
+    <message>
+        <source>{share} lie in {gaps} of the trajectory longer than {longest_gap:n} s</source>
+        <translation>{share} sont dans {gaps} de la trajectoire de plus de {longest_gap} s</translation>
+    </message>
+    <message>
+        <source>No point lies within the trajectory (line {span}, trajectory {reach}). {sentence}</source>
+        <translation>Aucun point n&apos;est dans la trajectoire (ligne {span}, trajectoire {reach}). {sentence}</translation>
+    </message>
+    <message>
+        <source>before it starts</source>
+        <translation>avant qu&apos;elle ne commence</translation>
+    </message>
+    <message>
+        <source>after it ends</source>
+        <translation>après qu&apos;elle finit</translation>
+    </message>
+    <message>
+        <source>No point lies within the trajectory: the line is {span}, the trajectory {reach}, {apart:n} s {where}. No known time base brings them together; give the trajectory of the same survey, or leave the line out.</source>
+        <translation>Aucun point n&apos;est dans la trajectoire : la ligne va de {span}, la trajectoire de {reach} ; la ligne est {apart} s {where}. Aucune base de temps connue ne les réunit ; donnez la trajectoire du même levé, ou écartez la ligne.</translation>
+    </message>
+    <message>
+        <source>In {system:kept} the points lie {distance:n} km from the trajectory; state the coordinate system that they are in.</source>
+        <translation>En {system}, les points sont à {distance} km de la trajectoire ; indiquez leur système de coordonnées.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: {name2:kept} is a {role} already; pick it in the same role, or give another name.</source>
+        <translation>{name} : {name2} existe déjà dans un autre rôle ({role}) ; désignez dans le même rôle, ou donnez un autre nom.</translation>
+    </message>
+    <message>
+        <source>as planned</source>
+        <translation>comme prévu</translation>
+    </message>
+    <message>
+        <source>{folder:file}: there is a project here already; choose another folder.</source>
+        <translation>{folder} : il y a déjà un projet ici ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>A project needs at least one line; name its scan file.</source>
+        <translation>Un projet demande au moins une ligne ; nommez son fichier de balayage.</translation>
+    </message>
+    <message>
+        <source>Two lines are named {name:kept}; give their files different names.</source>
+        <translation>Deux lignes sont nommées {name} ; donnez à leurs fichiers des noms différents.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is the line {name:kept} already.</source>
+        <translation>{path} : c&apos;est déjà la ligne {name}.</translation>
+    </message>
+    <message>
+        <source>Laying the lines roughly onto each other</source>
+        <translation>Rapprochement approximatif des lignes</translation>
+    </message>
+    <message>
+        <source>Looking how flat they are</source>
+        <translation>Examen de leur planéité</translation>
+    </message>
+    <message>
+        <source>Weighing what each plane tells of the boresight</source>
+        <translation>Évaluation de ce que chaque plan dit des angles de visée</translation>
+    </message>
+    <message>
+        <source>Seen on {len:n} lines; {name}</source>
+        <translation>Vue sur {len} lignes ; {name}</translation>
+    </message>
+    <message>
+        <source>Flat over {area:n} m², seen on {len:n} lines, opposite ones among them, {centre:n} m high.</source>
+        <translation>Plane sur {area} m², vue sur {len} lignes, dont des opposées, à {centre} m de haut.</translation>
+    </message>
+    <message>
+        <source>Flat over {area:n} m², seen on {len:n} lines, opposite ones among them, {centre:n} m high.{plane}</source>
+        <translation>Plane sur {area} m², vue sur {len} lignes, dont des opposées, à {centre} m de haut.{plane}</translation>
+    </message>
+    <message>
+        <source>Flat over {area:n} m², seen on {len:n} lines, {centre:n} m high.</source>
+        <translation>Plane sur {area} m², vue sur {len} lignes, à {centre} m de haut.</translation>
+    </message>
+    <message>
+        <source>Flat over {area:n} m², seen on {len:n} lines, {centre:n} m high.{plane}</source>
+        <translation>Plane sur {area} m², vue sur {len} lignes, à {centre} m de haut.{plane}</translation>
+    </message>
+    <message>
+        <source>, opposite ones among them</source>
+        <translation>, dont des opposées</translation>
+    </message>
+    <message>
+        <source>Proposed {len:n} targets and {len2:n} validation planes</source>
+        <translation>{len} cibles et {len2} plans de validation proposés</translation>
+    </message>
+    <message>
+        <source>Poor on {listed:list}: {reasons}</source>
+        <translation>Mauvaise sur {listed} : {reasons}</translation>
+    </message>
+    <message>
+        <source>{count} more is {what}</source>
+        <translation>{count} de plus est {what}</translation>
+    </message>
+    <message>
+        <source>{count} more are {what}</source>
+        <translation>{count} de plus sont {what}</translation>
+    </message>
+    <message>
+        <source>seen poorly</source>
+        <translation>mal vues</translation>
+    </message>
+    <message>
+        <source>{name:kept}: only {few} flat surface is seen on two lines or more; set seeds on the targets, or put up boards.</source>
+        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: only {few} flat surface is seen on two lines or more{why}; set seeds on the targets, or put up boards.</source>
+        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus{why} ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: only {few} flat surfaces are seen on two lines or more; set seeds on the targets, or put up boards.</source>
+        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: only {few} flat surfaces are seen on two lines or more{why}; set seeds on the targets, or put up boards.</source>
+        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus{why} ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+    </message>
+    <message>
+        <source>All flat surfaces found face one way, and that leaves the boresight open; put up a board of another inclination, or set seeds by hand.</source>
+        <translation>Toutes les surfaces planes trouvées font face au même côté, ce qui laisse les angles de visée indéterminés ; installez un panneau d&apos;une autre inclinaison, ou placez des germes à la main.</translation>
+    </message>
+    <message>
+        <source>No two of the planes found determine the boresight.</source>
+        <translation>Il n&apos;y a pas deux des plans trouvés qui déterminent les angles de visée.</translation>
+    </message>
+    <message>
+        <source>one of the two that tell most of the boresight, with sigmas of {text:list}.</source>
+        <translation>l&apos;une des deux qui en disent le plus sur les angles de visée, avec des écarts-types de {text}.</translation>
+    </message>
+    <message>
+        <source>it brings the sigma of {angles} from {np:n}° to {np2:n}°.</source>
+        <translation>elle ramène l&apos;écart-type du {angles} de {np}° à {np2}°.</translation>
+    </message>
+    <message>
+        <source>Judging the sightings of {name:kept}</source>
+        <translation>Examen des vues de {name}</translation>
+    </message>
+    <message>
+        <source>A surface like it stands {apart:n} m beside it, and the scene does not tell which of the two the line shows here: see in the section that it is the one meant.</source>
+        <translation>Une surface semblable se trouve à {apart} m d&apos;elle, et la scène ne dit pas laquelle des deux la ligne montre ici : voyez dans la coupe si c&apos;est bien la bonne.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no format knows this file; export it in one that the manual names, or say which it is.</source>
+        <translation>{path} : aucun format ne reconnaît ce fichier ; exportez-le dans un format que le manuel nomme, ou dites lequel c&apos;est.</translation>
+    </message>
+    <message>
+        <source>{crs:kept} is stated for it, but its points are in the scanner frame, where no coordinate system is used: leave it out, or check the frame (frame=georeferenced).</source>
+        <translation>{crs} est indiqué pour lui, mais ses points sont dans le repère du scanneur, où aucun système de coordonnées ne sert : ne l&apos;indiquez pas, ou vérifiez le repère (frame=georeferenced).</translation>
+    </message>
+    <message>
+        <source>{path:file}: {name} is no format of a {kind} file.</source>
+        <translation>{path} : ceci n&apos;est pas un format de fichier « {kind} » : {name}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no format of a {kind} file knows it; `lispac look` shows what it may be, otherwise say which format it is.</source>
+        <translation>{path} : aucun format de fichier « {kind} » ne le reconnaît ; `lispac look` montre ce que ce peut être, sinon dites quel format c&apos;est.</translation>
+    </message>
+    <message>
+        <source>{name:file}: read as {name2}, with {detected:foreign}</source>
+        <translation>{name} : lu comme {name2}, avec {detected}</translation>
+    </message>
+    <message>
+        <source>{name:kept}: the origin is {distance:n} km from the trajectory; give its latitude and longitude in degrees, or leave it out.</source>
+        <translation>{name} : l&apos;origine est à {distance} km de la trajectoire ; donnez sa latitude et sa longitude en degrés, ou ne l&apos;indiquez pas.</translation>
+    </message>
+    <message>
+        <source>{path:file}: none of its points lies within the trajectory&apos;s time; check the date and the time base, or leave the line out.</source>
+        <translation>{path} : aucun de ses points n&apos;est dans le temps de la trajectoire ; vérifiez la date et la base de temps, ou écartez la ligne.</translation>
+    </message>
+    <message>
+        <source>coordinates in {words}</source>
+        <translation>coordonnées en {words}</translation>
+    </message>
+    <message>
+        <source>columns as named: {meant:list}</source>
+        <translation>colonnes telles que nommées : {meant}</translation>
+    </message>
+    <message>
+        <source>columns by their order: {meant:list}</source>
+        <translation>colonnes selon leur ordre : {meant}</translation>
+    </message>
+    <message>
+        <source>as named</source>
+        <translation>telles que nommées</translation>
+    </message>
+    <message>
+        <source>by their order</source>
+        <translation>selon leur ordre</translation>
+    </message>
+    <message>
+        <source>, and {more} more is above it</source>
+        <translation>, et {more} autre le dépasse</translation>
+    </message>
+    <message>
+        <source>, and {more} more are above it</source>
+        <translation>, et {more} autres le dépassent</translation>
+    </message>
+    <message>
+        <source>the sigma of {row} is {sigma:n} m, and a surveyed point rarely has more than {LARGEST_SIGMA:n} m; the file&apos;s sigmas are read in metres, 3 mm is 0.003: correct the list if they are in millimetres</source>
+        <translation>l&apos;écart-type de {row} est de {sigma} m, et un point levé a rarement plus de {LARGEST_SIGMA} m ; les écarts-types du fichier sont lus en mètres, 3 mm font 0.003 : corrigez la liste s&apos;ils sont en millimètres</translation>
+    </message>
+    <message>
+        <source>the sigma of {row} is {sigma:n} m, and a surveyed point rarely has more than {LARGEST_SIGMA:n} m{others}; the file&apos;s sigmas are read in metres, 3 mm is 0.003: correct the list if they are in millimetres</source>
+        <translation>l&apos;écart-type de {row} est de {sigma} m, et un point levé a rarement plus de {LARGEST_SIGMA} m{others} ; les écarts-types du fichier sont lus en mètres, 3 mm font 0.003 : corrigez la liste s&apos;ils sont en millimètres</translation>
+    </message>
+    <message>
+        <source>{path:file}: the plane {name:kept} has {len:n} points and a plane needs three; survey another one, or leave the plane out to check the points alone.</source>
+        <translation>{path} : le plan {name} a {len} points et un plan en demande trois ; levez-en un autre, ou écartez le plan pour ne vérifier que les points.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points of the plane {name:kept} lie on one straight line; survey one beside it.</source>
+        <translation>{path} : les points du plan {name} sont alignés ; levez-en un à côté.</translation>
+    </message>
+    <message>
+        <source>plane {name:kept}: a point lies {worst:n} mm off the plane through all of them, with a sigma of {worst2:n} mm</source>
+        <translation>plan {name} : un point est à {worst} mm du plan qui passe par tous, avec un écart-type de {worst2} mm</translation>
+    </message>
+    <message>
+        <source>Reading {name:kept}, {done:n} points</source>
+        <translation>Lecture de {name}, {done} points</translation>
+    </message>
+    <message>
+        <source>{path:file}: no point of this scan lies within {reach:n} m of what the lines have seen; check its coordinate system.</source>
+        <translation>{path} : aucun point de ce balayage n&apos;est à moins de {reach} m de ce que les lignes ont vu ; vérifiez son système de coordonnées.</translation>
+    </message>
+    <message>
+        <source>{name:file}: {done:n} points, of which {kept:n} lie where the lines have been</source>
+        <translation>{name} : {done} points, dont {kept} là où les lignes sont passées</translation>
+    </message>
+    <message>
+        <source>and are one in {halvings} of those there</source>
+        <translation>, un sur {halvings} de ceux qui s&apos;y trouvent</translation>
+    </message>
+    <message>
+        <source>{folder:file}: this project is given twice.</source>
+        <translation>{folder} : ce projet est donné deux fois.</translation>
+    </message>
+    <message>
+        <source>{names:kept} rests on the same lines as {first:kept}: the two are not independent, and all together counts them once.</source>
+        <translation>{names} repose sur les mêmes lignes que {first} : les deux ne sont pas indépendants, et l&apos;ensemble ne les compte qu&apos;une fois.</translation>
+    </message>
+    <message>
+        <source>{name:kept} rests on {len:n} of the lines of {names:kept}: the two are not independent. They agree better than two surveys would, and are less certain together than it is said.</source>
+        <translation>{name} repose sur {len} des lignes de {names} : les deux ne sont pas indépendants. Ils concordent mieux que ne le feraient deux levés, et sont ensemble moins sûrs qu&apos;il n&apos;est dit.</translation>
+    </message>
+    <message>
+        <source>{name:kept} has another lever arm than {names:kept}: part of the difference may come from it.</source>
+        <translation>{name} a un autre bras de levier que {names} : une part de la différence peut en venir.</translation>
+    </message>
+    <message>
+        <source>{name:kept} and {names:kept} have different models of the POS errors: their sigmas are not of one kind.</source>
+        <translation>{name} et {names} ont des modèles différents des erreurs du POS : leurs écarts-types ne sont pas de même nature.</translation>
+    </message>
+    <message>
+        <source>{name:kept} has no result yet; estimate the boresight first.</source>
+        <translation>{name} n&apos;a pas encore de résultat ; estimez d&apos;abord les angles de visée.</translation>
+    </message>
+    <message>
+        <source>{name:kept} has no {what} of this plan; targets go by their names ({targets:kept}), lines by their headings.</source>
+        <translation>{name} n&apos;a pas ceci de ce plan : {what} ; les cibles se retrouvent par leur nom ({targets}), les lignes par leur cap.</translation>
+    </message>
+    <message>
+        <source>Line {x} ({name:kept}) was sailed at {distance:n} m.</source>
+        <translation>La ligne {x} ({name}) a été parcourue à {distance} m.</translation>
+    </message>
+    <message>
+        <source>with it the boresight would be determined</source>
+        <translation>avec cela, les angles de visée seraient déterminés</translation>
+    </message>
+    <message>
+        <source>more is missing</source>
+        <translation>il manque autre chose</translation>
+    </message>
+    <message>
+        <source>{what} was not {verb}: with it the sigma of {angles} would be {np:n} instead of {np2:n} deg.</source>
+        <translation>{what} n&apos;a pas servi ({verb}) : avec cela, l&apos;écart-type du {angles} serait de {np}° au lieu de {np2}°.</translation>
+    </message>
+    <message>
+        <source>report template</source>
+        <translation>modèle de rapport</translation>
+    </message>
+    <message>
+        <source>{path:file}: this report template is no TOML file ({error:foreign}); it holds lines such as company = &quot;Levés du Fleuve&quot;.</source>
+        <translation>{path} : ce modèle de rapport n&apos;est pas un fichier TOML ({error}) ; il contient des lignes telles que company = &quot;Levés du Fleuve&quot;.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a report template has no {key:kept}; it can have {KEYS:kept}.</source>
+        <translation>{path} : un modèle de rapport n&apos;a pas de {key} ; il peut avoir {KEYS}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key:kept} must be a text in quotation marks.</source>
+        <translation>{path} : {key} doit être un texte entre guillemets.</translation>
+    </message>
+    <message>
+        <source>There is no page {text:kept}; choose one of {PAGES:kept}.</source>
+        <translation>Il n&apos;y a pas de page {text} ; choisissez parmi : {PAGES}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a logo is a PNG or SVG picture; this file is neither.</source>
+        <translation>{path} : un logo est une image PNG ou SVG ; ce fichier n&apos;est ni l&apos;un ni l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>{key} is longer than {LONGEST:n} letters or holds one that cannot be printed; change it.</source>
+        <translation>{key} : plus de {LONGEST} caractères, ou un caractère qui ne peut être imprimé ; changez-le.</translation>
+    </message>
+    <message>
+        <source>Selecting the points of {name:kept} again</source>
+        <translation>Nouvelle sélection des points de {name}</translation>
+    </message>
+    <message>
+        <source>{folder:file}: the project cannot be written here ({error:foreign}); choose another folder.</source>
+        <translation>{folder} : le projet ne peut être écrit ici ({error}) ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: another window or command is saving a project here; wait for it or choose another folder.</source>
+        <translation>{folder} : une autre fenêtre ou commande enregistre un projet ici ; attendez-la ou choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>{there:file}: there are files here already that no unfinished save has left; choose another folder, or take them away.</source>
+        <translation>{there} : il y a déjà ici des fichiers qu&apos;aucun enregistrement inachevé n&apos;a laissés ; choisissez un autre dossier, ou retirez-les.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of the imported line {name:kept} is missing; import the line again.</source>
+        <translation>{path} : cette partie de la ligne importée {name} manque ; importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of the imported line {name:kept} has changed since (its checksum does not hold); import the line again.</source>
+        <translation>{path} : cette partie de la ligne importée {name} a changé depuis (sa somme de contrôle n&apos;est plus la bonne) ; importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{name:kept} has no points on any line; there is nothing to cut through.</source>
+        <translation>{name} n&apos;a de points sur aucune ligne ; il n&apos;y a rien à couper.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row}: the project has a {name:kept} already; give it another name in the list, or say that it is to be replaced.</source>
+        <translation>{path}, rangée {row} : le projet a déjà {name} ; donnez-lui un autre nom dans la liste, ou dites qu&apos;il est à remplacer.</translation>
+    </message>
+    <message>
+        <source>Seeking {name:kept} ({x} of {len:n})</source>
+        <translation>Recherche de {name} ({x} sur {len})</translation>
+    </message>
+    <message>
+        <source>{path:file}: no target was found at any of the {len:n} seeds; {name:kept} (row {row}): {reason}</source>
+        <translation>{path} : aucune cible n&apos;a été trouvée à aucun des {len} germes ; {name} (rangée {row}) : {reason}</translation>
+    </message>
+    <message>
+        <source>{path:file}: no target was found at {len:n} of the {len2:n} seeds: {named:list}; the table says why. The others are saved.</source>
+        <translation>{path} : aucune cible n&apos;a été trouvée à {len} des {len2} germes : {named} ; le tableau dit pourquoi. Les autres sont enregistrés.</translation>
+    </message>
+    <message>
+        <source>the local frame, metres</source>
+        <translation>le repère local, en mètres</translation>
+    </message>
+    <message>
+        <source>{name:kept} is a {shape} already; pick it in the same shape, or give another name.</source>
+        <translation>{name} existe déjà et a une autre forme ({shape}) ; désignez-la avec la même forme, ou donnez un autre nom.</translation>
+    </message>
+    <message>
+        <source>{name:kept} has {radius_in_words}; pick it with the same, or give another name.</source>
+        <translation>{name} a {radius_in_words} ; désignez-la avec le même, ou donnez un autre nom.</translation>
+    </message>
+    <message>
+        <source>{name:kept} on {line:kept}: there are more than {MOST:n} points about the seed; one in {one_in} of them, fairly drawn, was used</source>
+        <translation>{name} sur {line} : il y a plus de {MOST} points autour du germe ; un sur {one_in}, tiré équitablement, a servi</translation>
+    </message>
+    <message>
+        <source>an unknown radius</source>
+        <translation>un rayon inconnu</translation>
+    </message>
+    <message>
+        <source>Line {name:kept} sees nothing of the scene: bring its course nearer, or widen the scanner&apos;s window.</source>
+        <translation>La ligne {name} ne voit rien de la scène : rapprochez sa route, ou élargissez la fenêtre du scanneur.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: this is a file; choose a folder for the {marker} survey.</source>
+        <translation>{folder} : c&apos;est un fichier ; choisissez un dossier pour le levé ({marker}).</translation>
+    </message>
+    <message>
+        <source>{folder:file}: this folder holds other files; choose a new one.</source>
+        <translation>{folder} : ce dossier contient d&apos;autres fichiers ; choisissez-en un nouveau.</translation>
+    </message>
+    <message>
+        <source>There is no {kind} named {word:kept}: give one of {known:kept}, or a file that ends in .toml.</source>
+        <translation>Il n&apos;y a pas ceci : {kind} nommé {word} ; donnez l&apos;un de {known}, ou un fichier qui se termine par .toml.</translation>
+    </message>
+    <message>
+        <source>{file:file}: its lines have start_s, so a recorded trajectory is needed; give --trajectory, or trajectory in the scene.</source>
+        <translation>{file} : ses lignes ont start_s, il faut donc une trajectoire enregistrée ; donnez --trajectory, ou trajectory dans la scène.</translation>
+    </message>
+    <message>
+        <source>{file:file}: [origin] is missing; say where the scene lies.</source>
+        <translation>{file} : [origin] manque ; dites où se trouve la scène.</translation>
+    </message>
+    <message>
+        <source>{file:file}: its lines are headings to be sailed, so {recorded:kept} cannot be replayed; give each of its [[lines]] start_s, stop_s and side instead, in the trajectory&apos;s time.</source>
+        <translation>{file} : ses lignes sont des caps à parcourir, {recorded} ne peut donc être rejoué ; donnez à chacune de ses [[lines]] start_s, stop_s et side, dans le temps de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>{file:file}: the origin of the scene lies {farthest:n} km from {recorded:kept}; correct [origin], or leave it out for the mean of the trajectory.</source>
+        <translation>{file} : l&apos;origine de la scène est à {farthest} km de {recorded} ; corrigez [origin], ou omettez-la pour la moyenne de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>{name:file}: the file does not say what its times count; they are taken to be the trajectory&apos;s {words}</source>
+        <translation>{name} : le fichier ne dit pas ce que comptent ses temps ; ils sont supposés être ceux de la trajectoire : {words}</translation>
+    </message>
+    <message>
+        <source>{path:file}: a shift of {typed:n} s is given, but {shift:n} s bring its times from {words} to the trajectory&apos;s {words2}; give either the shift or the time base.</source>
+        <translation>{path} : un décalage de {typed} s est donné, mais {shift} s font passer ses temps de {words} à ceux de la trajectoire : {words2} ; donnez soit le décalage, soit la base de temps.</translation>
+    </message>
+    <message>
+        <source>Give the subsampling distances in metres, 0 for all points.</source>
+        <translation>Donnez les pas de sous-échantillonnage en mètres, 0 pour tous les points.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no target yet; pick targets first.</source>
+        <translation>{name} : il n&apos;y a pas encore de cible ; désignez d&apos;abord des cibles.</translation>
+    </message>
+    <message>
+        <source>Adjusting with {distance:n} m between the points</source>
+        <translation>Compensation avec {distance} m entre les points</translation>
+    </message>
+    <message>
+        <source>Adjusted {len:n} times</source>
+        <translation>Compensé {len} fois</translation>
+    </message>
+    <message>
+        <source>Survey loaded</source>
+        <translation>Levé chargé</translation>
+    </message>
+    <message>
+        <source>{path:file}: these are not the points {name:kept} was picked on (or the trajectory covers others of them now); bring the file back, or make a new project.</source>
+        <translation>{path} : ce ne sont pas les points sur lesquels {name} a été désigné (ou la trajectoire en couvre d&apos;autres maintenant) ; remettez le fichier en place, ou faites un nouveau projet.</translation>
+    </message>
+    <message>
+        <source>{path:file}: its times ({time:n} to {time2:n} s) do not meet those of the trajectory ({time3:n} to {time4:n} s); give the accuracy file that belongs to it.</source>
+        <translation>{path} : ses temps (de {time} à {time2} s) ne rencontrent pas ceux de la trajectoire (de {time3} à {time4} s) ; donnez le fichier de précision qui va avec elle.</translation>
+    </message>
+    <message>
+        <source>the times of the lines count seconds of a day or a week and do not tell the date; type it.</source>
+        <translation>les temps des lignes comptent les secondes d&apos;un jour ou d&apos;une semaine et ne disent pas la date ; saisissez-la.</translation>
+    </message>
+    <message>
+        <source>The epoch {epoch:n} changes nothing without the datum of the trajectory: give that as well (EPSG:7912 for ITRF2014, say), or leave the epoch out.</source>
+        <translation>L&apos;époque {epoch} ne change rien sans le référentiel de la trajectoire : donnez-le aussi (EPSG:7912 pour ITRF2014 par exemple), ou n&apos;indiquez pas d&apos;époque.</translation>
+    </message>
+    <message>
+        <source>The lines are read with different datums of the trajectory ({words:foreign}); say which datum and epoch to use.</source>
+        <translation>Les lignes sont lues avec différents référentiels de la trajectoire ({words}) ; dites quel référentiel et quelle époque employer.</translation>
+    </message>
+    <message>
+        <source>The local frame has heights and a datum of its own; give a coordinate system, or neither heights nor a datum nor an epoch.</source>
+        <translation>Le repère local a ses propres hauteurs et son propre référentiel ; donnez un système de coordonnées, ou ni hauteurs, ni référentiel, ni époque.</translation>
+    </message>
+    <message>
+        <source>No coordinate system is given and the lines name none; give its EPSG code ({utm_zone:kept} is the UTM zone of the trajectory), or {LOCAL:kept} for the local frame (North, West, Up).</source>
+        <translation>Aucun système de coordonnées n&apos;est donné et les lignes n&apos;en nomment pas ; donnez son code EPSG ({utm_zone} est la zone UTM de la trajectoire), ou {LOCAL} pour le repère local (nord, ouest, haut).</translation>
+    </message>
+    <message>
+        <source>{DOUBT}: {name:kept} is meant for {elsewhere:kept}, and the trajectory is at latitude {latitude:n}, longitude {longitude:n} deg; {utm_zone:kept} is the UTM zone there</source>
+        <translation>{DOUBT} : {name} est prévu pour {elsewhere}, et la trajectoire est à la latitude {latitude}°, longitude {longitude}° ; {utm_zone} y est la zone UTM</translation>
+    </message>
+    <message>
+        <source>The lines are in different coordinate systems ({values:foreign}); say which one to write.</source>
+        <translation>Les lignes sont dans des systèmes de coordonnées différents ({values}) ; dites lequel écrire.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: there is no validation plane; pick planes that took no part in the adjustment.</source>
+        <translation>{name} : il n&apos;y a pas de plan de validation ; désignez des plans étrangers à la compensation.</translation>
+    </message>
+    <message>
+        <source>Comparing the lines on {name:kept}</source>
+        <translation>Comparaison des lignes sur {name}</translation>
+    </message>
+    <message>
+        <source>{name:kept}: only a simulated survey that has been validated can be compared with its truth.</source>
+        <translation>{name} : seul un levé simulé qui a été validé peut être comparé à sa vérité.</translation>
+    </message>
+    <message>
+        <source>There is no calibration with an answer and a date in these folders.</source>
+        <translation>Il n&apos;y a pas d&apos;étalonnage avec réponse et date dans ces dossiers.</translation>
+    </message>
+    <message>
+        <source>There is no calibration{of} with an answer and a date in these folders.</source>
+        <translation>Il n&apos;y a pas d&apos;étalonnage{of} avec réponse et date dans ces dossiers.</translation>
+    </message>
+    <message>
+        <source>About {n:n} % of the points</source>
+        <translation>Environ {n} % des points</translation>
+    </message>
+    <message>
+        <source>about {n:n} % of the points</source>
+        <translation>environ {n} % des points</translation>
+    </message>
+    <message>
+        <source>{n:n} % of the points</source>
+        <translation>{n} % des points</translation>
+    </message>
+    <message>
+        <source>{said:list}: these points will be left out.</source>
+        <translation>{said} : ces points seront laissés de côté.</translation>
+    </message>
+    <message>
+        <source>a gap</source>
+        <translation>une lacune</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>des lacunes</translation>
+    </message>
+    <message>
+        <source>its points</source>
+        <translation>de ses points</translation>
+    </message>
+    <message>
+        <source>the points of {name:kept}</source>
+        <translation>des points de {name}</translation>
+    </message>
+    <message>
+        <source>of {vessel:kept}</source>
+        <translation>pour {vessel}</translation>
+    </message>
+    <message>
+        <source>tick</source>
+        <translation>cochez</translation>
+    </message>
+    <message>
+        <source>on no line</source>
+        <translation>sur aucune ligne</translation>
+    </message>
+    <message>
+        <source>LISPAC {version:kept}</source>
+        <translation>LISPAC {version}</translation>
+    </message>
+    <message>
+        <source>a radius of {radius:n} m</source>
+        <translation>un rayon de {radius} m</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>non employée</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>employée</translation>
+    </message>
+    <message>
+        <source>sailed</source>
+        <translation>parcourue</translation>
+    </message>
+    <message>
+        <source>Line {n:n} ({name:kept}) was not sailed; {told}.</source>
+        <translation>La ligne {n} ({name}) n&apos;a pas été parcourue ; {told}.</translation>
+    </message>
+    <message>
+        <source>Line {n:n} ({name:kept}) was not sailed: with it the sigma of {angle} would be {a:n} instead of {b:n} deg.</source>
+        <translation>La ligne {n} ({name}) n&apos;a pas été parcourue : avec elle, l&apos;écart-type du {angle} serait de {a}° au lieu de {b}°.</translation>
+    </message>
+    <message>
+        <source>Target {name:kept} was not used; {told}.</source>
+        <translation>La cible {name} n&apos;a pas été employée ; {told}.</translation>
+    </message>
+    <message>
+        <source>Target {name:kept} was not used: with it the sigma of {angle} would be {a:n} instead of {b:n} deg.</source>
+        <translation>La cible {name} n&apos;a pas été employée : avec elle, l&apos;écart-type du {angle} serait de {a}° au lieu de {b}°.</translation>
+    </message>
+    <message>
+        <source>{a:n} to {b:n} s</source>
+        <translation>{a} à {b} s</translation>
+    </message>
+    <message>
+        <source>{name:kept} (row {row:n})</source>
+        <translation>{name} (rangée {row})</translation>
+    </message>
+    <message>
+        <source>Add {shift:n} s</source>
+        <translation>Ajouter {shift} s</translation>
+    </message>
+    <message>
+        <source>{name:kept}: {done:n} points, of which {kept:n} lie where the lines have been and are one in {n:n} of those there</source>
+        <translation>{name} : {done} points, dont {kept} là où les lignes sont passées, un sur {n} de ceux qui s&apos;y trouvent</translation>
+    </message>
+    <message>
+        <source>the local frame</source>
+        <translation>le repère local</translation>
+    </message>
+    <message>
+        <source>not flat</source>
+        <translation>non planes</translation>
+    </message>
+    <message>
+        <source>{file:file}: {said}</source>
+        <translation>{file} : {said}</translation>
+    </message>
+    <message>
+        <source>Mistyped?</source>
+        <translation>Mal saisi ?</translation>
+    </message>
+    <message>
+        <source>{share} of points lie before or after the trajectory</source>
+        <translation>{share} des points sont avant ou après la trajectoire</translation>
+    </message>
+</context>
+</TS>
