@@ -32,6 +32,9 @@ LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
 
 _NUMBER = r"[+\-\u2212\u00b1]?\d(?:[\d,]*\d)?(?:\.\d+)?(?:e[+-]?\d+)?"
 _PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
+_PLAIN = re.compile(r"[^.,:;{}]+")
+MOST_PARTING = 60
+"""Letters of a text that may be one of a list though it looks like a list itself."""
 _KINDS = frozenset({"", "kept", "name", "n", "list", "either", "foreign", "file"})
 _ABOUT_FILE = re.compile(r"\{(\w+):file\}[:,] ")
 
@@ -119,6 +122,14 @@ class Catalogue:
     alternative: str
     exact: Mapping[str, str]
     templates: tuple[Template, ...]
+
+    @cached_property
+    def parting(self) -> tuple[str, ...]:
+        """Short texts that look like a list: ``latitude and longitude (or ...)``."""
+        return tuple(
+            text for text in self.exact
+            if " and " in text and len(text) < MOST_PARTING and _PLAIN.fullmatch(text)
+        )  # fmt: skip
 
 
 @lru_cache

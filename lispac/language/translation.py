@@ -104,9 +104,7 @@ class Translator:
     def _known(self, text: str) -> _Said | None:
         """The text said, in part at least; None where nothing of it is known."""
         if not _LETTER.search(text):
-            grouped = _THOUSANDS.sub("\0", text)
-            spoken = _DECIMAL.sub(self._decimal, grouped)
-            return _Said(spoken.replace("\0", self.catalogue.thousands))
+            return self._number(text)
         whole = self._as_one(text)
         if whole is not None and not whole.unknown:
             return whole
@@ -114,6 +112,11 @@ class Translator:
         parts = self._one_by_one(sentences) if len(sentences) > 1 else None
         found = [said for said in (whole, parts) if said is not None]
         return min(found, key=lambda said: len(said.unknown), default=None)
+
+    def _number(self, text: str) -> _Said:
+        grouped = _THOUSANDS.sub("\0", text)
+        spoken = _DECIMAL.sub(self._decimal, grouped)
+        return _Said(spoken.replace("\0", self.catalogue.thousands))
 
     def _as_one(self, text: str) -> _Said | None:
         """The text by one entry of the catalogue."""
@@ -165,6 +168,8 @@ class Translator:
             return _Said(value)
         if kind == "name":
             return None
+        if kind == "n":
+            return self._number(value)
         if kind == "kept":  # what holds the end of a clause is more than belongs there
             return None if _CLAUSE.search(value) else _Said(value)
         if kind == "file":  # a name may hold the end of a sentence
@@ -183,7 +188,7 @@ class Translator:
     def _list(self, value: str, last: str) -> _Said:
         words = {" and ": self.catalogue.conjunction, " or ": self.catalogue.alternative}
         text, unknown = "", list[str]()
-        for part, sign in _parted(value, self._parting, last):
+        for part, sign in _parted(value, (*self._parting, *self.catalogue.parting), last):
             said = _Said(part) if part in self._names else self._whole(part)
             joint = f" {words[last]} " if sign == last else sign
             text += said.text + joint

@@ -266,10 +266,6 @@
         <translation>écart-type de la distance et de l&apos;angle du LiDAR</translation>
     </message>
     <message>
-        <source>correlation time</source>
-        <translation>temps de corrélation</translation>
-    </message>
-    <message>
         <source>The {name} is not a number; correct it.</source>
         <translation>Valeur qui n&apos;est pas un nombre ({name}) ; corrigez-la.</translation>
     </message>
@@ -1753,10 +1749,6 @@
         <translation>La colonne {name} est en pieds, le fichier ne dit pas lesquels, et {text} est en {words} ; des pieds de 0.3048 m sont supposés. Les pieds d&apos;arpentage américains placeraient les positions à des mètres de là : assurez-vous de l&apos;unité, et indiquez-la ou nommez-la dans l&apos;en-tête.</translation>
     </message>
     <message>
-        <source>In {text:kept} ({name:kept}) the positions lie at latitude {middle:n}, longitude {middle2:n} deg, and it is meant for {elsewhere:kept}: check the coordinate system, the unit of eastings and northings (feet, metres), and their order.</source>
-        <translation>En {text} ({name}), les positions sont à la latitude {middle}°, longitude {middle2}°, alors que le système est prévu pour {elsewhere} : vérifiez le système de coordonnées, l&apos;unité des coordonnées est et nord (pieds, mètres), et leur ordre.</translation>
-    </message>
-    <message>
         <source>{path:file}: eastings and northings lie outside {text:kept} ({name:kept}); state the coordinate system they are in, and check that they are not swapped.</source>
         <translation>{path} : les coordonnées est et nord sont hors de {text} ({name}) ; indiquez leur système de coordonnées et vérifiez qu&apos;elles ne sont pas échangées.</translation>
     </message>
@@ -1787,10 +1779,6 @@
     <message>
         <source>The last rows do not go on from the first ones: the file may be cut short or its times run backward. The facts are those of the first rows; reading names the row.</source>
         <translation>Les dernières rangées ne font pas suite aux premières : le fichier est peut-être tronqué ou ses temps reculent. Les constats sont ceux des premières rangées ; la lecture nommera la rangée.</translation>
-    </message>
-    <message>
-        <source>: as where feet are taken for metres, or metres for feet</source>
-        <translation>, comme lorsque des pieds sont pris pour des mètres, ou des mètres pour des pieds</translation>
     </message>
     <message>
         <source>error of the lever arm</source>
@@ -1825,28 +1813,8 @@
         <translation>{path} : le point {good} a une coordonnée ou un temps qui n&apos;est pas un nombre utilisable ({such} jusqu&apos;ici{hint}) ; nettoyez-le ou exportez-le de nouveau.</translation>
     </message>
     <message>
-        <source>The positions move at {ratio:n} times the speed in {name:kept} and {name2:kept}; check the unit of the positions and the coordinate system.</source>
-        <translation>Les positions se déplacent à {ratio} fois la vitesse que donnent {name} et {name2} ; vérifiez l&apos;unité des positions et le système de coordonnées.</translation>
-    </message>
-    <message>
-        <source>The positions move at {ratio:n} times the speed in {name:kept} and {name2:kept}{hint}; check the unit of the positions and the coordinate system.</source>
-        <translation>Les positions se déplacent à {ratio} fois la vitesse que donnent {name} et {name2}{hint} ; vérifiez l&apos;unité des positions et le système de coordonnées.</translation>
-    </message>
-    <message>
-        <source>{path:file}: {foreign:kept} is no axis of the local frame (north, west, up); say which coordinate system the list is in.</source>
-        <translation>{path} : {foreign} n&apos;est pas un axe du repère local (nord, ouest, haut) ; dites dans quel système de coordonnées est la liste.</translation>
-    </message>
-    <message>
-        <source>{path:file}{where}: {foreign:kept} is no axis of the local frame (north, west, up); say which coordinate system the list is in.</source>
-        <translation>{path}{where} : {foreign} n&apos;est pas un axe du repère local (nord, ouest, haut) ; dites dans quel système de coordonnées est la liste.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the columns {said}; name them from the left: name, x, y, z for example, and - for one that is not used.</source>
-        <translation>{path} : les colonnes {said} ; nommez-les depuis la gauche : name, x, y, z par exemple, et - pour celles qui ne servent pas.</translation>
-    </message>
-    <message>
-        <source>{path:file}{where}: the columns {said}; name them from the left: name, x, y, z for example, and - for one that is not used.</source>
-        <translation>{path}{where} : les colonnes {said} ; nommez-les depuis la gauche : name, x, y, z par exemple, et - pour celles qui ne servent pas.</translation>
+        <source>: as where feet are taken for metres, or metres for feet</source>
+        <translation>, comme lorsque des pieds sont pris pour des mètres, ou des mètres pour des pieds</translation>
     </message>
     <message>
         <source>not stated; the values fit {fitting:either}</source>
@@ -2064,6 +2032,398 @@
         <source>time</source>
         <translation>temps</translation>
     </message>
+    <message>
+        <source>Exail text</source>
+        <translation>texte Exail</translation>
+    </message>
+    <message>
+        <source>POSPac text</source>
+        <translation>texte POSPac</translation>
+    </message>
+    <message>
+        <source>Smrmsg</source>
+        <translation>Smrmsg</translation>
+    </message>
+    <message>
+        <source>{role} standard deviation</source>
+        <translation>écart-type ({role})</translation>
+    </message>
+    <message>
+        <source>starboard down</source>
+        <translation>tribord vers le bas</translation>
+    </message>
+    <message>
+        <source>port down</source>
+        <translation>bâbord vers le bas</translation>
+    </message>
+    <message>
+        <source>bow up</source>
+        <translation>étrave vers le haut</translation>
+    </message>
+    <message>
+        <source>bow down</source>
+        <translation>étrave vers le bas</translation>
+    </message>
+    <message>
+        <source>Smrmsg record {k:n} holds a value that is not a number ({such}); export it again.</source>
+        <translation>L&apos;enregistrement smrmsg {k} contient une valeur qui n&apos;est pas un nombre ({such}) ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>SBET record {k:n} holds a value that is not a number ({such}); export it again.</source>
+        <translation>L&apos;enregistrement SBET {k} contient une valeur qui n&apos;est pas un nombre ({such}) ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>attitude</source>
+        <translation>attitude</translation>
+    </message>
+    <message>
+        <source>LiDAR sigma</source>
+        <translation>écart-type du LiDAR</translation>
+    </message>
+    <message>
+        <source>lever arm</source>
+        <translation>bras de levier</translation>
+    </message>
+    <message>
+        <source>boresight</source>
+        <translation>angles de visée</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>origine</translation>
+    </message>
+    <message>
+        <source>correlation time</source>
+        <translation>temps de corrélation</translation>
+    </message>
+    <message>
+        <source>surface sigma</source>
+        <translation>écart-type des surfaces</translation>
+    </message>
+    <message>
+        <source>longest gap</source>
+        <translation>plus longue lacune</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>nord</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>est</translation>
+    </message>
+    <message>
+        <source>{base}, stated</source>
+        <translation>{base} (indiqué)</translation>
+    </message>
+    <message>
+        <source>about {n:n}</source>
+        <translation>environ {n}</translation>
+    </message>
+    <message>
+        <source>{a:n} to {b:n} m</source>
+        <translation>{a} à {b} m</translation>
+    </message>
+    <message>
+        <source>{a:n} to {b:n} m/s</source>
+        <translation>{a} à {b} m/s</translation>
+    </message>
+    <message>
+        <source>{m:n} min {s:n} s</source>
+        <translation>{m} min {s} s</translation>
+    </message>
+    <message>
+        <source>{h:n} h {m:n} min</source>
+        <translation>{h} h {m} min</translation>
+    </message>
+    <message>
+        <source>roll positive {side}</source>
+        <translation>roulis positif : {side}</translation>
+    </message>
+    <message>
+        <source>pitch positive {side}</source>
+        <translation>tangage positif : {side}</translation>
+    </message>
+    <message>
+        <source>{facts:list} (by the angular rates)</source>
+        <translation>{facts} (d&apos;après les vitesses angulaires)</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>format</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>points</translation>
+    </message>
+    <message>
+        <source>coordinate system</source>
+        <translation>système de coordonnées</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>repère</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>résolution</translation>
+    </message>
+    <message>
+        <source>time base</source>
+        <translation>base de temps</translation>
+    </message>
+    <message>
+        <source>x from, to</source>
+        <translation>x de, à</translation>
+    </message>
+    <message>
+        <source>y from, to</source>
+        <translation>y de, à</translation>
+    </message>
+    <message>
+        <source>z from, to</source>
+        <translation>z de, à</translation>
+    </message>
+    <message>
+        <source>attributes</source>
+        <translation>attributs</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>supposé</translation>
+    </message>
+    <message>
+        <source>comments</source>
+        <translation>commentaires</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>en-tête</translation>
+    </message>
+    <message>
+        <source>fields</source>
+        <translation>champs</translation>
+    </message>
+    <message>
+        <source>viewpoint</source>
+        <translation>point de vue</translation>
+    </message>
+    <message>
+        <source>georeferenced</source>
+        <translation>géoréférencé</translation>
+    </message>
+    <message>
+        <source>scanner</source>
+        <translation>scanneur</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>Enregistrements</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <source>Roll and pitch</source>
+        <translation>Roulis et tangage</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Sigma north</source>
+        <translation>Écart-type nord</translation>
+    </message>
+    <message>
+        <source>Sigma east</source>
+        <translation>Écart-type est</translation>
+    </message>
+    <message>
+        <source>Sigma height</source>
+        <translation>Écart-type hauteur</translation>
+    </message>
+    <message>
+        <source>Sigma roll</source>
+        <translation>Écart-type roulis</translation>
+    </message>
+    <message>
+        <source>Sigma pitch</source>
+        <translation>Écart-type tangage</translation>
+    </message>
+    <message>
+        <source>Sigma heading</source>
+        <translation>Écart-type cap</translation>
+    </message>
+    <message>
+        <source>Header</source>
+        <translation>En-tête</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rangées</translation>
+    </message>
+    <message>
+        <source>separator</source>
+        <translation>séparateur</translation>
+    </message>
+    <message>
+        <source>blank</source>
+        <translation>blanc</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>virgule</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>point-virgule</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>tabulation</translation>
+    </message>
+    <message>
+        <source>decimal</source>
+        <translation>signe décimal</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>colonnes</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>rangées</translation>
+    </message>
+    <message>
+        <source>In {text:kept} ({name:kept}) the positions lie at latitude {middle:n}, longitude {middle2:n} deg, and it is meant for {elsewhere:foreign}: check the coordinate system, the unit of eastings and northings (feet, metres), and their order.</source>
+        <translation>En {text} ({name}), les positions sont à la latitude {middle}°, longitude {middle2}°, alors que le système est prévu pour {elsewhere} : vérifiez le système de coordonnées, l&apos;unité des coordonnées est et nord (pieds, mètres), et leur ordre.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {foreign:kept} is no axis of the local frame (north, west, up); say which coordinate system the list is in.</source>
+        <translation>{path} : {foreign} n&apos;est pas un axe du repère local (nord, ouest, haut) ; dites dans quel système de coordonnées est la liste.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: {foreign:kept} is no axis of the local frame (north, west, up); say which coordinate system the list is in.</source>
+        <translation>{path}, rangée {row} : {foreign} n&apos;est pas un axe du repère local (nord, ouest, haut) ; dites dans quel système de coordonnées est la liste.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the columns {said}; name them from the left: name, x, y, z for example, and - for one that is not used.</source>
+        <translation>{path} : les colonnes {said} ; nommez-les depuis la gauche : name, x, y, z par exemple, et - pour celles qui ne servent pas.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: the columns {said}; name them from the left: name, x, y, z for example, and - for one that is not used.</source>
+        <translation>{path}, rangée {row} : les colonnes {said} ; nommez-les depuis la gauche : name, x, y, z par exemple, et - pour celles qui ne servent pas.</translation>
+    </message>
+    <message>
+        <source>The positions move at {ratio:n} times the speed in {a:kept} and {b:kept}; check the unit of the positions and the coordinate system.</source>
+        <translation>Les positions se déplacent à {ratio} fois la vitesse que donnent {a} et {b} ; vérifiez l&apos;unité des positions et le système de coordonnées.</translation>
+    </message>
+    <message>
+        <source>The positions move at {ratio:n} times the speed in {a:kept} and {b:kept}: as where feet are taken for metres, or metres for feet; check the unit of the positions and the coordinate system.</source>
+        <translation>Les positions se déplacent à {ratio} fois la vitesse que donnent {a} et {b}, comme lorsque des pieds sont pris pour des mètres, ou des mètres pour des pieds ; vérifiez l&apos;unité des positions et le système de coordonnées.</translation>
+    </message>
+    <message>
+        <source>times restart at {where} (after {t:n} s): counted on by {period:n} s</source>
+        <translation>les temps repartent de zéro à {where} (après {t} s) : comptés ensuite avec {period} s de plus</translation>
+    </message>
+    <message>
+        <source>times restart at {where}: counted on by {period:n} s</source>
+        <translation>les temps repartent de zéro à {where} : comptés ensuite avec {period} s de plus</translation>
+    </message>
+    <message>
+        <source>they lie outside the local frame</source>
+        <translation>elles sont hors du repère local</translation>
+    </message>
+    <message>
+        <source>in the local frame they are {distance:n} km from the trajectory</source>
+        <translation>dans le repère local, elles sont à {distance} km de la trajectoire</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>une longueur</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>easting</source>
+        <translation>est</translation>
+    </message>
+    <message>
+        <source>northing</source>
+        <translation>nord</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>The heading is taken as is: it then follows the course to {np:n} deg instead of {np2:n}.</source>
+        <translation>Le cap est pris tel quel : il suit alors la route à {np}° au lieu de {np2}°.</translation>
+    </message>
+    <message>
+        <source>The heading is taken less the wander angle: it then follows the course to {np:n} deg instead of {np2:n}.</source>
+        <translation>Le cap est pris moins l&apos;angle de dérive (wander) : il suit alors la route à {np}° au lieu de {np2}°.</translation>
+    </message>
 </context>
 <context>
     <name>report</name>
@@ -2074,7 +2434,8 @@
     <message>
         <source>Dot and bar: a calibration with its 95 % interval (brown: the mounting has moved). Line and band:
 mean of those before, and three sigmas of the difference.</source>
-        <translation>Point et barre : un étalonnage avec son intervalle à 95 % (brun : le montage a bougé). Ligne et bande :\nmoyenne des précédents et trois écarts-types de la différence.</translation>
+        <translation>Point et barre : un étalonnage avec son intervalle à 95 % (brun : le montage a bougé). Ligne et bande :
+moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>POS errors that drift</source>
@@ -2667,14 +3028,6 @@ mean of those before, and three sigmas of the difference.</source>
         <translation>{folder} : les fichiers ne peuvent y devenir aussi grands que cette ligne le demande{room} ; mettez le projet sur un disque qui accepte de grands fichiers, puis importez la ligne de nouveau.</translation>
     </message>
     <message>
-        <source>times restart at {where}: counted on by {period:n} s</source>
-        <translation>les temps repartent de zéro à {where} : comptés ensuite avec {period} s de plus</translation>
-    </message>
-    <message>
-        <source>times restart at {where}{reach}: counted on by {period:n} s</source>
-        <translation>les temps repartent de zéro à {where}{reach} : comptés ensuite avec {period} s de plus</translation>
-    </message>
-    <message>
         <source>{told}: {name:kept} stands for all its realizations, and only each of these is tied to {name2:kept}. Give the system on the realization that the survey is in (the latest are {named:foreign}) with the date of the survey as a decimal year.</source>
         <translation>{told} : {name} désigne toutes ses réalisations, et seule chacune de celles-ci est liée à {name2}. Donnez le système sur la réalisation du levé (les plus récentes sont {named}) avec la date du levé en année décimale.</translation>
     </message>
@@ -3168,14 +3521,6 @@ mean of those before, and three sigmas of the difference.</source>
         <translation>Un travailleur arrivé plus tard</translation>
     </message>
     <message>
-        <source>they lie outside {where}</source>
-        <translation>elles sont hors de ce système : {where}</translation>
-    </message>
-    <message>
-        <source>in {where} they are {distance:n} km from the trajectory</source>
-        <translation>en {where}, elles sont à {distance} km de la trajectoire</translation>
-    </message>
-    <message>
         <source>{said}; {first} comes first, then {second}: exchange the two</source>
         <translation>{said} ; {first} vient d&apos;abord, puis {second} : échangez les deux</translation>
     </message>
@@ -3384,10 +3729,6 @@ mean of those before, and three sigmas of the difference.</source>
         <translation>{path} : le fichier a changé pendant l&apos;import ; importez-le de nouveau quand rien n&apos;y écrit.</translation>
     </message>
     <message>
-        <source>{path:file}: its points ({times:n} to {times2:n} s) lie outside the trajectory ({known:n} to {known2:n} s); check the date and the time base, or leave the line out. {told}</source>
-        <translation>{path} : ses points (de {times} à {times2} s) sont hors de la trajectoire (de {known} à {known2} s) ; vérifiez la date et la base de temps, ou écartez la ligne. {told}</translation>
-    </message>
-    <message>
         <source>Add the survey&apos;s files: drop them here, or press Add files.</source>
         <translation>Ajoutez les fichiers du levé : déposez-les ici, ou cliquez sur « Ajouter des fichiers ».</translation>
     </message>
@@ -3454,10 +3795,6 @@ mean of those before, and three sigmas of the difference.</source>
     <message>
         <source>It may be {name}, but hardly: choose its role if it is.</source>
         <translation>Ce pourrait être ceci, mais à peine : {name}. Choisissez son rôle si c&apos;est le cas.</translation>
-    </message>
-    <message>
-        <source>No column is the {missing:list} yet; choose in the head of the preview what each column is.</source>
-        <translation>Il manque encore une colonne : {missing}. Choisissez en tête de l&apos;aperçu ce qu&apos;est chaque colonne.</translation>
     </message>
     <message>
         <source>{epoch:kept}: not a date as a decimal year; 2024.5, say.</source>
@@ -4020,10 +4357,6 @@ mean of those before, and three sigmas of the difference.</source>
         <translation>Aucun système de coordonnées n&apos;est donné et les lignes n&apos;en nomment pas ; donnez son code EPSG ({utm_zone} est la zone UTM de la trajectoire), ou {LOCAL} pour le repère local (nord, ouest, haut).</translation>
     </message>
     <message>
-        <source>{DOUBT}: {name:kept} is meant for {elsewhere:kept}, and the trajectory is at latitude {latitude:n}, longitude {longitude:n} deg; {utm_zone:kept} is the UTM zone there</source>
-        <translation>{DOUBT} : {name} est prévu pour {elsewhere}, et la trajectoire est à la latitude {latitude}°, longitude {longitude}° ; {utm_zone} y est la zone UTM</translation>
-    </message>
-    <message>
         <source>The lines are in different coordinate systems ({values:foreign}); say which one to write.</source>
         <translation>Les lignes sont dans des systèmes de coordonnées différents ({values}) ; dites lequel écrire.</translation>
     </message>
@@ -4162,6 +4495,26 @@ mean of those before, and three sigmas of the difference.</source>
     <message>
         <source>{share} of points lie before or after the trajectory</source>
         <translation>{share} des points sont avant ou après la trajectoire</translation>
+    </message>
+    <message>
+        <source>they lie outside {where:kept}</source>
+        <translation>elles sont hors de {where}</translation>
+    </message>
+    <message>
+        <source>in {where:kept} they are {distance:n} km from the trajectory</source>
+        <translation>en {where}, elles sont à {distance} km de la trajectoire</translation>
+    </message>
+    <message>
+        <source>{DOUBT}: {name:kept} is meant for {elsewhere:foreign}, and the trajectory is at latitude {latitude:n}, longitude {longitude:n} deg; {utm_zone:kept} is the UTM zone there</source>
+        <translation>{DOUBT} : {name} est prévu pour {elsewhere}, et la trajectoire est à la latitude {latitude}°, longitude {longitude}° ; {utm_zone} y est la zone UTM</translation>
+    </message>
+    <message>
+        <source>No column is the {missing:either} yet; choose in the head of the preview what each column is.</source>
+        <translation>Il manque encore une colonne : {missing}. Choisissez en tête de l&apos;aperçu ce qu&apos;est chaque colonne.</translation>
+    </message>
+    <message>
+        <source>{path:file}: its points ({times:n} to {times2:n} s) lie outside the trajectory ({known:n} to {known2:n} s); check the date and the time base, or leave the line out. {told}</source>
+        <translation>{path} : ses points (de {times} à {times2} s) sont hors de la trajectoire (de {known} à {known2} s) ; vérifiez la date et la base de temps, ou écartez la ligne. {told}</translation>
     </message>
 </context>
 </TS>
