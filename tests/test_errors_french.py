@@ -25,6 +25,7 @@ NOT_SAID: dict[str, set[str]] = {
         "POS Export Utility|Applanix|POSPac|POSPROC",
         r"([A-Za-z][A-Za-z ,]*?)\s+in\s+([A-Za-z./]+(?:\s+(?:Min\w*|Survey \w+|Feet|Foot))?)",
         r"; import (it|the line) again\.$",
+        "[^.:;{}]*(?:, | and | or )[^.:;{}]*",
     },
     "names of columns, and words of the headers of other programs, as they are looked for": {
         "time latitude longitude height roll pitch heading",

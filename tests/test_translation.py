@@ -35,6 +35,11 @@ SMALL = {
     "Seen on {lines:list}.": "Vue sur {lines}.",
     "{line:name} ({n:n} mm)": "{line} ({n} mm)",
     "file {file:kept}": "fichier {file}",
+    "north and south": "nord et sud",
+    "Look {ways:either}.": "Regardez {ways}.",
+    "Choose {codes:codes}.": "Choisissez {codes}.",
+    "{file:file}: it is damaged ({why:foreign}).": "{file} : il est endommagé ({why}).",
+    "disk full": "disque plein",
 }
 
 
@@ -58,6 +63,16 @@ def small() -> Catalogue:
         ("T1 on L2: no north there", "T1 sur L2\u00a0: pas de nord ici"),
         ("Seen on L1, L2 (3.2 mm) and T1.", "Vue sur L1, L2 (3.2 mm) et T1."),
         ("file of and on.laz", "fichier of and on.laz"),
+        ("Seen on north and south, L1.", "Vue sur nord et sud, L1."),
+        ("Look north or north and south.", "Regardez nord ou nord et sud."),
+        ("Choose north or x-y.", "Choisissez north ou x-y."),
+        (
+            "/d, e/St. Malo/a: it is damaged (no. 1: x).",
+            "/d, e/St. Malo/a\u00a0: il est endommagé (no. 1: x).",
+        ),
+        ("a.las: it is damaged (disk full).", "a.las\u00a0: il est endommagé (disque plein)."),
+        ("It is damaged (x).", "Il est endommagé (x)."),
+        ("It has only 1e+07 points.", "Elle n'a que 1e+07 points."),
         ("\u2013", "\u2013"),
     ],
 )

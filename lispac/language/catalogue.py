@@ -10,6 +10,7 @@ them holds what is true of all. Placeholders stand for what changes:
 - ``{x:n}``: a number
 - ``{x:list}``: texts as in a sentence: a, b and c
 - ``{x:either}``: the same of a choice: a or b
+- ``{x:codes}``: words of options to choose from, which stay: a or b
 - ``{x:foreign}``: words of another program, which stay unless they are known themselves
 - ``{x:file}``: a file or folder, and it stays as it is; where a sentence begins with it, ``:``
   or ``,`` after it, the sentence is also known without it, as it stands beside a file's name
@@ -32,10 +33,10 @@ LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
 
 _NUMBER = r"[+\-\u2212\u00b1]?\d(?:[\d,]*\d)?(?:\.\d+)?(?:e[+-]?\d+)?"
 _PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
-_PLAIN = re.compile(r"[^.,:;{}]+")
+_PLAIN = re.compile(r"[^.:;{}]*(?:, | and | or )[^.:;{}]*")
 MOST_PARTING = 60
 """Letters of a text that may be one of a list though it looks like a list itself."""
-_KINDS = frozenset({"", "kept", "name", "n", "list", "either", "foreign", "file"})
+_KINDS = frozenset({"", "kept", "name", "n", "list", "either", "codes", "foreign", "file"})
 _ABOUT_FILE = re.compile(r"\{(\w+):file\}[:,] ")
 
 
@@ -128,7 +129,7 @@ class Catalogue:
         """Short texts that look like a list: ``latitude and longitude (or ...)``."""
         return tuple(
             text for text in self.exact
-            if " and " in text and len(text) < MOST_PARTING and _PLAIN.fullmatch(text)
+            if len(text) < MOST_PARTING and _PLAIN.fullmatch(text)
         )  # fmt: skip
 
 

@@ -176,6 +176,8 @@ class Translator:
             return _Said(value) if _FILE.fullmatch(value) else None
         if kind == "foreign":
             return _Said(self.catalogue.exact.get(value, value))
+        if kind == "codes":
+            return _Said(value.replace(" or ", f" {self.catalogue.alternative} "))
         if kind in ("list", "either"):
             return self._list(value, " or " if kind == "either" else " and ")
         # What is not known and holds the end of a sentence is more than belongs there

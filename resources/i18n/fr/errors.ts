@@ -43,6 +43,10 @@
         <source>not tested: the sigmas of thesis mode are too small</source>
         <translation>non testé : les écarts-types du mode de la thèse sont trop petits</translation>
     </message>
+    <message>
+        <source>Target {target:kept} has only 1 points on line {line:kept}; a plane needs at least three: pick it again or leave that line out.</source>
+        <translation>La cible {target} n&apos;a qu&apos;un point sur la ligne {line} ; un plan en demande au moins trois : désignez-la de nouveau ou écartez cette ligne.</translation>
+    </message>
 </context>
 <context>
     <name>design</name>
@@ -473,10 +477,6 @@
         <translation>{path} : ses balayages ont des champs différents ; exportez-les un par un.</translation>
     </message>
     <message>
-        <source>{path:file}: the points have no timeStamp (fields: {none:kept}), so they cannot be put on the trajectory; export with time stamps.</source>
-        <translation>{path} : les points n&apos;ont pas de timeStamp (champs : {none}) et ne peuvent donc être placés sur la trajectoire ; exportez avec les temps.</translation>
-    </message>
-    <message>
         <source>{path:file}: the points have no coordinates; export the file again.</source>
         <translation>{path} : les points n&apos;ont pas de coordonnées ; exportez le fichier de nouveau.</translation>
     </message>
@@ -529,28 +529,12 @@
         <translation>{path} : ce fichier ({what}) est vide ; exportez-le de nouveau.</translation>
     </message>
     <message>
-        <source>{path:file}: {size:n} bytes are not a whole number of {record}-byte {what} records (the last one has {record2}); the file is cut short or not {what2}: copy or export it again.</source>
-        <translation>{path} : {size} octets ne font pas un nombre entier d&apos;enregistrements {what} de {record} octets (le dernier en a {record2}) ; le fichier est tronqué ou n&apos;est pas {what2} : copiez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
         <source>{path:file}: this {what} file cannot be read to its end ({error:foreign}); check that the disk is there and nothing else writes to it.</source>
         <translation>{path} : ce fichier ({what}) ne peut être lu jusqu&apos;à sa fin ({error}) ; vérifiez que le disque est là et que rien d&apos;autre n&apos;y écrit.</translation>
     </message>
     <message>
         <source>{path:file}: {what} record {bad:n} holds a value that is not a number ({such}); export it again.</source>
         <translation>{path} : l&apos;enregistrement {what} {bad} contient une valeur qui n&apos;est pas un nombre ({such}) ; exportez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: times stand on steps of {resolution:n} s from {place} on, as if they had gone through 32-bit numbers; export with 64-bit times.</source>
-        <translation>{path} : les temps vont par pas de {resolution} s à partir de {place}, comme s&apos;ils étaient passés par des nombres de 32 bits ; exportez avec des temps de 64 bits.</translation>
-    </message>
-    <message>
-        <source>run backward</source>
-        <translation>reculent</translation>
-    </message>
-    <message>
-        <source>{path:file}: time runs from {time:n} to {time2:n} s at {place} ({counted:list} of {len:n}); times must increase: sort the file or export it again.</source>
-        <translation>{path} : le temps passe de {time} à {time2} s à {place} ({counted} sur {len}) ; les temps doivent croître : triez le fichier ou exportez-le de nouveau.</translation>
     </message>
     <message>
         <source>choose another folder</source>
@@ -881,16 +865,8 @@
         <translation>{path} : illisible comme {what} ({reason}) ; copiez-le ou exportez-le de nouveau.</translation>
     </message>
     <message>
-        <source>{path:file}: this {what} file is empty; copy or export it again.</source>
-        <translation>{path} : ce fichier {what} est vide ; copiez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
         <source>{path:file}: there is no field {wanted:kept}; it has {names:kept}.</source>
         <translation>{path} : il n&apos;y a pas de champ {wanted} ; il a {names}.</translation>
-    </message>
-    <message>
-        <source>{path:file}: no field holds a time (it has {none:kept}), so the points cannot be put on the trajectory; export with time, or name the field.</source>
-        <translation>{path} : aucun champ ne contient un temps (champs : {none}) et les points ne peuvent être placés sur la trajectoire ; exportez avec le temps, ou nommez le champ.</translation>
     </message>
     <message>
         <source>, as where the byte order is another one than the file says</source>
@@ -1017,10 +993,6 @@
         <translation>{path} : le champ {name} contient plus d&apos;une valeur par point.</translation>
     </message>
     <message>
-        <source>{path:file}: the points have no {missing:kept} (fields: {none:kept}); export them with coordinates and time.</source>
-        <translation>{path} : les points n&apos;ont pas {missing} (champs : {none}) ; exportez-les avec les coordonnées et le temps.</translation>
-    </message>
-    <message>
         <source>The time {field:kept} is in whole numbers: state its unit.</source>
         <translation>Le temps {field} est en nombres entiers : indiquez son unité.</translation>
     </message>
@@ -1035,10 +1007,6 @@
     <message>
         <source>{name} has no option {name2:kept}; leave it out.</source>
         <translation>{name} n&apos;a pas d&apos;option {name2} ; ne l&apos;indiquez pas.</translation>
-    </message>
-    <message>
-        <source>{name}: {name2:kept} cannot be {value:kept}; choose {choices:kept}.</source>
-        <translation>{name} : {name2} ne peut être {value} ; choisissez {choices}.</translation>
     </message>
     <message>
         <source>{path:file}: a trajectory needs at least two SBET records, this has one; export more.</source>
@@ -1071,10 +1039,6 @@
     <message>
         <source>{path:file}: an accuracy is negative; this is not an smrmsg file: choose another.</source>
         <translation>{path} : une précision est négative ; ce n&apos;est pas un fichier smrmsg : choisissez-en un autre.</translation>
-    </message>
-    <message>
-        <source>{path:file}: {size:n} bytes are nothing; export it again.</source>
-        <translation>{path} : {size} octets ne sont rien ; exportez-le de nouveau.</translation>
     </message>
     <message>
         <source>{path:file}: {size:n} bytes are not two SBET records; export it again.</source>
@@ -1329,14 +1293,6 @@
         <translation>texte d&apos;un {WHAT}</translation>
     </message>
     <message>
-        <source>{path:file}: the column names given ({none:kept}) lack {missing:kept}; name every column of the file from the left.</source>
-        <translation>{path} : aux noms de colonnes donnés ({none}) il manque {missing} ; nommez chaque colonne du fichier depuis la gauche.</translation>
-    </message>
-    <message>
-        <source>{path:file}, row {number:n}: {len:n} columns where {len2:n} were named ({names:kept}); copy or export it again where it is cut short, or name the columns the file has.</source>
-        <translation>{path}, rangée {number} : {len} colonnes où {len2} ont été nommées ({names}) ; copiez-le ou exportez-le de nouveau s&apos;il est tronqué, ou nommez les colonnes du fichier.</translation>
-    </message>
-    <message>
         <source>{path:file}, row {number:n}: {error:foreign}; rows must be numbers.</source>
         <translation>{path}, rangée {number} : {error} ; les rangées doivent être des nombres.</translation>
     </message>
@@ -1385,18 +1341,6 @@
         <translation>{path} : les rangées doivent être des nombres ({error}).</translation>
     </message>
     <message>
-        <source>{path:file}, row {k:n}: {column:kept} is {column2:foreign};</source>
-        <translation>{path}, rangée {k} : {column} vaut {column2} ;</translation>
-    </message>
-    <message>
-        <source>times above it are as hh:mm:ss.</source>
-        <translation>les temps au-dessus sont en hh:mm:ss.</translation>
-    </message>
-    <message>
-        <source>rows must be numbers.</source>
-        <translation>les rangées doivent être des nombres.</translation>
-    </message>
-    <message>
         <source>{path:file}: this text is UTF-16; save it as UTF-8.</source>
         <translation>{path} : ce texte est en UTF-16 ; enregistrez-le en UTF-8.</translation>
     </message>
@@ -1415,10 +1359,6 @@
     <message>
         <source>{path:file}: this {what} file cannot be read to its end ({strerror:foreign}); check that the disk is there.</source>
         <translation>{path} : ce fichier ({what}) ne peut être lu jusqu&apos;à sa fin ({strerror}) ; vérifiez que le disque est là.</translation>
-    </message>
-    <message>
-        <source>{path:file}, row {row:n}: {len:n} columns where at least {width} are needed; copy or export the file again where it is cut short, or state its columns.</source>
-        <translation>{path}, rangée {row} : {len} colonnes où il en faut au moins {width} ; copiez ou exportez le fichier de nouveau s&apos;il est tronqué, ou indiquez ses colonnes.</translation>
     </message>
     <message>
         <source>{path:file}, row {row:n}: {name:kept} is {index:foreign}, which is not a usable value; check the columns stated, or export the file again.</source>
@@ -1531,10 +1471,6 @@
     <message>
         <source>{path:file}: there is no column of {role}; export it too, or choose another file.</source>
         <translation>{path} : il manque une colonne ({role}) ; exportez-la aussi, ou choisissez un autre fichier.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the columns {none:kept} lack {missing:list}; export these too, or state the columns.</source>
-        <translation>{path} : aux colonnes {none} il manque {missing} ; exportez-les aussi, ou indiquez les colonnes.</translation>
     </message>
     <message>
         <source>{path:file}: the positions are eastings and northings; state their coordinate system (an EPSG code, EPSG:32619 say).</source>
@@ -1841,10 +1777,6 @@
         <translation>{file}, rangée {row}</translation>
     </message>
     <message>
-        <source>{file:file}, row {row:n}: {name:kept}</source>
-        <translation>{file}, rangée {row} : {name}</translation>
-    </message>
-    <message>
         <source>, row {row:n}</source>
         <translation>, rangée {row}</translation>
     </message>
@@ -1859,30 +1791,6 @@
     <message>
         <source>{what:kept} record {k:n}</source>
         <translation>enregistrement {what} {k}</translation>
-    </message>
-    <message>
-        <source>{n:n} such point</source>
-        <translation>{n} tel point</translation>
-    </message>
-    <message>
-        <source>{n:n} such points</source>
-        <translation>{n} tels points</translation>
-    </message>
-    <message>
-        <source>{n:n} such record</source>
-        <translation>{n} tel enregistrement</translation>
-    </message>
-    <message>
-        <source>{n:n} such records</source>
-        <translation>{n} tels enregistrements</translation>
-    </message>
-    <message>
-        <source>{n:n} repeat</source>
-        <translation>{n} se répètent</translation>
-    </message>
-    <message>
-        <source>{n:n} run backward</source>
-        <translation>{n} reculent</translation>
     </message>
     <message>
         <source>{n:n} numbers</source>
@@ -1911,10 +1819,6 @@
     <message>
         <source>name {names:kept} twice</source>
         <translation>nomment {names} deux fois</translation>
-    </message>
-    <message>
-        <source>choose {names:kept}</source>
-        <translation>choisissez {names}</translation>
     </message>
     <message>
         <source>positive {words}</source>
@@ -2397,14 +2301,6 @@
         <translation>m</translation>
     </message>
     <message>
-        <source>easting</source>
-        <translation>est</translation>
-    </message>
-    <message>
-        <source>northing</source>
-        <translation>nord</translation>
-    </message>
-    <message>
         <source>x</source>
         <translation>x</translation>
     </message>
@@ -2423,6 +2319,142 @@
     <message>
         <source>The heading is taken less the wander angle: it then follows the course to {np:n} deg instead of {np2:n}.</source>
         <translation>Le cap est pris moins l&apos;angle de dérive (wander) : il suit alors la route à {np}° au lieu de {np2}°.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {size:n} bytes are not a whole number of {record}-byte {what} records (the last one has {record2}); the file is cut short or not {what2}: copy or export it again.</source>
+        <translation>{path} : {size} octets ne font pas un nombre entier d&apos;enregistrements {what} de {record} octets (le dernier en a {record2}) ; le fichier est tronqué ou d&apos;un autre format que {what2} : copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: times stand on steps of {resolution:n} s from {place} on, as if they had gone through 32-bit numbers; export with 64-bit times.</source>
+        <translation>{path} : les temps vont par pas de {resolution} s ({place} et suivants), comme s&apos;ils étaient passés par des nombres de 32 bits ; exportez avec des temps de 64 bits.</translation>
+    </message>
+    <message>
+        <source>run backward</source>
+        <translation>reculent</translation>
+    </message>
+    <message>
+        <source>{path:file}: time runs from {time:n} to {time2:n} s at {place} ({counted:list} of {len:n}); times must increase: sort the file or export it again.</source>
+        <translation>{path} : le temps passe de {time} à {time2} s ({place}) ; sur {len} temps, {counted} ; les temps doivent croître : triez le fichier ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this {what} file is empty; copy or export it again.</source>
+        <translation>{path} : ce fichier ({what}) est vide ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {size:n} bytes are nothing; export it again.</source>
+        <translation>{path} : un fichier de {size} octets est vide ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {number:n}: {len:n} columns where {len2:n} were named ({names:kept}); copy or export it again where it is cut short, or name the columns the file has.</source>
+        <translation>{path}, rangée {number} : nombre de colonnes {len}, alors que {len2} ont été nommées ({names}) ; copiez-le ou exportez-le de nouveau s&apos;il est tronqué, ou nommez les colonnes du fichier.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: {len:n} columns where at least {width} are needed; copy or export the file again where it is cut short, or state its columns.</source>
+        <translation>{path}, rangée {row} : nombre de colonnes {len}, alors qu&apos;il en faut au moins {width} ; copiez ou exportez le fichier de nouveau s&apos;il est tronqué, ou indiquez ses colonnes.</translation>
+    </message>
+    <message>
+        <source>{name}: {name2:kept} cannot be {value:kept}; choose {choices:codes}.</source>
+        <translation>{name} : {name2} ne peut être {value} ; choisissez {choices}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points have no timeStamp (fields: {none:foreign}), so they cannot be put on the trajectory; export with time stamps.</source>
+        <translation>{path} : les points n&apos;ont pas de timeStamp (champs : {none}) et ne peuvent donc être placés sur la trajectoire ; exportez avec les temps.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no field holds a time (it has {none:foreign}), so the points cannot be put on the trajectory; export with time, or name the field.</source>
+        <translation>{path} : aucun champ ne contient un temps (champs : {none}) et les points ne peuvent être placés sur la trajectoire ; exportez avec le temps, ou nommez le champ.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points have no {missing:kept} (fields: {none:foreign}); export them with coordinates and time.</source>
+        <translation>{path} : les points n&apos;ont pas {missing} (champs : {none}) ; exportez-les avec les coordonnées et le temps.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the column names given ({none:foreign}) lack {missing:kept}; name every column of the file from the left.</source>
+        <translation>{path} : aux noms de colonnes donnés ({none}) il manque {missing} ; nommez chaque colonne du fichier depuis la gauche.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the columns {none:foreign} lack {missing:list}; export these too, or state the columns.</source>
+        <translation>{path} : aux colonnes {none} il manque {missing} ; exportez-les aussi, ou indiquez les colonnes.</translation>
+    </message>
+    <message>
+        <source>{n:n} such point</source>
+        <translation>{n} point de ce genre</translation>
+    </message>
+    <message>
+        <source>{n:n} such points</source>
+        <translation>{n} points de ce genre</translation>
+    </message>
+    <message>
+        <source>{n:n} such record</source>
+        <translation>{n} enregistrement de ce genre</translation>
+    </message>
+    <message>
+        <source>{n:n} such records</source>
+        <translation>{n} enregistrements de ce genre</translation>
+    </message>
+    <message>
+        <source>1 repeat</source>
+        <translation>1 se répète</translation>
+    </message>
+    <message>
+        <source>{n:n} repeat</source>
+        <translation>{n} se répètent</translation>
+    </message>
+    <message>
+        <source>1 run backward</source>
+        <translation>1 recule</translation>
+    </message>
+    <message>
+        <source>{n:n} run backward</source>
+        <translation>{n} reculent</translation>
+    </message>
+    <message>
+        <source>choose {names:codes}</source>
+        <translation>choisissez {names}</translation>
+    </message>
+    <message>
+        <source>easting</source>
+        <translation>la coordonnée est</translation>
+    </message>
+    <message>
+        <source>northing</source>
+        <translation>la coordonnée nord</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(aucune)</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {k:n}: {column:kept} is {value:foreign}; rows must be numbers.</source>
+        <translation>{path}, rangée {k} : {column} vaut {value} ; les rangées doivent être des nombres.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {k:n}: {column:kept} is {value:foreign}; times above it are as hh:mm:ss.</source>
+        <translation>{path}, rangée {k} : {column} vaut {value} ; les temps au-dessus sont en hh:mm:ss.</translation>
+    </message>
+    <message>
+        <source>{file:file}, row {row:n}: {said}</source>
+        <translation>{file}, rangée {row} : {said}</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>cylindre</translation>
+    </message>
+    <message>
+        <source>board</source>
+        <translation>panneau</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>mur</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>boule</translation>
     </message>
 </context>
 <context>
@@ -2708,19 +2740,19 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Il n&apos;y a pas de système nommé {key} ; choisissez parmi : {known}.</translation>
     </message>
     <message>
-        <source>{where}: {error:foreign}; give a matrix of 3x3 or 4x4 numbers.</source>
+        <source>{where:kept}: {error:foreign}; give a matrix of 3x3 or 4x4 numbers.</source>
         <translation>{where} : {error} ; donnez une matrice de 3x3 ou 4x4 nombres.</translation>
     </message>
     <message>
-        <source>{where}: {size} numbers are no 3x3 or 4x4 matrix; give 9 or 16.</source>
+        <source>{where:kept}: {size} numbers are no 3x3 or 4x4 matrix; give 9 or 16.</source>
         <translation>{where} : {size} nombres ne font pas une matrice 3x3 ou 4x4 ; donnez-en 9 ou 16.</translation>
     </message>
     <message>
-        <source>{where}: the last row of a 4x4 matrix is 0 0 0 1; give rows, not columns.</source>
+        <source>{where:kept}: the last row of a 4x4 matrix is 0 0 0 1; give rows, not columns.</source>
         <translation>{where} : la dernière rangée d&apos;une matrice 4x4 est 0 0 0 1 ; donnez des rangées, pas des colonnes.</translation>
     </message>
     <message>
-        <source>{where}: a number of the lever arm is not finite; correct it.</source>
+        <source>{where:kept}: a number of the lever arm is not finite; correct it.</source>
         <translation>{where} : un nombre du bras de levier n&apos;est pas fini ; corrigez-le.</translation>
     </message>
     <message>
@@ -2792,10 +2824,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{height} : {name} n&apos;est pas un système de hauteurs ; donnez ellipsoid, le code EPSG d&apos;un système vertical, ou une grille de géoïde (.gtx, .tif).</translation>
     </message>
     <message>
-        <source>{height_unit:kept}: not a unit; choose {UNITS:kept}.</source>
-        <translation>{height_unit} : pas une unité ; choisissez {UNITS}.</translation>
-    </message>
-    <message>
         <source>{short:kept}: not a geographic coordinate system; the datum of a trajectory is one such as EPSG:7912 (ITRF2014).</source>
         <translation>{short} : pas un système de coordonnées géographiques ; le référentiel d&apos;une trajectoire en est un, tel que EPSG:7912 (ITRF2014).</translation>
     </message>
@@ -2844,6 +2872,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : la moitié des points sont à plus de {farthest} km de l&apos;origine (jusqu&apos;à {np} m) ; ils ne sont donc pas dans le repère du scanneur : n&apos;indiquez pas de repère, ou indiquez frame=georeferenced et le système de coordonnées ; vérifiez l&apos;unité.</translation>
     </message>
     <message>
+        <source>{path:file}: this part of an imported line is damaged ({said:foreign})</source>
+        <translation>{path} : cette partie d&apos;une ligne importée est endommagée ({said})</translation>
+    </message>
+    <message>
         <source>{path:file}: this part of an imported line is damaged ({said:foreign}); import the line again.</source>
         <translation>{path} : cette partie d&apos;une ligne importée est endommagée ({said}) ; importez la ligne de nouveau.</translation>
     </message>
@@ -2852,8 +2884,16 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : fait par une version plus récente du programme ; mettez celui-ci à jour.</translation>
     </message>
     <message>
+        <source>{path:file}: the imported line is damaged ({error:foreign})</source>
+        <translation>{path} : la ligne importée est endommagée ({error})</translation>
+    </message>
+    <message>
         <source>{path:file}: the imported line is damaged ({error:foreign}); import the line again.</source>
         <translation>{path} : la ligne importée est endommagée ({error}) ; importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of the imported line {line:kept} {found}</source>
+        <translation>{path} : cette partie de la ligne importée {line} {found}</translation>
     </message>
     <message>
         <source>{path:file}: this part of the imported line {line:kept} {found}; import the line again.</source>
@@ -2922,6 +2962,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{path:file}: this part of an imported line cannot be read ({error:foreign}); check the disk, or import the line again.</source>
         <translation>{path} : cette partie d&apos;une ligne importée ne peut être lue ({error}) ; vérifiez le disque, ou importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of an imported line has changed since (its checksum does not hold)</source>
+        <translation>{path} : cette partie d&apos;une ligne importée a changé depuis (sa somme de contrôle n&apos;est plus la bonne)</translation>
     </message>
     <message>
         <source>{path:file}: this part of an imported line has changed since (its checksum does not hold); import the line again.</source>
@@ -3034,14 +3078,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{told}: {name:kept} stands for all its realizations, and only each of these is tied to {name2:kept}. Give the system on the realization that the survey is in (the latest are {named:foreign}) with the date of the survey as a decimal year{apart}.</source>
         <translation>{told} : {name} désigne toutes ses réalisations, et seule chacune de celles-ci est liée à {name2}. Donnez le système sur la réalisation du levé (les plus récentes sont {named}) avec la date du levé en année décimale{apart}.</translation>
-    </message>
-    <message>
-        <source>by their values they are {fitting:either}: state {fitting2:kept}, or leave it unstated</source>
-        <translation>d&apos;après leurs valeurs, ce sont {fitting} : indiquez {fitting2}, ou n&apos;indiquez rien</translation>
-    </message>
-    <message>
-        <source>{told}; by their values these could also be {names:either}, where the points lie inside: make sure what the trajectory counts, and state it ({options:kept}).</source>
-        <translation>{told} ; d&apos;après leurs valeurs, ceux-ci pourraient aussi être {names}, où les points sont à l&apos;intérieur : assurez-vous de ce que compte la trajectoire et indiquez-le ({options}).</translation>
     </message>
     <message>
         <source>{base} do not tell the date; state the date.</source>
@@ -3226,6 +3262,18 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>leans {n:n} deg with its right side up</source>
         <translation>penche de {n}°, côté droit (tribord) en haut</translation>
+    </message>
+    <message>
+        <source>by their values they are {fitting:either}: state {fitting2:codes}, or leave it unstated</source>
+        <translation>d&apos;après leurs valeurs, ce sont {fitting} : indiquez {fitting2}, ou n&apos;indiquez rien</translation>
+    </message>
+    <message>
+        <source>{height_unit:kept}: not a unit; choose {UNITS:codes}.</source>
+        <translation>{height_unit} : pas une unité ; choisissez {UNITS}.</translation>
+    </message>
+    <message>
+        <source>{told}; by their values these could also be {names:either}, where the points lie inside: make sure what the trajectory counts, and state it ({options:codes}).</source>
+        <translation>{told} ; d&apos;après leurs valeurs, ceux-ci pourraient aussi être {names}, où les points sont à l&apos;intérieur : assurez-vous de ce que compte la trajectoire et indiquez-le ({options}).</translation>
     </message>
 </context>
 <context>
@@ -3519,10 +3567,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>A worker that came later</source>
         <translation>Un travailleur arrivé plus tard</translation>
-    </message>
-    <message>
-        <source>{said}; {first} comes first, then {second}: exchange the two</source>
-        <translation>{said} ; {first} vient d&apos;abord, puis {second} : échangez les deux</translation>
     </message>
     <message>
         <source>{said}; give metres north, west and up from its origin, or a coordinate system</source>
@@ -4221,8 +4265,16 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{there} : il y a déjà ici des fichiers qu&apos;aucun enregistrement inachevé n&apos;a laissés ; choisissez un autre dossier, ou retirez-les.</translation>
     </message>
     <message>
+        <source>{path:file}: this part of the imported line {name:kept} is missing</source>
+        <translation>{path} : cette partie de la ligne importée {name} manque</translation>
+    </message>
+    <message>
         <source>{path:file}: this part of the imported line {name:kept} is missing; import the line again.</source>
         <translation>{path} : cette partie de la ligne importée {name} manque ; importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this part of the imported line {name:kept} has changed since (its checksum does not hold)</source>
+        <translation>{path} : cette partie de la ligne importée {name} a changé depuis (sa somme de contrôle n&apos;est plus la bonne)</translation>
     </message>
     <message>
         <source>{path:file}: this part of the imported line {name:kept} has changed since (its checksum does not hold); import the line again.</source>
@@ -4515,6 +4567,14 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{path:file}: its points ({times:n} to {times2:n} s) lie outside the trajectory ({known:n} to {known2:n} s); check the date and the time base, or leave the line out. {told}</source>
         <translation>{path} : ses points (de {times} à {times2} s) sont hors de la trajectoire (de {known} à {known2} s) ; vérifiez la date et la base de temps, ou écartez la ligne. {told}</translation>
+    </message>
+    <message>
+        <source>{said}; {first} comes first, then {second}: exchange the two</source>
+        <translation>{said} ; {first} vient d&apos;abord, puis {second} : échangez les deux</translation>
+    </message>
+    <message>
+        <source>{file:file}, row {row:n}: {name:kept}: the coordinates {numbers:kept} cannot be used: {said}.</source>
+        <translation>{file}, rangée {row} : {name} : les coordonnées {numbers} ne peuvent servir : {said}.</translation>
     </message>
 </context>
 </TS>
