@@ -2498,10 +2498,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : cette image ne peut être lue ({strerror}).</translation>
     </message>
     <message>
-        <source>Heights are above the vessel&apos;s POS. The distance is from the middle of the site to the line; off wall: the least on the way; straight from, to: metres along the line before and after the middle is abeam. Keep course and speed there. The order of the lines counts. Hang the boards flat and firm: the sigmas rest on their not moving by a millimetre.</source>
-        <translation>Les hauteurs sont au-dessus du POS du navire. La distance va du milieu du site à la ligne ; au mur : la plus petite en chemin ; droit de, à : mètres le long de la ligne avant et après le travers du milieu. Tenez-y cap et vitesse. L&apos;ordre des lignes compte. Posez les panneaux bien plans et solidement : les écarts-types supposent qu&apos;ils ne bougent pas d&apos;un millimètre.</translation>
-    </message>
-    <message>
         <source>Lines, in this order</source>
         <translation>Lignes, dans cet ordre</translation>
     </message>
@@ -2652,6 +2648,18 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>Fewest lines that show every error: {sets:foreign}.</source>
         <translation>Le moins de lignes qui montrent toutes les erreurs : {sets}.</translation>
+    </message>
+    <message>
+        <source>Heights are above the vessel&apos;s POS. The distance is from the middle of the site to the line; off wall: the least on the way; straight from, to: metres along the line before and after the middle is abeam. Keep course and speed there. The order of the lines counts. Hang the boards flat and firm: the sigmas rest on their not moving by a millimetre. Headings are from true north. Along is counted to the right from the middle of the site: mark it on the wall first.</source>
+        <translation>Les hauteurs sont au-dessus du POS du navire. La distance va du milieu du site à la ligne ; au mur : la plus petite en chemin ; droit de, à : mètres le long de la ligne avant et après le travers du milieu. Tenez-y cap et vitesse. L&apos;ordre des lignes compte. Posez les panneaux bien plans et solidement : les écarts-types supposent qu&apos;ils ne bougent pas d&apos;un millimètre. Les caps sont comptés du nord vrai. « Le long » se compte vers la droite depuis le milieu du site : marquez-le d&apos;abord sur le mur.</translation>
+    </message>
+    <message>
+        <source>And {others} more like these.</source>
+        <translation>Et {others} autres du même genre.</translation>
+    </message>
+    <message>
+        <source>Expected with a POS of {mm:kept} mm (north, east, up) and {deg:kept} deg (roll, pitch, heading), and targets flat to {flatness:n} mm.</source>
+        <translation>Attendu avec un POS de {mm} mm (nord, est, haut) et {deg}° (roulis, tangage, cap), et des cibles planes à {flatness} mm près.</translation>
     </message>
 </context>
 <context>
@@ -3507,10 +3515,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>Selecting the points again, round {x} of {rounds}</source>
         <translation>Nouvelle sélection des points, tour {x} sur {rounds}</translation>
-    </message>
-    <message>
-        <source>A process of this run ended from outside, perhaps for want of memory; start again with fewer --workers.</source>
-        <translation>Un processus de ce calcul a été arrêté de l&apos;extérieur, peut-être faute de mémoire ; recommencez avec moins de --workers.</translation>
     </message>
     <message>
         <source>{in_gaps:n} points in gaps of the trajectory or where its pitch is beyond 80 deg</source>
@@ -4575,6 +4579,22 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{file:file}, row {row:n}: {name:kept}: the coordinates {numbers:kept} cannot be used: {said}.</source>
         <translation>{file}, rangée {row} : {name} : les coordonnées {numbers} ne peuvent servir : {said}.</translation>
+    </message>
+    <message>
+        <source>A process of this run ended from outside, perhaps for want of memory; close other programs, or use fewer processes (--workers), and start again.</source>
+        <translation>Un processus de ce calcul a été arrêté de l&apos;extérieur, peut-être faute de mémoire ; fermez d&apos;autres programmes, ou employez moins de processus (--workers), et recommencez.</translation>
+    </message>
+    <message>
+        <source>Line {k:n} would run through the wall, to {off:n} m behind it: sail it farther off, or turn it.</source>
+        <translation>La ligne {k} traverserait le mur, jusqu&apos;à {off} m derrière lui : parcourez-la plus loin, ou tournez-la.</translation>
+    </message>
+    <message>
+        <source>Line {k:n} comes within {off:n} m of the wall where it is straight: sail it farther off, or turn it.</source>
+        <translation>La ligne {k} passe à {off} m du mur là où elle est droite : parcourez-la plus loin, ou tournez-la.</translation>
+    </message>
+    <message>
+        <source>{one:kept} and {other:kept} hang over each other: move one of them.</source>
+        <translation>{one} et {other} se recouvrent : déplacez l&apos;un des deux.</translation>
     </message>
 </context>
 </TS>
