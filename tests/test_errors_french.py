@@ -180,3 +180,47 @@ def test_what_errors_hold_is_in_its_place(english: str, said: str) -> None:
     say = Translator(FRENCH, spoken_numbers=True)
     assert say(english) == said
     assert say.unknown == ()
+
+
+COMPOSED = [
+    "L1.las: 5 points outside the trajectory's time and 3 points in gaps of the trajectory or "
+    "where its pitch is beyond 80 deg, of 1,000, are left out",
+    "T1 shares points with T2: 40 % of its points on L1 are the same. Keep one of the two: they "
+    "would count twice.",
+    "T1 is the surface of T2 already: 40 % of the points of T2 on L1 are the same. Keep one of the "
+    "two.",
+    "Seen on 6 lines; one of the two that tell most of the boresight, with sigmas of roll 0.012°, "
+    "pitch 0.020°, yaw 0.030°.",
+    "Flat over 2.3 m², seen on 6 lines, opposite ones among them, 3 m high. Poor on L1: Its RMS of "
+    "12 mm is 4 times the noise: it is rough or not flat.",
+    "quay: only 1 flat surface is seen on two lines or more (2 more are not flat, 1 more is seen "
+    "poorly); set seeds on the targets, or put up boards.",
+    "The scanner looks 2.00 deg bow down, is turned 0.40 deg to starboard and leans 0.50 deg with "
+    "its left side up.",
+    "The scanner's optical centre is 0.186 m aft of, 0.038 m to port of and 2.419 m above the POS "
+    "centre.",
+    "/p/quay: the disk is full; make room (about 3.1 GB while importing) or move the project to a "
+    "larger disk, then import the line again.",
+    "L1.las: No point lies within the trajectory: the line is 1.0 to 2.0 s, the trajectory 5.0 to "
+    "6.0 s, 3 s before it starts. (2 more files have errors.)",
+    "Times restart at the end of the week (after 604,799.994 s): counted on by 604800 s.",
+    "+18.000 s are added to its times, from UTC seconds of the week (stated) to the trajectory's "
+    "GPS seconds of the week (as its values suggest), with the leap seconds of today, 18 s, as "
+    "neither tells the date; +19.000 s would fit as well: make sure of the day.",
+    "Points in GPS seconds of the day fit the trajectory in GPS seconds of the week after adding "
+    "432,000.000 s, with 100 % of the points inside it; by the times alone a further shift of "
+    "+18.000 s or +86,400.000 s fits as well.",
+    "Line 2 (L3) was not sailed: with it the sigma of yaw would be 0.0100 instead of 0.0200 deg.",
+    "quay differs from those before it (roll by +0.1000 deg, 3.2 of its sigmas): the mounting has "
+    "moved, or one of the calibrations is wrong. A new series begins.",
+    "Left out: quay: it has no date; lispac identity quay --dates, or Details for the report, "
+    "gives it one.",
+]
+"""What several functions make together, as `told` sees the parts of alone."""
+
+
+@pytest.mark.parametrize("english", COMPOSED)
+def test_what_is_put_together_is_said_whole(english: str) -> None:
+    say = Translator(FRENCH, {"T1", "T2", "L1", "L3", "quay"}, spoken_numbers=True)
+    assert say(english) != english
+    assert say.unknown == ()

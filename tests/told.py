@@ -44,7 +44,10 @@ def _in(node: ast.AST, at_once: bool) -> Iterator[tuple[int, str]]:
         return
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
         return  # a docstring
-    if not at_once and isinstance(node, ast.Call) and _name(node) in NEVER_CALLED:
+    if isinstance(node, ast.Call) and _name(node) in NEVER_CALLED:
+        if at_once:
+            for argument in (*node.args, *(each.value for each in node.keywords)):
+                yield from _beside_a_bar(argument)
         return
     if isinstance(node, ast.Constant | ast.JoinedStr):
         for text in _texts(node):
@@ -56,6 +59,16 @@ def _in(node: ast.AST, at_once: bool) -> Iterator[tuple[int, str]]:
         return
     for child in ast.iter_child_nodes(node):
         yield from _in(child, at_once)
+
+
+def _beside_a_bar(argument: ast.expr) -> Iterator[tuple[int, str]]:
+    """What is said of a step: also a single word."""
+    if isinstance(argument, ast.Constant | ast.JoinedStr):
+        for text in _texts(argument):
+            if re.search(r"[^\W\d_]{2}", text):
+                yield argument.lineno, text
+    else:
+        yield from _in(argument, at_once=True)
 
 
 def _name(error: ast.expr | None) -> str:

@@ -47,6 +47,26 @@
         <source>Target {target:kept} has only 1 points on line {line:kept}; a plane needs at least three: pick it again or leave that line out.</source>
         <translation>La cible {target} n&apos;a qu&apos;un point sur la ligne {line} ; un plan en demande au moins trois : désignez-la de nouveau ou écartez cette ligne.</translation>
     </message>
+    <message>
+        <source>Cross-checking: {what} {name:kept}</source>
+        <translation>Vérification croisée : {what} {name}</translation>
+    </message>
+    <message>
+        <source>Cross-checking: {what}</source>
+        <translation>Vérification croisée : {what}</translation>
+    </message>
+    <message>
+        <source>Adjusting: iteration {n:n}</source>
+        <translation>Compensation : itération {n}</translation>
+    </message>
+    <message>
+        <source>Cross-checking: half first</source>
+        <translation>Vérification croisée : première moitié</translation>
+    </message>
+    <message>
+        <source>Cross-checking: half second</source>
+        <translation>Vérification croisée : seconde moitié</translation>
+    </message>
 </context>
 <context>
     <name>design</name>
@@ -4117,10 +4137,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : aucun de ses points n&apos;est dans le temps de la trajectoire ; vérifiez la date et la base de temps, ou écartez la ligne.</translation>
     </message>
     <message>
-        <source>coordinates in {words}</source>
-        <translation>coordonnées en {words}</translation>
-    </message>
-    <message>
         <source>columns as named: {meant:list}</source>
         <translation>colonnes telles que nommées : {meant}</translation>
     </message>
@@ -4595,6 +4611,194 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{one:kept} and {other:kept} hang over each other: move one of them.</source>
         <translation>{one} et {other} se recouvrent : déplacez l&apos;un des deux.</translation>
+    </message>
+    <message>
+        <source>{name:kept} {same}: {share:n} % of {whose} on {line:kept} are the same. Keep one of the two: they would count twice.</source>
+        <translation>{name} {same} : {share} % {whose} sur {line} sont les mêmes. Gardez-en un seul : ils compteraient deux fois.</translation>
+    </message>
+    <message>
+        <source>{name:kept} {same}: {share:n} % of {whose} on {line:kept} are the same. Keep one of the two: a validation plane on a target checks nothing.</source>
+        <translation>{name} {same} : {share} % {whose} sur {line} sont les mêmes. Gardez-en un seul : un plan de validation sur une cible ne contrôle rien.</translation>
+    </message>
+    <message>
+        <source>roll {n:n}°</source>
+        <translation>roulis {n}°</translation>
+    </message>
+    <message>
+        <source>pitch {n:n}°</source>
+        <translation>tangage {n}°</translation>
+    </message>
+    <message>
+        <source>yaw {n:n}°</source>
+        <translation>lacet {n}°</translation>
+    </message>
+    <message>
+        <source>{name:kept}: only {few:n} flat surfaces are seen on two lines or more ({others:list}); set seeds on the targets, or put up boards.</source>
+        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus ({others}) ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: only {few:n} flat surface is seen on two lines or more ({others:list}); set seeds on the targets, or put up boards.</source>
+        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus ({others}) ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+    </message>
+    <message>
+        <source>{n:n} more are not flat</source>
+        <translation>{n} autres ne sont pas planes</translation>
+    </message>
+    <message>
+        <source>{n:n} more is not flat</source>
+        <translation>{n} autre n&apos;est pas plane</translation>
+    </message>
+    <message>
+        <source>{n:n} more are seen poorly</source>
+        <translation>{n} autres sont mal vues</translation>
+    </message>
+    <message>
+        <source>{n:n} more is seen poorly</source>
+        <translation>{n} autre est mal vue</translation>
+    </message>
+    <message>
+        <source>No point lies within the trajectory: the line is {span}, the trajectory {reach}, {apart:n} s {where}.</source>
+        <translation>Aucun point n&apos;est dans la trajectoire : la ligne va de {span}, la trajectoire de {reach} ; la ligne est {apart} s {where}.</translation>
+    </message>
+    <message>
+        <source>No point lies within the trajectory (line {span}, trajectory {reach}).</source>
+        <translation>Aucun point n&apos;est dans la trajectoire (ligne {span}, trajectoire {reach}).</translation>
+    </message>
+    <message>
+        <source>{file:file}: {said} ({more:n} more files have errors.)</source>
+        <translation>{file} : {said} ({more} autres fichiers ont des erreurs.)</translation>
+    </message>
+    <message>
+        <source>{file:file}: {said} ({more:n} more file has errors.)</source>
+        <translation>{file} : {said} ({more} autre fichier a des erreurs.)</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nom</translation>
+    </message>
+    <message>
+        <source>Target {name:kept} is used on no line, so nothing compares it; {other} another line or leave the target out.</source>
+        <translation>La cible {name} n&apos;est employée sur aucune ligne, rien ne la compare donc ; {other} une autre ligne ou écartez la cible.</translation>
+    </message>
+    <message>
+        <source>coordinates in the local frame</source>
+        <translation>coordonnées : repère local</translation>
+    </message>
+    <message>
+        <source>coordinates in the local frame, metres</source>
+        <translation>coordonnées : repère local, en mètres</translation>
+    </message>
+    <message>
+        <source>coordinates in {words:kept}</source>
+        <translation>coordonnées : {words}</translation>
+    </message>
+    <message>
+        <source>No such file or directory.</source>
+        <translation>fichier ou dossier introuvable.</translation>
+    </message>
+    <message>
+        <source>Permission denied.</source>
+        <translation>accès refusé.</translation>
+    </message>
+    <message>
+        <source>No space left on device.</source>
+        <translation>le disque est plein.</translation>
+    </message>
+    <message>
+        <source>Is a directory.</source>
+        <translation>c&apos;est un dossier.</translation>
+    </message>
+    <message>
+        <source>Not a directory.</source>
+        <translation>ce n&apos;est pas un dossier.</translation>
+    </message>
+    <message>
+        <source>File name too long.</source>
+        <translation>nom de fichier trop long.</translation>
+    </message>
+    <message>
+        <source>Read-only file system.</source>
+        <translation>disque en lecture seule.</translation>
+    </message>
+    <message>
+        <source>Input/output error.</source>
+        <translation>erreur d&apos;entrée-sortie.</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded.</source>
+        <translation>quota de disque dépassé.</translation>
+    </message>
+    <message>
+        <source>Scenario: {what}</source>
+        <translation>Scénario : {what}</translation>
+    </message>
+    <message>
+        <source>Writing {name:kept}</source>
+        <translation>Écriture de {name}</translation>
+    </message>
+    <message>
+        <source>Copying {name:kept}</source>
+        <translation>Copie de {name}</translation>
+    </message>
+    <message>
+        <source>Cutting {name:kept}</source>
+        <translation>Coupe de {name}</translation>
+    </message>
+    <message>
+        <source>Georeferencing {name:kept}</source>
+        <translation>Géoréférencement de {name}</translation>
+    </message>
+    <message>
+        <source>Placing {name:kept}</source>
+        <translation>Mise en place de {name}</translation>
+    </message>
+    <message>
+        <source>Reading {name:kept}</source>
+        <translation>Lecture de {name}</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulé</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>dessin</translation>
+    </message>
+    <message>
+        <source>Scenario: lines</source>
+        <translation>Scénario : lignes</translation>
+    </message>
+    <message>
+        <source>Scenario: inclination</source>
+        <translation>Scénario : inclinaison</translation>
+    </message>
+    <message>
+        <source>Scenario: size</source>
+        <translation>Scénario : taille</translation>
+    </message>
+    <message>
+        <source>Scenario: targets</source>
+        <translation>Scénario : cibles</translation>
+    </message>
+    <message>
+        <source>Scenario: distance</source>
+        <translation>Scénario : distance</translation>
+    </message>
+    <message>
+        <source>Scenario: height</source>
+        <translation>Scénario : hauteur</translation>
+    </message>
+    <message>
+        <source>Scenario: repeats</source>
+        <translation>Scénario : répétitions</translation>
+    </message>
+    <message>
+        <source>Scenario: speed</source>
+        <translation>Scénario : vitesse</translation>
+    </message>
+    <message>
+        <source>Scenario: POS</source>
+        <translation>Scénario : POS</translation>
     </message>
 </context>
 </TS>
