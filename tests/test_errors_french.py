@@ -15,8 +15,9 @@ ROOT = Path(__file__).resolve().parents[1] / "lispac"
 MODULES = sorted(
     path.relative_to(ROOT).as_posix()
     for path in ROOT.rglob("*.py")
-    if path.relative_to(ROOT).parts[0] not in ("gui", "cli")
+    if path.relative_to(ROOT).parts[0] not in ("gui", "cli", "scripting")
 )
+"""Those of all rooms whose texts the window shows: a script is told of its errors in English."""
 
 NOT_SAID: dict[str, set[str]] = {
     "regular expressions": {
@@ -80,6 +81,30 @@ NOT_SAID: dict[str, set[str]] = {
         "7 mm and 7 deg at 7 deg",
         "Why is not known",
         "7. The lines differ by 7.",
+    },
+    "the script of a project, and what its comments say, which is Python with English names": {
+        "folder / 7.json",
+        "folder / 7.pdf",
+        "Steps of the project 7, as LISPAC 7 wrote them.",
+        "Run it with the Python that LISPAC is installed in: python SCRIPT FOLDER makes the "
+        "project in that folder, python SCRIPT in the one named below.",
+        "import sys",
+        "from pathlib import Path",
+        "import lispac",
+        "folder = Path(sys.argv[1] if len(sys.argv) > 1 else 7-again)",
+        "data = Path(7)",
+        "The script needs what is not there now: 7.",
+        "The project has angles, but estimating them is refused now: 7",
+        "The angles of the project differ from those of this script, by up to 7 deg (7): after a "
+        "sighting was left out they followed with the points as they were selected before, or "
+        "another version found them. Estimate again in the project to have those of the script.",
+        "The reference 7 was not found beside the lines: put its path into the step project.check, "
+        "with its sigma and crs where they were chosen, and take the # away.",
+        "The check against 7 gives other numbers so: its coordinates were taken to be in 7. Put "
+        "crs, sigma and what else was chosen then into the step project.check.",
+        "points of it were added or taken away by hand",
+        "its seed leads to other points now: it was found with other lines, another prior "
+        "boresight, or proposed",
     },
     "options of the command line, said as they are typed": {"--trajectory-option time=7"},
     "names in a simulated scene": {

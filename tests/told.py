@@ -8,7 +8,7 @@ from pathlib import Path
 
 PLACE = "7"
 """Stands for what the program puts into a sentence."""
-FOR_PROGRAMMERS = {"ValueError", "AssertionError"}
+FOR_PROGRAMMERS = {"ValueError", "AssertionError", "AttributeError"}
 """Errors that no user is shown."""
 NEVER_SHOWN = FOR_PROGRAMMERS | {"InputError", "ProjectError", "LispacError"}
 """Errors that stop a command and are kept nowhere."""

@@ -2476,6 +2476,14 @@
         <source>ball</source>
         <translation>boule</translation>
     </message>
+    <message>
+        <source>{path:file}: line {number:n} is no sound vertex ({text:foreign}); export the mesh again.</source>
+        <translation>{path} : la ligne {number} n&apos;est pas un sommet correct ({text}) ; exportez le maillage de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: line {number:n} is no sound face ({text:foreign}); export the mesh again.</source>
+        <translation>{path} : la ligne {number} n&apos;est pas une face correcte ({text}) ; exportez le maillage de nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>report</name>
@@ -4799,6 +4807,50 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>Scenario: POS</source>
         <translation>Scénario : POS</translation>
+    </message>
+    <message>
+        <source>A report is written as {known:kept}, not as {form:kept}.</source>
+        <translation>Un rapport s&apos;écrit en {known}, et non en {form}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory; use shorter lines.</source>
+        <translation>Il n&apos;y a pas assez de mémoire ; employez des lignes plus courtes.</translation>
+    </message>
+    <message>
+        <source>A target needs a name; {old:kept} keeps its own.</source>
+        <translation>Une cible a besoin d&apos;un nom ; {old} garde le sien.</translation>
+    </message>
+    <message>
+        <source>There is a {new:kept} already; give {old:kept} another name.</source>
+        <translation>{new} existe déjà ; donnez un autre nom à {old}.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: its points on {line:kept} were chosen in another file, or the trajectory covers others of them now; bring the file back, or pick it again.</source>
+        <translation>{name} : ses points sur {line} ont été choisis dans un autre fichier, ou la trajectoire en couvre d&apos;autres maintenant ; remettez le fichier en place, ou désignez de nouveau.</translation>
+    </message>
+    <message>
+        <source>{what:kept}: {line:kept} has points 0 to {last:n}, and number {asked:n} is asked for.</source>
+        <translation>{what} : {line} a les points 0 à {last}, et le numéro {asked} est demandé.</translation>
+    </message>
+    <message>
+        <source>Numbers of points: these are more than {most:n}; correct them.</source>
+        <translation>Numéros de points : il y en a plus de {most} ; corrigez-les.</translation>
+    </message>
+    <message>
+        <source>Numbers of points: {text:foreign} is neither a number nor a first number and how many follow, such as 12+40.</source>
+        <translation>Numéros de points : {text} n&apos;est ni un numéro, ni un premier numéro et combien le suivent, comme 12+40.</translation>
+    </message>
+    <message>
+        <source>Trying the seed of {name:kept}</source>
+        <translation>Essai du germe de {name}</translation>
+    </message>
+    <message>
+        <source>Script made</source>
+        <translation>Script établi</translation>
+    </message>
+    <message>
+        <source>{file:file}: with {title:kept} the survey takes {takes:n} hours, and no more than {most:n} are simulated; correct run_in_m and run_out_m, or the vessel&apos;s speed_m_s, transit_s and wait_s.</source>
+        <translation>{file} : avec {title}, le levé prend {takes} heures, et l&apos;on n&apos;en simule pas plus de {most} ; corrigez run_in_m et run_out_m, ou speed_m_s, transit_s et wait_s du navire.</translation>
     </message>
 </context>
 </TS>
