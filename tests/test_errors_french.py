@@ -93,15 +93,6 @@ NOT_SAID: dict[str, set[str]] = {
         "import lispac",
         "folder = Path(sys.argv[1] if len(sys.argv) > 1 else 7-again)",
         "data = Path(7)",
-        "The script needs what is not there now: 7.",
-        "The project has angles, but estimating them is refused now: 7",
-        "The angles of the project differ from those of this script, by up to 7 deg (7): after a "
-        "sighting was left out they followed with the points as they were selected before, or "
-        "another version found them. Estimate again in the project to have those of the script.",
-        "The reference 7 was not found beside the lines: put its path into the step project.check, "
-        "with its sigma and crs where they were chosen, and take the # away.",
-        "The check against 7 gives other numbers so: its coordinates were taken to be in 7. Put "
-        "crs, sigma and what else was chosen then into the step project.check.",
         "points of it were added or taken away by hand",
         "its seed leads to other points now: it was found with other lines, another prior "
         "boresight, or proposed",

@@ -3746,7 +3746,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>Left out: {name:kept}: {why}; lispac identity {name2:kept} --dates, or Details for the report, gives it one.</source>
-        <translation>Laissé de côté : {name} : {why} ; lispac identity {name2} --dates, ou « Details for the report », lui en donne une.</translation>
+        <translation>Laissé de côté : {name} : {why} ; lispac identity {name2} --dates, ou « Détails pour le rapport », lui en donne une.</translation>
     </message>
     <message>
         <source>{len:n} calibrations of {len2:n} systems</source>
@@ -4851,6 +4851,26 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{file:file}: with {title:kept} the survey takes {takes:n} hours, and no more than {most:n} are simulated; correct run_in_m and run_out_m, or the vessel&apos;s speed_m_s, transit_s and wait_s.</source>
         <translation>{file} : avec {title}, le levé prend {takes} heures, et l&apos;on n&apos;en simule pas plus de {most} ; corrigez run_in_m et run_out_m, ou speed_m_s, transit_s et wait_s du navire.</translation>
+    </message>
+    <message>
+        <source>The script needs what is not there now: {gone:foreign}.</source>
+        <translation>Le script a besoin de ce qui n&apos;est pas là maintenant : {gone}.</translation>
+    </message>
+    <message>
+        <source>The project has angles, but estimating them is refused now: {why}</source>
+        <translation>Le projet a des angles, mais leur estimation est refusée maintenant : {why}</translation>
+    </message>
+    <message>
+        <source>The angles of the project differ from those of this script, by up to {n:n} deg ({angles:foreign}): after a sighting was left out they followed with the points as they were selected before, or another version found them. Estimate again in the project to have those of the script.</source>
+        <translation>Les angles du projet diffèrent de ceux de ce script, jusqu&apos;à {n}° ({angles}) : après la mise à l&apos;écart d&apos;une vue, ils ont suivi avec les points tels qu&apos;ils étaient choisis avant, ou une autre version les a trouvés. Estimez de nouveau dans le projet pour avoir ceux du script.</translation>
+    </message>
+    <message>
+        <source>The reference {name:kept} was not found beside the lines: put its path into the step project.check, with its sigma and crs where they were chosen, and take the # away.</source>
+        <translation>La référence {name} n&apos;a pas été trouvée à côté des lignes : mettez son chemin dans l&apos;étape project.check, avec sigma et crs s&apos;ils ont été choisis, et enlevez le #.</translation>
+    </message>
+    <message>
+        <source>The check against {name:kept} gives other numbers so: its coordinates were taken to be in {system:kept}. Put crs, sigma and what else was chosen then into the step project.check.</source>
+        <translation>Le contrôle avec {name} donne ainsi d&apos;autres chiffres : ses coordonnées ont été supposées en {system}. Mettez crs, sigma et ce qui avait été choisi d&apos;autre dans l&apos;étape project.check.</translation>
     </message>
 </context>
 </TS>
