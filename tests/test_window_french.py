@@ -11,6 +11,8 @@ ROOT = Path(__file__).resolve().parents[1] / "lispac"
 
 MODULES = [
     "gui/docks.py",
+    "gui/logbook.py",
+    "gui/notifying.py",
     "gui/dialogs/questions.py",
     "gui/safekeeping.py",
 ]

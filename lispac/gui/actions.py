@@ -89,6 +89,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
     "english": ("&English", "English", "", "", "The window in English"),
     "french": ("&Français", "Français", "", "", "La fenêtre en français"),
+    "log_file": ("Open the &log file", "Log file", "", "",
+                 "What happened and when, with the details of every error"),
     "about": ("&About LISPAC", "About", "information-outline", "", "Version and conventions"),
 }  # fmt: skip
 
@@ -139,7 +141,7 @@ _MENUS: dict[str, Menu] = {
     ),
     "&Adjust": ("estimate", "", "subsampling", "visibility", "design", "", "cancel"),
     "Va&lidate": ("validate", "check", "", "budget", "history"),
-    "&Help": ("keys", "about"),
+    "&Help": ("keys", "", "log_file", "about"),
 }
 _TOOLBAR = (
     "new", "open", "save", "", "undo", "redo", "", "seed_target", "seed_validation", "", "estimate",

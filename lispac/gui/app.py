@@ -5,7 +5,6 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from types import TracebackType
 
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
@@ -31,20 +30,14 @@ def main(argv: Sequence[str] | None = None) -> int:
     application.setApplicationVersion(lispac.__version__)
 
     # Imported when the application exists: VTK and Qt set up their graphics together.
+    from lispac.gui.logbook import Logbook
     from lispac.gui.session import Session
     from lispac.gui.viewport.vtk import VtkViewport
 
     session = Session(application, VtkViewport)
 
-    def unforeseen(
-        _kind: type[BaseException], error: BaseException, _trace: TracebackType | None
-    ) -> None:
-        if isinstance(error, KeyboardInterrupt):
-            application.quit()
-        else:
-            session.window.dialogs.show_error(error)
-
-    sys.excepthook = unforeseen
+    logbook = Logbook(session.log_folder, session.tell_unforeseen)
+    logbook.begin()
     if arguments.project is not None:
         QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
     elif (crashed := session.left_by_a_crash()) is not None:
@@ -54,7 +47,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         return application.exec()
     finally:
-        sys.excepthook = sys.__excepthook__
+        logbook.end()
 
 
 def _no_screen() -> bool:

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QCloseEvent
+from PySide6.QtCore import QSize, Qt, QUrl, Signal
+from PySide6.QtGui import QCloseEvent, QDesktopServices
 from PySide6.QtWidgets import QMainWindow
 
 from lispac.gui import docks, status
@@ -17,7 +17,10 @@ from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
 from lispac.gui.language import language, say
 from lispac.gui.life import ProjectLife
+from lispac.gui.logbook import LOG
+from lispac.gui.logbook import NAME as LOG_NAME
 from lispac.gui.looking import Looking
+from lispac.gui.notifying import Notifying
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import TITLE as CONVENTION
 from lispac.gui.panels.convention import ConventionPanel
@@ -109,6 +112,7 @@ class MainWindow(QMainWindow):
         Scripting(self)
         self.designing = Designing(self)
         self.safekeeping = Safekeeping(self)
+        self.notifying = Notifying(self, self.runner)
         FileDrops(self).dropped.connect(self.life.take_in)
         if document is None:
             self.showing.refresh()
@@ -223,6 +227,7 @@ class MainWindow(QMainWindow):
             "english": lambda: self._speak("en"),
             "french": lambda: self._speak("fr"),
             "keys": self.dialogs.shortcuts,
+            "log_file": self._open_log_file,
             "about": self.dialogs.about,
         }.items():
             actions[name].triggered.connect(lambda _=False, slot=slot: slot())
@@ -244,6 +249,7 @@ class MainWindow(QMainWindow):
         )
 
     def _note(self, text: str) -> None:
+        LOG.info(text)
         self.log.note(text)
         self.task_bar.showMessage(say(text), NOTE_MS)
 
@@ -252,6 +258,11 @@ class MainWindow(QMainWindow):
     def open_project(self, path: Path) -> None:
         """Open a project, after asking about changes to the present one."""
         self.life.open_project(path)
+
+    def _open_log_file(self) -> None:
+        file = self.settings.folder / LOG_NAME
+        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(file))):
+            self._note(f"No program is set up to open {file}")
 
     def _list_recent(self) -> None:
         self.life.list_recent(self.actions_.recent)

@@ -7,7 +7,7 @@ same document: the project, its data and every undo step stay.
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui import theme
@@ -28,6 +28,8 @@ class Session(QObject):
     settings, dialogs : others than the user's own, for tests
     """
 
+    _unforeseen = Signal(object)
+
     def __init__(
         self,
         application: QApplication,
@@ -36,6 +38,8 @@ class Session(QObject):
         dialogs: Dialogs | None = None,
     ) -> None:
         super().__init__(application)
+        # Queued: a thread may not open a dialogue
+        self._unforeseen.connect(self._show_error, Qt.ConnectionType.QueuedConnection)
         self._application, self._viewport = application, viewport
         self._settings, self._dialogs = settings or AppSettings(), dialogs or Dialogs()
         self.window = self._made(None)
@@ -51,12 +55,27 @@ class Session(QObject):
         window.activateWindow()
         return window
 
+    @property
+    def log_folder(self) -> Path:
+        """Where the log file goes."""
+        return self._settings.folder
+
+    def tell_unforeseen(self, error: BaseException) -> None:
+        """Show an exception that nothing has caught, in whatever thread it was."""
+        if isinstance(error, KeyboardInterrupt):
+            self._application.quit()
+        else:
+            self._unforeseen.emit(error)
+
     def left_by_a_crash(self) -> Path | None:
         """The project with unsaved work that the program did not come to close."""
         folder = self._settings.left_open
         if folder is None or not (folder / UNSAVED_NAME).is_file():
             return None
         return folder
+
+    def _show_error(self, error: BaseException) -> None:
+        self.window.dialogs.show_error(error)
 
     def renew(self) -> None:
         """Put a window in the language and looks of the settings in place of this one."""

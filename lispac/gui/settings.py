@@ -28,6 +28,7 @@ class AppSettings:
             QStandardPaths.StandardLocation.GenericCacheLocation
         )
         path = Path(cache) / "lispac" / "window.ini" if file is None else file
+        self.folder = path.parent
         self._store = QSettings(str(path), QSettings.Format.IniFormat)
 
     def recent(self) -> list[Path]:

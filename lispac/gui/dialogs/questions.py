@@ -4,8 +4,10 @@ from typing import Literal
 
 from PySide6.QtWidgets import QMessageBox, QPushButton, QWidget
 
-from lispac.gui.dialogs.error import error_box
+from lispac.errors import LispacError
+from lispac.gui.dialogs.error import describe, error_box
 from lispac.gui.language import say
+from lispac.gui.logbook import LOG
 
 Answer = Literal["save", "discard", "cancel"]
 CandidateAnswer = Literal["accept", "reject", "cancel"]
@@ -137,6 +139,7 @@ class Questions:
 
     def show_error(self, error: BaseException) -> None:
         """Say what went wrong; a second error while one is shown does not pile up."""
+        LOG.error(describe(error)[0], exc_info=None if isinstance(error, LispacError) else error)
         if self._error_open:
             return
         self._error_open = True

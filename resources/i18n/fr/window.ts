@@ -151,4 +151,31 @@
         <translation>Sans enregistrement, ce qui a été modifié depuis est perdu.</translation>
     </message>
 </context>
+<context>
+    <name>logbook</name>
+    <message>
+        <source>Open the &amp;log file</source>
+        <translation>Ouvrir le fichier &amp;journal</translation>
+    </message>
+    <message>
+        <source>Log file</source>
+        <translation>Fichier journal</translation>
+    </message>
+    <message>
+        <source>What happened and when, with the details of every error</source>
+        <translation>Ce qui s&apos;est passé et quand, avec les détails de chaque erreur</translation>
+    </message>
+    <message>
+        <source>No program is set up to open {file:kept}</source>
+        <translation>Aucun programme n&apos;est prévu pour ouvrir {file}</translation>
+    </message>
+    <message>
+        <source>{title}: done after {time}</source>
+        <translation>{title} : terminé après {time}</translation>
+    </message>
+    <message>
+        <source>{title}: failed after {time}</source>
+        <translation>{title} : échec après {time}</translation>
+    </message>
+</context>
 </TS>

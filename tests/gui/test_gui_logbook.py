@@ -1,0 +1,111 @@
+"""Nothing is silent: errors of threads and of Qt, and the end of long work."""
+
+import logging
+import threading
+import time
+import warnings
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import qWarning
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import notifying
+from lispac.gui.logbook import Logbook
+from lispac.gui.notifying import Notifying
+from lispac.gui.tasks import Task
+from tests.gui.support import WAIT_MS, Driver
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+def test_what_nobody_would_see_is_in_the_log_file(tmp_path: Path) -> None:
+    told: list[BaseException] = []
+    before = (threading.excepthook, logging.getLogger("lispac").handlers[:])
+    book = Logbook(tmp_path / "made", told.append)
+    book.begin()
+    try:
+        thread = threading.Thread(target=lambda: 1 / 0)
+        thread.start()
+        thread.join()
+        qWarning("a widget is not happy")
+        with warnings.catch_warnings():
+            warnings.simplefilter("always")
+            logging.captureWarnings(False)
+            logging.captureWarnings(True)
+            warnings.warn("a library is not happy", stacklevel=1)
+        logging.getLogger("lispac").info("Opened harbour")
+    finally:
+        book.end()
+    assert [type(error) for error in told] == [ZeroDivisionError]
+    written = book.file.read_text(encoding="utf-8")
+    for words in ("WARNING Qt: a widget", "a library is not happy", "INFO Opened harbour"):
+        assert words in written
+    assert threading.excepthook is threading.__excepthook__
+    assert logging.getLogger("lispac").handlers == before[1]
+
+
+def test_an_error_is_written_down_with_its_origin(tmp_path: Path, driver: Driver) -> None:
+    book = Logbook(tmp_path, driver.dialogs.show_error)
+    book.begin()
+    try:
+        driver.window.controller.noted.emit("Opened a project")
+
+        def work(_progress: object) -> None:
+            raise KeyError("no such thing")
+
+        driver.window.runner.failed.connect(
+            lambda error: logging.getLogger("lispac").error("seen", exc_info=error)
+        )
+        driver.window.runner.run("Working", work, lambda _value: None)
+        driver.rest()
+    finally:
+        book.end()
+    written = book.file.read_text(encoding="utf-8")
+    assert "INFO Opened a project" in written
+    assert "KeyError: 'no such thing'" in written
+    assert "test_gui_logbook.py" in written
+
+
+def test_a_folder_that_cannot_be_written_stops_nothing(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    book = Logbook(tmp_path / "file", lambda _error: None)
+    book.begin()
+    logging.getLogger("lispac").info("nowhere")
+    book.end()
+
+
+@pytest.mark.parametrize("ending", ["done", "failed", "cancelled", "short"])
+def test_the_end_of_long_work_is_told_elsewhere(
+    driver: Driver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, ending: str
+) -> None:
+    monkeypatch.setattr(notifying, "LONG", 30.0 if ending == "short" else 0.05)
+    told: list[str] = []
+    Notifying(driver.window, driver.window.runner, told.append)
+    other = QWidget()
+    qtbot.addWidget(other)
+    other.show()
+    other.activateWindow()
+    qtbot.waitUntil(other.isActiveWindow, timeout=WAIT_MS)
+
+    def work(progress) -> None:
+        time.sleep(0.1)
+        if ending == "failed":
+            raise ValueError("no")
+        progress(0.5, "")
+
+    task: Task = driver.window.runner.run("Working", work, lambda _value: None)
+    if ending == "cancelled":
+        task.cancel.set()
+    driver.rest()
+    expected = {"done": ["Working: done after"], "failed": ["Working: failed after"]}
+    assert [words.rpartition(" after")[0] + " after" for words in told] == expected.get(ending, [])
+
+
+def test_one_who_is_there_is_not_told(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(notifying, "LONG", 0.0)
+    told: list[str] = []
+    Notifying(driver.window, driver.window.runner, told.append)
+    driver.window.runner.run("Working", lambda _progress: None, lambda _value: None)
+    driver.rest()
+    assert told == []
