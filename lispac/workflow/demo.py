@@ -21,9 +21,10 @@ from lispac.workflow.simulate import (
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
-LIDAR_SIGMA = 0.0017
+LIDAR_SIGMA = 0.0019
 """Metres: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005 deg at 15 m),
-seen along the normals of the two boards and averaged over the six lines."""
+seen along the normals of the two boards: the root mean square over all points that six lines have
+of them."""
 
 MARKER = "demo"
 
