@@ -232,6 +232,6 @@ class Actions(QObject):
         elif keys:
             action.setShortcut(QKeySequence(keys))
         shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(say(f"{tip} ({shown})" if shown else tip))
+        action.setToolTip(f"{say(tip)} ({shown})" if shown else say(tip))
         action.setStatusTip(say(tip))
         return action

@@ -67,7 +67,19 @@ def say(text: str) -> str:
     """The text in the user's language; names, and what is not known, stay as they are."""
     if not text or language() == "en":
         return text
+    if "\n" in text and (whole := _own.with_its_lines(text)) is not None:
+        return whole
     return "".join(piece if k % 2 else _said(piece) for k, piece in enumerate(_PIECE.split(text)))
+
+
+def say_sentences(texts: Iterable[str]) -> list[str]:
+    """Phrases that begin small and end without a full stop, as sentences."""
+    return [f"{said[:1].upper()}{said[1:].rstrip('.')}." for said in map(say, texts)]
+
+
+def pieces(text: str) -> list[str]:
+    """The parts of a text that are said by themselves: its lines, paragraphs and cells."""
+    return [bare for piece in _PIECE.split(text)[::2] if (bare := piece.strip(" "))]
 
 
 def _said(piece: str) -> str:

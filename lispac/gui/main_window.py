@@ -15,7 +15,7 @@ from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
-from lispac.gui.language import language, say
+from lispac.gui.language import language, leave_alone, say
 from lispac.gui.life import ProjectLife
 from lispac.gui.logbook import LOG
 from lispac.gui.logbook import NAME as LOG_NAME
@@ -86,6 +86,9 @@ class MainWindow(QMainWindow):
         self.viewport = viewport
         self.document = document or Document()
         self.document.setParent(self)
+        # Before anyone shows what changed
+        for changed in (self.document.survey_changed, self.document.changed):
+            changed.connect(lambda: leave_alone(self.document.project))
         self.runner = TaskRunner(self)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)

@@ -11,7 +11,7 @@ COLOURED = {name: f"colour_{name}" for name in COLOURINGS}
 """Action of each colouring."""
 
 VIEW_ACTIONS: dict[str, Described] = {
-    "fit": ("&Fit all", "Fit", "fit-to-page-outline", "F", "Bring everything into view"),
+    "fit": ("&Fit all", "Fit all", "fit-to-page-outline", "F", "Bring everything into view"),
     "fit_selection": ("Fit &selection", "Selection", "target", "Shift+F",
                       "Bring the selected target or sighting into view"),
     "isometric": ("&Isometric", "3D", "cube-outline", "1", "Look from above at an angle"),

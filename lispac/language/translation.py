@@ -97,6 +97,19 @@ class Translator:
         """The same of what may be a name."""
         return text if text in self._names else self(text)
 
+    def with_its_lines(self, text: str) -> str | None:
+        """A text of several lines by an entry that has them; None where none says all of it."""
+        if text in self.catalogue.exact:
+            return self.catalogue.exact[text]
+        count = text.count("\n")
+        for template in self.catalogue.templates:
+            if count and template.english.count("\n") == count:
+                for values in template.matches(text):
+                    said = self._filled(template, values)
+                    if said is not None and not said.unknown:
+                        return said.text
+        return None
+
     def _whole(self, text: str) -> _Said:
         """The text said, or kept and counted as unknown."""
         return self._known(text) or _Said(text, (text,))

@@ -8,6 +8,7 @@ from matplotlib.dates import AutoDateLocator, ConciseDateFormatter, date2num
 from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
+from lispac.language.translation import Say, unchanged
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.validation.control_chart import Charted, limits
 from lispac.validation.repeatability import NORMAL_95
@@ -18,7 +19,10 @@ HALF = 0.35
 
 
 def control_figure(
-    days: Sequence[date], charted: Sequence[Charted], figure: Figure | None = None
+    days: Sequence[date],
+    charted: Sequence[Charted],
+    figure: Figure | None = None,
+    say: Say = unchanged,
 ) -> Figure:
     """Each angle with its 95 % interval, and the limits that those before it set for it.
 
@@ -51,7 +55,7 @@ def control_figure(
                 at[own], values[own], yerr=reach[own], fmt="o", markersize=4, color=colour,
                 elinewidth=1.0, capsize=2.5,
             )  # fmt: skip
-        dress(axes, "", f"{angle.capitalize()} (deg)")
+        dress(axes, "", say(f"{angle.capitalize()} (deg)"))
     for x, each in zip(at, charted, strict=True):
         panels[0].annotate(
             short_name(each.calibration.name), (x, 1.0), xycoords=("data", "axes fraction"),
@@ -64,8 +68,10 @@ def control_figure(
     formatter = ConciseDateFormatter(locator)  # type: ignore[no-untyped-call]
     panels[-1].xaxis.set_major_formatter(formatter)
     figure.supxlabel(
-        "Dot and bar: a calibration with its 95 % interval (brown: the mounting has moved). Line "
-        "and band:\nmean of those before, and three sigmas of the difference.",
+        say(
+            "Dot and bar: a calibration with its 95 % interval (brown: the mounting has moved). "
+            "Line and band:\nmean of those before, and three sigmas of the difference."
+        ),
         fontsize=TEXT, color=INK,
     )  # fmt: skip
     return figure

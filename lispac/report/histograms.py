@@ -39,7 +39,11 @@ class _Counted:
 
 
 def histogram_figure(
-    comparison: PlaneComparison, figure: Figure | None = None, *, share: bool = False
+    comparison: PlaneComparison,
+    figure: Figure | None = None,
+    *,
+    share: bool = False,
+    say: Say = unchanged,
 ) -> Figure:
     """Distances between lines on one validation plane, before and after over each other.
 
@@ -60,7 +64,7 @@ def histogram_figure(
         NEAR * after.p95,
     )
     told = f"{comparison.pooled_from}, {comparison.model.in_words}"
-    return _drawn(figure, comparison.name, told, counted, share)
+    return _drawn(figure, comparison.name, told, counted, share, say)
 
 
 def validation_figure(plane: ValidationPlane, say: Say = unchanged) -> Figure:

@@ -14,13 +14,15 @@ from lispac.validation.results import PlaneComparison
 SHARES = ("median", "p95")
 
 
-def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
+def profile_figure(
+    comparison: PlaneComparison, figure: Figure | None = None, say: Say = unchanged
+) -> Figure:
     """Median (full) and 95th percentile (dashed) of the distances, before and after."""
     profiles = [
         None if each is None else Against.of(each)
         for each in (comparison.by_height, comparison.by_range)
     ]
-    return _profiles(figure, comparison.name, profiles)
+    return _profiles(figure, comparison.name, profiles, say)
 
 
 def profile_figure_of(plane: ValidationPlane, say: Say = unchanged) -> Figure:

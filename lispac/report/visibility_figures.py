@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from lispac.adjustment.shown import capitalised, parameter
+from lispac.language.translation import Say, unchanged
 from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank, dress
 from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
 from lispac.simulation.visibility_study import THRESHOLD, Visibility
@@ -74,7 +75,11 @@ def _as_high(axes: Axes, values: Array, least: float) -> None:
 
 
 def visibility_figure(
-    found: Visibility, error: str, criterion: str, figure: Figure | None = None
+    found: Visibility,
+    error: str,
+    criterion: str,
+    figure: Figure | None = None,
+    say: Say = unchanged,
 ) -> Figure:
     """One criterion of one error: six lines over the inclination of the board.
 
@@ -101,9 +106,11 @@ def visibility_figure(
     for k, heading in enumerate(HEADINGS_DEG):
         axes.plot(
             inclinations, values[k], color=LINE_COLOURS[k], linewidth=WIDTHS[k],
-            marker="o", markersize=WIDTHS[k] + 1.5, label=f"{heading} deg",
+            marker="o", markersize=WIDTHS[k] + 1.5, label=say(f"{heading} deg"),
         )  # fmt: skip
-    dress(axes, "Inclination of the board (deg; positive leans to the vessel)", shown.label)
+    dress(
+        axes, say("Inclination of the board (deg; positive leans to the vessel)"), say(shown.label)
+    )
     if criterion == "type-one":
         axes.axhline(THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
         axes.set_ylim(-0.05, 1.05)
@@ -112,7 +119,7 @@ def visibility_figure(
     axes.set_xticks(inclinations[:: 3 if len(inclinations) > 20 else 1])
     axes.set_xlim(inclinations[0] - 5, inclinations[-1] + 5)
     axes.set_title(
-        f"{error_in_words(error)}, {found.site.name}. {shown.title}",
+        f"{say(error_in_words(error))}, {say(found.site.name)}. {say(shown.title)}",
         fontsize=TEXT + 1, color=INK, loc="left",
     )  # fmt: skip
     figure.legend(

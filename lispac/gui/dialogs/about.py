@@ -17,7 +17,7 @@ def about_box(parent: QWidget | None) -> QMessageBox:
     box = QMessageBox(parent)
     box.setObjectName("about_dialog")
     box.setWindowTitle(say("About LISPAC"))
-    box.setText(say(f"<h3>LISPAC {lispac.__version__}</h3>"))
+    box.setText(f"<h3>LISPAC {lispac.__version__}</h3>")
     box.setInformativeText(
         say(
             "<p>Boresight calibration of a LiDAR and an INS/GNSS on a vessel, with honest "
@@ -41,7 +41,8 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     columns.setSpacing(32)
     # The first two headings have about as many rows as the others together.
     for parts in (KEYS[:2], KEYS[2:]):
-        column = widgets.label("".join(map(_keys, parts)))
+        column = widgets.label()
+        column.setText("".join(map(_keys, parts)))
         columns.addWidget(column, 0, Qt.AlignmentFlag.AlignTop)
     layout.addLayout(columns)
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
@@ -52,8 +53,8 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
 
 def _keys(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
     rows = "".join(
-        f"<tr><td style='white-space: nowrap'><b>{keys}</b>&nbsp;&nbsp;&nbsp;</td>"
-        f"<td style='white-space: nowrap'>{what}</td></tr>"
+        f"<tr><td style='white-space: nowrap'><b>{say(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
+        f"<td style='white-space: nowrap'>{say(what)}</td></tr>"
         for keys, what in part[1]
     )
-    return f"<h4>{part[0]}</h4><table cellspacing='3'>{rows}</table>"
+    return f"<h4>{say(part[0])}</h4><table cellspacing='3'>{rows}</table>"

@@ -93,7 +93,7 @@ class CheckDialog(QDialog):
         known = self.system.findData("")
         if known >= 0:  # what the lines are in says nothing of the reference
             self.system.removeItem(known)
-        self.system.insertItem(0, AS_STATED, "")
+        self.system.insertItem(0, say(AS_STATED), "")
         self.system.setCurrentIndex(0)
         self.height = QLineEdit()
         self.height.setObjectName("check_height")
@@ -175,7 +175,7 @@ class CheckedDialog(StudyDialog):
         self.show_rows([_row(each) for each in (*found.lines, found.together)])
         unseen = [f"Not compared: {reason}" for reason in found.not_compared]
         self.said.setText(say("\n".join([*found.in_words, *unseen])))
-        absolute_figure(found, figure=self.figure())
+        absolute_figure(found, say, self.figure())
         self.resize(1000, 760)
 
 

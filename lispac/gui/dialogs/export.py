@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import InputError, LispacError
 from lispac.gui import theme
 from lispac.gui.dialogs.system_choice import HEIGHTS, REST_MS, system_box, system_text
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say, say_all, say_sentences
 from lispac.gui.panels import widgets
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
@@ -225,20 +225,21 @@ class ExportDialog(QDialog):
             field.setEnabled(not local and bool(self._system_text))
         good = bool(self.folder.text().strip())
         try:
-            text = self._meaning()
-            role = "error" if DOUBT in text else "muted"
+            meaning = self._meaning()
+            text = " ".join(say_sentences(meaning))
+            role = "error" if any(DOUBT in each for each in meaning) else "muted"
         except LispacError as error:
-            text, role, good = str(error), "error", False
-        self.said.setText(say(text))
+            text, role, good = say(str(error)), "error", False
+        self.said.setText(text)
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
         self.said.style().polish(self.said)
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
 
-    def _meaning(self) -> str:
+    def _meaning(self) -> Sequence[str]:
         if self._what == "trajectory":
-            return _sentences([trajectory_datum_words(self._project)])
-        local = "Metres North, West and Up from the project's origin."
+            return [trajectory_datum_words(self._project)]
+        local = ["Metres North, West and Up from the project's origin."]
         if self._what == "planes":
             return local
         height = self._height
@@ -247,7 +248,7 @@ class ExportDialog(QDialog):
         )
         if found is None:
             return local
-        return _sentences([*(found.assumptions or (found.name,)), EPOCH_WORDS])
+        return [*(found.assumptions or (found.name,)), EPOCH_WORDS]
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(
@@ -255,7 +256,3 @@ class ExportDialog(QDialog):
         )
         if chosen:
             self.folder.setText(chosen)
-
-
-def _sentences(said: Sequence[str]) -> str:
-    return ". ".join(some[:1].upper() + some[1:] for some in said) + "."

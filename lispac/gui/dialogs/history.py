@@ -70,6 +70,7 @@ class HistoryDialog(StudyDialog):
             [each.day for each in history.entries],
             [each.charted for each in history.entries],
             self.figure(),
+            say,
         )
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(say(f"Control chart of {history.system.in_words}"))

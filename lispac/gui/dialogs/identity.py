@@ -101,7 +101,8 @@ def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
         field = QLineEdit(text)
     field.setObjectName(f"identity_{name}")
     field.setAccessibleName(say(LABELS[name]))
-    field.setToolTip(say(f"{HINTS[name][:1].upper()}{HINTS[name][1:]}"))
+    hint = say(HINTS[name])
+    field.setToolTip(f"{hint[:1].upper()}{hint[1:]}")
     return field
 
 

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QWid
 from lispac.errors import InputError, ProjectError
 from lispac.gui import theme
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say
+from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
 from lispac.gui.wishes import Wishes
 from lispac.io.text_table import coordinate, coordinates_in
@@ -109,8 +109,8 @@ class SeedDialog(QDialog):
             try:
                 text = self._meaning()
             except (InputError, ProjectError) as error:
-                role, text = "error", str(error)
-        self.said.setText(say(text))
+                role, text = "error", say(str(error))
+        self.said.setText(text)
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
         self.said.style().polish(self.said)
@@ -150,17 +150,18 @@ class SeedDialog(QDialog):
         point = np.array([value for value in values if value is not None])
         if len(point) < 3:
             missing = [axis for axis, value in zip(axes, values, strict=True) if value is None]
-            return f"Still to be given: {', '.join(missing)}."
+            return say(f"Still to be given: {', '.join(missing)}.")
         place = require_near(point, system, self._trajectory, name)
         self._place = (float(place[0]), float(place[1]), float(place[2]))
         distance = float(away(place[None], self._trajectory)[0])
-        words = f"{distance:,.1f} m from the trajectory."
+        words = say(f"{distance:,.1f} m from the trajectory.")
         if system is not None:
             north, west, up = place
-            words = (
-                f"In the local frame {north:.3f} m north, {west:.3f} m west, {up:.3f} m up; {words}"
-                f" {'. '.join(some[:1].upper() + some[1:] for some in system.assumptions)}."
+            words = say(
+                f"In the local frame {north:.3f} m north, {west:.3f} m west, {up:.3f} m up; "
+                f"{distance:,.1f} m from the trajectory."
             )
+            words = " ".join([words, *say_sentences(system.assumptions)])
         return words
 
 

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import LispacError
 from lispac.gui import theme
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say, say_all, say_sentences
 from lispac.gui.panels import widgets
 from lispac.project import Project, Role
 from lispac.survey.trajectory import LocalTrajectory
@@ -112,16 +112,16 @@ class SeedListDialog(QDialog):
         if self.choice.waiting:
             role, text = "muted", ""
         elif self.choice.problem:
-            text = self.choice.problem
+            text = say(self.choice.problem)
         else:
             try:
                 self._read = read_seeds(
                     self._path, self._project, self._trajectory, self.choice.system, columns=columns
                 )
-                role, text = "muted", _sentences(self._read.notes)
+                role, text = "muted", " ".join(say_sentences(self._read.notes))
             except LispacError as error:
-                text = str(error)
-        self.said.setText(say(text))
+                text = say(str(error))
+        self.said.setText(text)
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
         self.said.style().polish(self.said)
@@ -219,7 +219,7 @@ def _set_row(
     table: QTableWidget, row: int, name: QTableWidgetItem, role: str, numbers: Sequence[str],
     remark: str,
 ) -> None:  # fmt: skip
-    items = [QTableWidgetItem(number) for number in numbers]
+    items = [QTableWidgetItem(say(number)) for number in numbers]
     for item in items:
         item.setTextAlignment(Right)
         item.setFont(theme.tabular(table.font()))
@@ -227,7 +227,3 @@ def _set_row(
     last.setToolTip(say(remark))
     for column, item in enumerate((name, QTableWidgetItem(say(role)), *items, last)):
         table.setItem(row, column, item)
-
-
-def _sentences(said: Sequence[str]) -> str:
-    return " ".join(f"{some[:1].upper()}{some[1:]}." for some in said)

@@ -162,7 +162,7 @@ class Dialogs(Questions):
         """A file of a plan, a site or a field plan, to read or to write."""
         title, kind, writes = DESIGN_FILES[what]
         ask = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
-        name, _ = ask(self.parent, title, str(start), kind)
+        name, _ = ask(self.parent, say(title), str(start), say(kind))
         if not name:
             return None
         path = Path(name)
@@ -220,7 +220,7 @@ class Dialogs(Questions):
         """Where a picture goes; the ending chooses its kind, else the filter does."""
         filters = ";;".join(f"{kind} (*.{kind.lower()})" for kind in kinds)
         name, chosen = QFileDialog.getSaveFileName(
-            self.parent, "Save the picture", str(start), filters
+            self.parent, say("Save the picture"), str(start), filters
         )
         if not name:
             return None

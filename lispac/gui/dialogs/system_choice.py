@@ -37,7 +37,7 @@ def system_box(
         items.insert(0, (f"As the lines' files – {own.name}", ""))
     items.insert(0 if local_first else len(items), (LOCAL_WORDS, LOCAL))
     for words, code in items:
-        found.addItem(words, code)
+        found.addItem(say(words), code)
     return found
 
 

@@ -125,17 +125,15 @@ class VisibilityDialog(StudyDialog):
             self.error.setCurrentIndex(self._shown.site.errors.index(key[0]))
 
     def _draw(self) -> None:
-        from lispac.report.visibility_figures import visibility_figure
+        from lispac.report.visibility_figures import error_in_words, visibility_figure
 
         found, error, criterion = self._drawn
-        visibility_figure(found, error, criterion, self.figure())
+        visibility_figure(found, error, criterion, self.figure(), say)
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(
-            say(f"{self.criterion.currentText()}, {self.error.currentText()}")
-        )
+        self.canvas.setAccessibleName(f"{self.criterion.currentText()}, {self.error.currentText()}")
         self.reading.setText(say(READ))
         why = self._why[self.error.currentIndex()]
-        about = f"{self.error.currentText()} beside the thesis: {why}\n" if why else ""
+        about = f"{error_in_words(error)} beside the thesis: {why}\n" if why else ""
         self.said.setText(say(f"{about}{self._for_all}"))
 
     def _read(self, event) -> None:
@@ -151,4 +149,4 @@ class VisibilityDialog(StudyDialog):
 
         table = plot_table(*self._drawn)
         lines = [[column.title for column in table.columns], *table.rows]
-        return "\n".join("\t".join(line) for line in lines) + "\n"
+        return "\n".join("\t".join(map(say, line)) for line in lines) + "\n"

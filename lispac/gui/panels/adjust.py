@@ -189,7 +189,7 @@ class AdjustPanel(QWidget):
         field = QApplication.focusWidget()
         if hidden and field is not None and self.isAncestorOf(field):
             # The label may be scrolled out of sight; the sentence is wanted where one types.
-            QToolTip.showText(field.mapToGlobal(QPoint(0, field.height())), sentence, field)
+            QToolTip.showText(field.mapToGlobal(QPoint(0, field.height())), say(sentence), field)
 
     def show_count(self, kept: int | None, total: int, sightings: int, reason: str = "") -> None:
         """The live count; None while it is being counted, or where ``reason`` says why not."""

@@ -34,7 +34,7 @@ class _Sentence(QLabel):
     """A wrapped sentence that keeps its height: a form with hidden rows squeezes it."""
 
     def __init__(self, text: str, name: str) -> None:
-        super().__init__(text)
+        super().__init__(say(text))
         self.setObjectName(name)
         self.setProperty("role", "muted")
         self.setWordWrap(True)
@@ -74,7 +74,7 @@ class ModelSettings(QWidget):
             "What is done with points that lie far off their surface",
         )  # fmt: skip
         for k, (_, _, tip) in enumerate(LOSSES):
-            self.loss.setItemData(k, tip, Qt.ItemDataRole.ToolTipRole)
+            self.loss.setItemData(k, say(tip), Qt.ItemDataRole.ToolTipRole)
         self.loss.currentIndexChanged.connect(self.changed)
         form.addRow(say("Stray points"), self.loss)
         self.noise = widgets.Choice(
@@ -188,7 +188,7 @@ class ModelSettings(QWidget):
             words.append("variance components")
         if self.one_facing.isChecked():
             words.append("one facing accepted")
-        return ", ".join(words)
+        return ", ".join(map(say, words))
 
     def _all(self, fields, where: str):
         values = [field.value() for field in fields]

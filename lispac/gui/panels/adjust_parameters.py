@@ -151,8 +151,8 @@ class ParameterSwitches(QWidget):
         """The chosen ones in a few words."""
         chosen = [KINDS[name].title for name, switch in self.switches.items() if switch.isChecked()]
         if len(chosen) > 2:
-            return f"{len(chosen)} values"
-        return ", ".join(_small(title) for title in chosen) if chosen else "nothing"
+            return say(f"{len(chosen)} values")
+        return ", ".join(say(_small(title)) for title in chosen) if chosen else say("nothing")
 
     def _prior(self, kind: Kind) -> QWidget:
         if kind.name in LEVER:

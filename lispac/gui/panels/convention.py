@@ -5,9 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
-    QFrame,
     QHBoxLayout,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -114,11 +112,7 @@ class ConventionPanel(QWidget):
         layout.addWidget(self.given)
         layout.addWidget(self._matrix_box())
         layout.addStretch(1)
-        area = QScrollArea()
-        area.setWidgetResizable(True)
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(body)
+        area = widgets.TallArea(body)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.addWidget(area)
@@ -216,7 +210,7 @@ class ConventionPanel(QWidget):
         word = STATUS_WORDS[setup.status].capitalize()
         colour = _COLOURS[setup.status]
         x, y, z = setup.axes
-        self.status.setText(say(f"<b style='color:{colour}'>{word}</b>: {convention.source}."))
+        self.status.setText(say(f'<b style="color:{colour}">{word}</b>: {convention.source}.'))
         rules = f"Body axes there: X {x}, Y {y}, Z {z}."
         if convention.has_angles:
             formula = convention.formula.replace("-", "−")
@@ -225,7 +219,7 @@ class ConventionPanel(QWidget):
             rules += f" {setup.scanner_words(mounting.rotation_body_lidar)}"
         self.rules.setText(say(rules))
         self.imu.show_z(z)
-        self.assumption.setText(say(f"<b>Assumed:</b> {setup.assumption}"))
+        self.assumption.setText(f"<b>{say('Assumed:')}</b> {say(setup.assumption)}")
         self.assumption.setVisible(bool(setup.assumption))
 
     def _show_values(self, new: Replacement) -> None:
@@ -242,7 +236,7 @@ class ConventionPanel(QWidget):
             self.values_head.setText(say("Taken as a matrix only: see below"))
             self.remarks.setVisible(correction is not None)
             if correction is not None:
-                self.remarks.setText(say(_matrix_words(correction.rotation, new.transform)))
+                self.remarks.setText(_matrix_words(correction.rotation, new.transform))
         else:
             self.values_head.setText(
                 say("Type in there, degrees" if sure else "If the assumption holds, degrees")
@@ -269,33 +263,35 @@ class ConventionPanel(QWidget):
 
     def _show_remarks(self, new: Replacement) -> None:
         stated, correction = new.stated, new.correction
-        signs = stated.setup.signs
-        lines = [f"{signs[0].upper()}{signs[1:]}."]
+        signs = say(f"{stated.setup.signs}.")
+        lines = [f"{signs[0].upper()}{signs[1:]}"]
         if correction is not None:
             lines.append(
-                "The matrix of the correction stands on the left: new = correction · present."
+                say("The matrix of the correction stands on the left: new = correction · present.")
             )
             error = correction.sum_error
             if error > SUM_MATTERS:
                 lines.append(
-                    f"<b>Do not add the angles:</b> the sum would be {np.degrees(error):.4f}° "
-                    f"off, {error * 1e5:.0f} mm at 100 m."
+                    say(
+                        f"<b>Do not add the angles:</b> the sum would be {np.degrees(error):.4f}° "
+                        f"off, {error * 1e5:.0f} mm at 100 m."
+                    )
                 )
         if new.transform is not None:
-            lines.append(f"The correction of the 4x4 matrix:<br>{_code(new.transform)}")
+            lines.append(f"{say('The correction of the 4x4 matrix:')}<br>{_code(new.transform)}")
         if stated.note:
-            lines.append(f"<b>{stated.note}</b>")
+            lines.append(f"<b>{say(stated.note)}</b>")
         if stated.sigmas is not None and self.given.caution:
-            lines.append(self.given.caution)
-        self.remarks.setText(say("<br>".join(lines)))
+            lines.append(say(self.given.caution))
+        self.remarks.setText("<br>".join(lines))
 
     def _show_words(self, mounting: Mounting) -> None:
         sentences = (
-            f"<b>{boresight_words(mounting.boresight)}</b>",
-            lever_arm_words(mounting.lever_arm),
-            offsets_words(mounting),
+            f"<b>{say(boresight_words(mounting.boresight))}</b>",
+            say(lever_arm_words(mounting.lever_arm)),
+            say(offsets_words(mounting)),
         )
-        self.words.setText(say("<br>".join(sentence for sentence in sentences if sentence)))
+        self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
         self.gizmo.show_boresight(np.asarray(mounting.boresight, dtype=float))
 
     def _show_matrix(self, stated: Stated) -> None:
@@ -307,10 +303,8 @@ class ConventionPanel(QWidget):
 
 
 def _matrix_words(rotation: np.ndarray, transform: np.ndarray | None) -> str:
-    return (
-        "The matrix below replaces the present one: new = correction · present. The correction:"
-        f"<br>{_code(rotation if transform is None else transform)}"
-    )
+    words = "The matrix below replaces the present one: new = correction · present. The correction:"
+    return f"{say(words)}<br>{_code(rotation if transform is None else transform)}"
 
 
 def _code(matrix: np.ndarray) -> str:
@@ -321,7 +315,9 @@ def _code(matrix: np.ndarray) -> str:
 def _lever_words(axes: Axes, values: np.ndarray) -> str:
     # Unbreakable, so that a line ends between two axes and never before a number.
     return ", ".join(
-        f"{letter} {axis} <b>{value + 0.0:+.4f}</b> m".replace("-", "−").replace(" ", "&nbsp;")
+        f"{letter} {say(axis)} <b>{say(f'{value + 0.0:+.4f}')}</b> m".replace("-", "−").replace(
+            " ", "&nbsp;"
+        )
         for letter, axis, value in zip("XYZ", axes, np.round(values, 4), strict=True)
     )
 

@@ -122,7 +122,7 @@ class DataPanel(QWidget):
             item = QTableWidgetItem(theme.swatch(colours[line.name]), line.name)
             item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(shown.get(line.name, Qt.CheckState.Checked))
-            item.setToolTip(f"{line.path}\nTick to show the line in the view")
+            item.setToolTip(f"{line.path}\n{say('Tick to show the line in the view')}")
             table.setItem(row, 0, item)
             here = survey is not None and line.name in survey.scans
             heading = f"{_degrees(survey.heading[line.name])}°" if here else "–"

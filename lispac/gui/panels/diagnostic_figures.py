@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels.adjust_parameters import KINDS
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73")
@@ -26,17 +27,17 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
         shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
         axes.plot(
             count[:-1], shown, color=COLOURS[k], marker=MARKERS[k], markersize=4, linewidth=1.3,
-            label=f"{angle}  {path[-1, k]:+.4f}°".replace("-", "\N{MINUS SIGN}"),
+            label=say(f"{angle}  {path[-1, k]:+.4f}°".replace("-", "\N{MINUS SIGN}")),
         )  # fmt: skip
     sigma = float(np.degrees(result.sigma.min()))
     axes.axhline(sigma, color=theme.MUTED, linewidth=1, linestyle="--")
     axes.annotate(
-        "smallest sigma", (1, sigma), xycoords=("axes fraction", "data"), xytext=(-4, 3),
+        say("smallest sigma"), (1, sigma), xycoords=("axes fraction", "data"), xytext=(-4, 3),
         textcoords="offset points", ha="right", fontsize=SMALL, color=theme.MUTED,
     )  # fmt: skip
     axes.set_yscale("log")
-    axes.set_xlabel("Iteration", fontsize=TEXT)
-    axes.set_ylabel("From last value, °", fontsize=TEXT)
+    axes.set_xlabel(say("Iteration"), fontsize=TEXT)
+    axes.set_ylabel(say("From last value, °"), fontsize=TEXT)
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="lower left")
 
@@ -44,12 +45,13 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
 def correlations(result: AdjustmentResult, figure: Figure) -> None:
     """Heat map of all estimated values, with numbers."""
     axes = _axes(figure)
-    names = [short_name(name) for name in result.estimated]
+    names = [say(short_name(name)) for name in result.estimated]
     image = axes.imshow(result.correlation_all, cmap="PuOr", vmin=-1, vmax=1, aspect="auto")
     for (row, column), value in np.ndenumerate(result.correlation_all):
         axes.text(
-            column, row, f"{value:+.2f}".replace("-", "\N{MINUS SIGN}"), ha="center", va="center",
-            fontsize=SMALL, color="white" if abs(value) > 0.7 else theme.TEXT,
+            column, row, say(f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")),
+            ha="center", va="center", fontsize=SMALL,
+            color="white" if abs(value) > 0.7 else theme.TEXT,
         )  # fmt: skip
     axes.set_xticks(range(len(names)), names)
     axes.set_yticks(range(len(names)), names)
@@ -77,18 +79,18 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
             offset = place + 0.24 * (k - 1)
             axes.bar(
                 offset, 4 * prior[:, k], bottom=-2 * prior[:, k], width=0.2, color=COLOURS[k],
-                alpha=0.18, linewidth=0, label=None if k else "prior ± 2 σ",
+                alpha=0.18, linewidth=0, label=None if k else say("prior ± 2 σ"),
             )  # fmt: skip
             axes.plot(
                 offset, error[:, k], linestyle="none", marker=MARKERS[k], markersize=4,
-                color=COLOURS[k], label=word,
+                color=COLOURS[k], label=say(word),
             )  # fmt: skip
         axes.axhline(0, color=theme.MUTED, linewidth=0.8)
         axes.set_xticks(place, names, rotation=60, ha="right", rotation_mode="anchor")
         for text in axes.get_xticklabels():
             text.set_parse_math(False)
             text.set_fontsize(SMALL if len(items) < 20 else SMALL - 2)
-        axes.set_ylabel(title, fontsize=TEXT)
+        axes.set_ylabel(say(title), fontsize=TEXT)
         _legend_above(axes)
 
 
@@ -103,18 +105,18 @@ def directions(result: AdjustmentResult, figure: Figure) -> None:
     words = ("weakest", "middle", "strongest")
     for k, angle in enumerate(ANGLES):
         axes.barh(range(3), share[k] * 100, left=left * 100, height=0.6, color=COLOURS[k],
-                  alpha=0.85, label=angle)  # fmt: skip
+                  alpha=0.85, label=say(angle))  # fmt: skip
         for row in range(3):
             if share[k, row] > 0.12:
-                text = f"{angle} {share[k, row]:.0%}"
+                text = f"{say(angle)} {share[k, row]:.0%}"
                 axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
                           va="center", fontsize=SMALL, color="white")  # fmt: skip
         left = left + share[k]
-    names = [f"{word}\nσ {s:.4f}°" for word, s in zip(words, sigma, strict=True)]
+    names = [say(f"{word}\nσ {s:.4f}°") for word, s in zip(words, sigma, strict=True)]
     axes.set_yticks(range(3), names)
     axes.invert_yaxis()
     axes.set_xlim(0, 100)
-    axes.set_xlabel("Share of each angle in the direction, %", fontsize=TEXT)
+    axes.set_xlabel(say("Share of each angle in the direction, %"), fontsize=TEXT)
 
 
 def short_name(name: str) -> str:

@@ -32,7 +32,6 @@ class DiagnosticsPanel(QWidget):
         self.list = QListWidget()
         self.list.setObjectName("diagnostics_list")
         self.list.setAccessibleName(say("Pages of the diagnostics"))
-        self.list.setFixedWidth(128)
         self.list.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 3px; }")
         self._stack = QStackedWidget()
         self.pages: dict[str, Page] = {}
@@ -44,6 +43,7 @@ class DiagnosticsPanel(QWidget):
             table = getattr(page, "table", None)
             if table is not None:
                 table.followed.connect(self.followed)
+        self.list.setFixedWidth(max(128, self.list.sizeHintForColumn(0) + 8))
         self._waiting = widgets.label(
             "Estimating again; these are the figures from before the change.", "hint", wrap=True
         )

@@ -1,6 +1,7 @@
 """The pages of the diagnostics; each is filled when it is shown."""
 
 from collections.abc import Callable, Sequence
+from html import escape
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -155,7 +156,9 @@ class Observability(FigurePage):
             f"Condition number {seen.condition:.1f}: the strongest direction is known "
             f"{sigma[0] / sigma[2]:.1f} times as well as the weakest.",
         ]
-        self.words.setText(say("".join(f"<p style='margin:0 0 6px 0'>{p}</p>" for p in paragraphs)))
+        self.words.setText(
+            "".join(f"<p style='margin:0 0 6px 0'>{escape(say(p))}</p>" for p in paragraphs)
+        )
         self.draw(result)
 
 

@@ -55,7 +55,8 @@ class _Item(QTableWidgetItem):
     """Sorted by its value, unknown ones last; words by themselves."""
 
     def __init__(self, cell: Cell) -> None:
-        super().__init__(cell.text.replace("-", "−") if cell.value is not None else cell.text)
+        text = say(cell.text)
+        super().__init__(text.replace("-", "−") if cell.value is not None else text)
         self.cell = cell
 
     def __lt__(self, other: QTableWidgetItem) -> bool:
@@ -80,7 +81,7 @@ class DiagnosticsTable(QTableWidget):
         self._rows: list[Row] = []
         # Units in a second line: the columns stay narrow enough to be seen together.
         self.setHorizontalHeaderLabels(
-            say_all([column.title.replace(" (", "\n(") for column in columns])
+            [say(column.title).replace(" (", "\n(") for column in columns]
         )
         for k, column in enumerate(columns):
             head = self.horizontalHeaderItem(k)
@@ -129,9 +130,9 @@ class DiagnosticsTable(QTableWidget):
 
     def as_text(self) -> str:
         """What it shows, tabs between the columns: a spreadsheet takes them apart."""
-        heads = [column.title for column in self._columns]
+        heads = say_all(column.title for column in self._columns)
         rows = [
-            [self.item(row, column).text().replace("−", "-") for column in range(len(heads))]
+            [_plain(self.item(row, column).text()) for column in range(len(heads))]
             for row in range(self.rowCount())
         ]
         return "".join("\t".join(row) + "\n" for row in [heads, *rows])
@@ -158,6 +159,11 @@ class DiagnosticsTable(QTableWidget):
         key = self.key(row)
         if key is not None:
             self.followed.emit(*key)
+
+
+def _plain(text: str) -> str:
+    """As a spreadsheet in the user's language takes it: without signs between thousands."""
+    return text.replace("−", "-").replace("\N{NARROW NO-BREAK SPACE}", "")
 
 
 def number(value: float | None, form: str, scale: float = 1.0) -> Cell:

@@ -2,7 +2,7 @@
 
 import math
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QLocale, Qt, Signal
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from lispac.errors import InputError
@@ -33,7 +33,7 @@ class OptionalNumber(QLineEdit):
     ) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName(say(f"{what}, {unit}"))
+        self.setAccessibleName(f"{say(what)}, {say(unit)}")
         self.setToolTip(
             say(f"{tip}, in {unit}" if needed else f"{tip}, in {unit}. Empty: {empty}.")
         )
@@ -68,7 +68,8 @@ class OptionalNumber(QLineEdit):
     def show_value(self, value: float | None) -> None:
         """Fill in without telling anyone."""
         self.blockSignals(True)
-        self.setText("" if value is None else f"{value * self._scale:.6g}")
+        shown = "" if value is None else f"{value * self._scale:.6g}"
+        self.setText(shown.replace(".", QLocale().decimalPoint()))
         self.blockSignals(False)
         self._mark()
 
@@ -112,7 +113,7 @@ class Fold(QWidget):
         self._show(False)
 
     def set_summary(self, words: str) -> None:
-        """What is set inside, in a few words."""
+        """What is set inside, in a few words that are said already."""
         self.head.setText(say(f"{self._title}: {words}" if words else self._title))
         self.head.setToolTip(self.head.text())
 

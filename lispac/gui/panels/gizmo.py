@@ -130,11 +130,11 @@ class Gizmo(QWidget):
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         painter.setPen(pen)
         painter.drawLine(self._at(np.zeros(3)), self._at(axis))
-        metrics = painter.fontMetrics()
+        metrics, word = painter.fontMetrics(), say(word)
         tip = self._at(1.12 * axis)
         x = tip.x() - metrics.horizontalAdvance(word) / 2
         x = min(max(x, 4.0), self.width() - metrics.horizontalAdvance(word) - 4.0)
-        painter.drawText(QPointF(x, tip.y() + metrics.ascent() / 2 - 1), say(word))
+        painter.drawText(QPointF(x, tip.y() + metrics.ascent() / 2 - 1), word)
 
     def _at(self, point_body: np.ndarray) -> QPointF:
         x, y, _ = self.project(point_body)[0]

@@ -183,15 +183,17 @@ class HistogramsPanel(QWidget):
         self.tabs.setTabText(1, say(f"Pairs of lines on {comparison.name}"))
         canvas = self._canvas()
         if self.plot.currentIndex() == AGAINST:
-            profile_figure(comparison, canvas.figure)
+            profile_figure(comparison, canvas.figure, say)
         else:
-            histogram_figure(comparison, canvas.figure, share=self.plot.currentIndex() == 1)
+            histogram_figure(
+                comparison, canvas.figure, share=self.plot.currentIndex() == 1, say=say
+            )
         self._zooming.keep(upright=self.plot.currentIndex() == AGAINST)
         self.reading.setText(say(ZOOM))
         canvas.draw_idle()
         canvas.setAccessibleName(
             say(
-                f"Distances on {comparison.name}, {self.plot.currentText().lower()}, "
+                f"Distances on {comparison.name}, {PLOTS[self.plot.currentIndex()].lower()}, "
                 "before in blue "
                 "and after in brown"
             )
@@ -221,7 +223,9 @@ class HistogramsPanel(QWidget):
         if comparison is None or axes is None:
             return
         if self.plot.currentIndex() == AGAINST:
-            what = AGAINST_WORDS.get(axes.get_xlabel(), "")
+            what = {say(label): word for label, word in AGAINST_WORDS.items()}.get(
+                axes.get_xlabel(), ""
+            )
             profile = comparison.by_height if what == "height" else comparison.by_range
             if profile is not None:
                 self.reading.setText(say(distances.profile_words(profile, what, event.xdata)))

@@ -65,4 +65,5 @@ class MoreFields(QWidget):
         self.fold.open(choices != USUAL)
 
     def _summarise(self) -> None:
-        self.fold.set_summary(self.value.in_words.replace(" deg", "°"))
+        words = self.value.in_words.replace(" deg", "°").split(", ")
+        self.fold.set_summary(", ".join(map(say, words)))

@@ -75,7 +75,7 @@ def test_words(result: AdjustmentResult) -> str:
     test = result.chi_square
     word, colour, where = ("passed", DONE, "in") if test.passed else ("failed", WARNING, "not in")
     return (
-        f"<b style='color:{colour}'>{word}</b>: {test.statistic:.4g} {where} "
+        f'<b style="color:{colour}">{word}</b>: {test.statistic:.4g} {where} '
         f"[{test.lower:.4g}, {test.upper:.4g}]"
     )
 

@@ -9,7 +9,6 @@ from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFormLayout,
-    QFrame,
     QHeaderView,
     QScrollArea,
     QStackedLayout,
@@ -128,12 +127,7 @@ class ResultsPanel(QWidget):
         layout.addWidget(widgets.label("Convention", "heading"))
         layout.addWidget(widgets.label(CONVENTION, "muted", wrap=True, name="convention"))
         around.addStretch(1)
-        area = QScrollArea()
-        area.setWidgetResizable(True)
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(outer)
-        return area
+        return widgets.TallArea(outer)
 
     def _fill_words(self, project: Project, result: AdjustmentResult) -> None:
         warnings = result_words.warnings(result, project.cross_checks, doubles(project))
@@ -265,7 +259,7 @@ def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
 
 def _write_row(table: QTableWidget, row: int, texts: Sequence[str], *, bold: bool = False) -> None:
     for column, text in enumerate(texts):
-        item = QTableWidgetItem(text.replace("-", "−"))
+        item = QTableWidgetItem(say(text.replace("-", "−")))
         item.setTextAlignment(_RIGHT)
         item.setFont(theme.tabular(table.font(), bold=bold))
         table.setItem(row, column, item)

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.overlay import length_text, scale_length
 from lispac.workflow.sections import Cut
@@ -34,9 +35,9 @@ def draw_section(
         axes = figure.add_subplot(1, len(cuts), number, sharex=first, sharey=first)
         first = first or axes
         _draw(axes, cut, colours)
-        axes.set_xlabel(words[0], fontsize=TEXT, color=theme.TEXT)
+        axes.set_xlabel(say(words[0]), fontsize=TEXT, color=theme.TEXT)
         if number == 1:
-            axes.set_ylabel(words[1], fontsize=TEXT, color=theme.TEXT)
+            axes.set_ylabel(say(words[1]), fontsize=TEXT, color=theme.TEXT)
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
     if lines:
         marks = [
@@ -76,9 +77,9 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
     axes.spines[:].set_color(theme.MUTED)
-    axes.set_title(title(cut), fontsize=TEXT, color=theme.TEXT, loc="left")
+    axes.set_title(say(title(cut)), fontsize=TEXT, color=theme.TEXT, loc="left")
     if not total:
-        axes.text(0.5, 0.5, "No points here", transform=axes.transAxes, ha="center",
+        axes.text(0.5, 0.5, say("No points here"), transform=axes.transAxes, ha="center",
                   color=theme.MUTED, fontsize=TEXT)  # fmt: skip
     _bar(axes, 2 * half)
 
@@ -90,7 +91,7 @@ def _bar(axes: Axes, extent: Array) -> None:
     axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
               solid_capstyle="butt")  # fmt: skip
     axes.annotate(
-        length_text(metres), (left, low), xytext=(0, 4), textcoords="offset points",
+        say(length_text(metres)), (left, low), xytext=(0, 4), textcoords="offset points",
         fontsize=SMALL, color=theme.TEXT,
         bbox={"facecolor": "white", "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
     )  # fmt: skip

@@ -129,7 +129,7 @@ class TargetsPanel(QWidget):
         known = [self.line_choice.itemText(k) for k in range(1, self.line_choice.count())]
         if known != lines:
             self.line_choice.clear()
-            self.line_choice.addItem(ALL_LINES)
+            self.line_choice.addItem(say(ALL_LINES))
             for line, colour in theme.line_colours(lines).items():
                 self.line_choice.addItem(theme.swatch(colour), line)
         self._show_default_threshold()
@@ -265,7 +265,7 @@ class TargetsPanel(QWidget):
         self._shape_fields()
         self.line_choice = QComboBox()
         self.line_choice.setObjectName("line_choice")
-        self.line_choice.addItem(ALL_LINES)
+        self.line_choice.addItem(say(ALL_LINES))
         self.line_choice.setToolTip(
             say("Choose one line to seed it alone, where the search from another line failed")
         )

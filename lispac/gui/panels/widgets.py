@@ -7,9 +7,11 @@ from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
     QDoubleSpinBox,
+    QFrame,
     QGridLayout,
     QLabel,
     QPushButton,
+    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -52,7 +54,7 @@ class Button(QPushButton):
 
 def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False) -> Button:
     """A push button."""
-    made = Button(text)
+    made = Button(say(text))
     made.setObjectName(name)
     made.setToolTip(say(tip))
     if primary:
@@ -76,7 +78,7 @@ def number(
     """A field for a number with its unit; the mouse wheel does not change it in passing."""
     made = _Number()
     made.setObjectName(name)
-    made.setAccessibleName(say(tip or name))
+    made.setAccessibleName(say(tip) or name)
     made.setDecimals(decimals)
     made.setRange(low, high)
     made.setSingleStep(step)
@@ -90,6 +92,18 @@ def number(
 
 
 class _Number(QDoubleSpinBox):
+    """Takes a decimal comma and a decimal point alike, whatever the language."""
+
+    def validate(self, text: str, place: int) -> object:
+        return super().validate(self._own(text), place)
+
+    def valueFromText(self, text: str) -> float:
+        return super().valueFromText(self._own(text))
+
+    def _own(self, text: str) -> str:
+        point = self.locale().decimalPoint()
+        return text.replace(",", point).replace(".", point)
+
     def wheelEvent(self, event) -> None:
         if self.hasFocus():
             super().wheelEvent(event)
@@ -116,6 +130,22 @@ class Choice(QComboBox):
             super().wheelEvent(event)
         else:
             event.ignore()
+
+
+class TallArea(QScrollArea):
+    """Scrolls up and down only, and is as wide as what is in it: words are not cut off."""
+
+    def __init__(self, inside: QWidget) -> None:
+        super().__init__()
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(inside)
+
+    def minimumSizeHint(self) -> QSize:
+        inside = self.widget().minimumSizeHint().width()
+        bar = self.verticalScrollBar().sizeHint().width()
+        return QSize(inside + bar, super().minimumSizeHint().height())
 
 
 class Triple(QWidget):

@@ -4,11 +4,9 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
-    QFrame,
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -43,11 +41,7 @@ class WorkflowPanel(QWidget):
         self._areas = []
         for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
             header.clicked.connect(lambda _=False, k=k: self.open(k))
-            area = QScrollArea()
-            area.setWidgetResizable(True)
-            area.setFrameShape(QFrame.Shape.NoFrame)
-            area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-            area.setWidget(_on_top(panel))
+            area = widgets.TallArea(_on_top(panel))
             self._areas.append(area)
             outer.addWidget(header)
             outer.addWidget(area, 1)

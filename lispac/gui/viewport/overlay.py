@@ -178,8 +178,8 @@ class Overlay(QWidget):
     def legend(self, shading: Shading) -> QRectF:
         """Where the scale of the colours is painted."""
         metrics = QFontMetricsF(_scaled(self.font(), 0.95))
-        ends = metrics.horizontalAdvance(shading.low) + metrics.horizontalAdvance(shading.high)
-        width = max(180.0, metrics.horizontalAdvance(shading.title), ends + 24.0)
+        ends = sum(metrics.horizontalAdvance(say(end)) for end in (shading.low, shading.high))
+        width = max(180.0, metrics.horizontalAdvance(say(shading.title)), ends + 24.0)
         return QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
 
     def _paint_legend(self, painter: QPainter, shading: Shading) -> None:
@@ -210,7 +210,7 @@ class Overlay(QWidget):
         left, right = MARGIN + 100.0, self.width() - MARGIN - 180.0
         if self.hint:
             left, right = 0.0, float(self.width())
-        text = self.hint or HELP
+        text = say(self.hint or HELP)
         width = QFontMetricsF(font).horizontalAdvance(text) + 24.0
         if width < right - left or self.hint:
             middle = 0.5 * (left + right)
@@ -220,7 +220,7 @@ class Overlay(QWidget):
             painter.setBrush(NOTE if self.hint else QColor(255, 255, 255, 215))
             painter.drawRoundedRect(box, 11.0, 11.0)
             painter.setPen(INK if self.hint else FAINT)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(text))
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
 class Stage(QWidget):
@@ -283,7 +283,7 @@ def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker)
     painter.setBrush(PAPER)
     painter.drawRoundedRect(box, 4.0, 4.0)
     painter.setPen(INK)
-    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(marker.label))
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, marker.label)
 
 
 def _scaled(font: QFont, factor: float) -> QFont:

@@ -211,12 +211,13 @@ def _paint_division(painter: QPainter, x: float, size: Size) -> None:
     painter.drawEllipse(QPointF(x, 0.5 * size.height), 7.0, 7.0)
     metrics = QFontMetricsF(painter.font())
     for words, sign in (("Before", -1), ("After", 1)):
+        words = say(words)
         width = metrics.horizontalAdvance(words) + 16.0
         box = QRectF(x + (8.0 if sign > 0 else -8.0 - width), 44.0, width, 24.0)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.drawRoundedRect(box, 4.0, 4.0)
         painter.setPen(INK)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(words))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
@@ -253,6 +254,7 @@ def _paint_dots(painter: QPainter, spots: Array, colour: QColor, radius: float) 
 
 def _paint_words(painter: QPainter, words: str, spot: QPointF, colour: QColor, size: Size) -> None:
     metrics = QFontMetricsF(painter.font())
+    words = say(words)
     lines = words.split("\n")
     width = max(metrics.horizontalAdvance(line) for line in lines) + 16.0
     height = metrics.lineSpacing() * len(lines) + 8.0
@@ -264,4 +266,4 @@ def _paint_words(painter: QPainter, words: str, spot: QPointF, colour: QColor, s
     painter.drawRoundedRect(QRectF(x, y, width, height), 4.0, 4.0)
     painter.setPen(INK)
     text = QRectF(x + 8.0, y + 4.0, width - 16.0, height - 8.0)
-    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, say(words))
+    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)

@@ -1189,7 +1189,7 @@ vert. (°)</translation>
     </message>
     <message>
         <source>{which}: only the headings of the lines would tell the angles apart. Add a target of another inclination, or a sphere; where there is none, tick &quot;Accept targets that all face one way&quot; under Advanced (--accept-one-facing at the command line).</source>
-        <translation>{which} : seuls les caps des lignes permettraient de distinguer les angles. Ajoutez une cible d&apos;une autre inclinaison, ou une sphère ; s&apos;il n&apos;y en a pas, cochez « Accept targets that all face one way » sous « Advanced » (--accept-one-facing en ligne de commande).</translation>
+        <translation>{which} : seuls les caps des lignes permettraient de distinguer les angles. Ajoutez une cible d&apos;une autre inclinaison, ou une sphère ; s&apos;il n&apos;y en a pas, cochez « Accepter une orientation unique » sous « Avancé » (--accept-one-facing en ligne de commande).</translation>
     </message>
     <message>
         <source>{target:name} is the only target, a plane</source>

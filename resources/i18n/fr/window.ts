@@ -20,22 +20,6 @@
         <translation>Journal</translation>
     </message>
     <message>
-        <source>Language · &amp;Langue</source>
-        <translation>&amp;Langue · Language</translation>
-    </message>
-    <message>
-        <source>&amp;English</source>
-        <translation>&amp;English</translation>
-    </message>
-    <message>
-        <source>&amp;Français</source>
-        <translation>&amp;Français</translation>
-    </message>
-    <message>
-        <source>The window in English</source>
-        <translation>La fenêtre en anglais</translation>
-    </message>
-    <message>
         <source>The window changes when the running task has ended</source>
         <translation>La fenêtre changera quand la tâche en cours sera terminée</translation>
     </message>
@@ -111,40 +95,16 @@
         <translation>Ajouter les fichiers à {name} ?</translation>
     </message>
     <message>
-        <source>Lines are added to the open project and checked against its trajectory; what has been picked stays. Files of another survey make a new project.</source>
-        <translation>Les lignes sont ajoutées au projet ouvert et confrontées à sa trajectoire ; ce qui a été choisi reste. Les fichiers d&apos;un autre levé font un nouveau projet.</translation>
-    </message>
-    <message>
         <source>Add to {name}</source>
         <translation>Ajouter à {name}</translation>
-    </message>
-    <message>
-        <source>New project</source>
-        <translation>Nouveau projet</translation>
     </message>
     <message>
         <source>Save the changes to {name}?</source>
         <translation>Enregistrer les modifications de {name} ?</translation>
     </message>
     <message>
-        <source>Without saving, what was picked and computed since is lost.</source>
-        <translation>Sans enregistrement, ce qui a été choisi et calculé depuis est perdu.</translation>
-    </message>
-    <message>
         <source>{name} was found and is not accepted yet.</source>
         <translation>{name} a été trouvé et n&apos;est pas encore accepté.</translation>
-    </message>
-    <message>
-        <source>Only accepted targets take part in the adjustment.</source>
-        <translation>Seules les cibles acceptées prennent part à l&apos;ajustement.</translation>
-    </message>
-    <message>
-        <source>Accept and estimate</source>
-        <translation>Accepter et estimer</translation>
-    </message>
-    <message>
-        <source>Estimate without it</source>
-        <translation>Estimer sans elle</translation>
     </message>
     <message>
         <source>Without saving, what was changed since is lost.</source>
@@ -176,6 +136,6690 @@
     <message>
         <source>{title}: failed after {time}</source>
         <translation>{title} : échec après {time}</translation>
+    </message>
+</context>
+<context>
+    <name>menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>&amp;Examen</translation>
+    </message>
+    <message>
+        <source>&amp;Targets</source>
+        <translation>&amp;Cibles</translation>
+    </message>
+    <message>
+        <source>&amp;Adjust</source>
+        <translation>Co&amp;mpensation</translation>
+    </message>
+    <message>
+        <source>Va&amp;lidate</source>
+        <translation>&amp;Validation</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;ide</translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation>Barre d&apos;outils</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Demo</source>
+        <translation>Démo</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordonnées</translation>
+    </message>
+    <message>
+        <source>Propose</source>
+        <translation>Proposer</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Accepter</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Rejeter</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Estimer</translation>
+    </message>
+    <message>
+        <source>Validate</source>
+        <translation>Valider</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Contrôler</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Bilan</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Visibilité</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Conception</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Basculer</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>À propos</translation>
+    </message>
+    <message>
+        <source>Add lines</source>
+        <translation>Ajouter des lignes</translation>
+    </message>
+    <message>
+        <source>&amp;New project…</source>
+        <translation>&amp;Nouveau projet…</translation>
+    </message>
+    <message>
+        <source>Make a project from a trajectory and raw lines</source>
+        <translation>Créer un projet à partir d&apos;une trajectoire et de lignes brutes</translation>
+    </message>
+    <message>
+        <source>&amp;Open project…</source>
+        <translation>&amp;Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo survey</source>
+        <translation>Ouvrir le levé de &amp;démonstration</translation>
+    </message>
+    <message>
+        <source>Open the built-in simulated survey</source>
+        <translation>Ouvrir le levé simulé fourni avec le programme</translation>
+    </message>
+    <message>
+        <source>Add &amp;lines…</source>
+        <translation>Ajouter des &amp;lignes…</translation>
+    </message>
+    <message>
+        <source>Add more lines to the open project</source>
+        <translation>Ajouter d&apos;autres lignes au projet ouvert</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>Save the project in another folder and go on there</source>
+        <translation>Enregistrer le projet dans un autre dossier et y continuer</translation>
+    </message>
+    <message>
+        <source>&amp;Export report…</source>
+        <translation>E&amp;xporter le rapport…</translation>
+    </message>
+    <message>
+        <source>Write the report as PDF, HTML or JSON</source>
+        <translation>Écrire le rapport en PDF, HTML ou JSON</translation>
+    </message>
+    <message>
+        <source>Export &amp;georeferenced lines…</source>
+        <translation>Exporter les lignes &amp;géoréférencées…</translation>
+    </message>
+    <message>
+        <source>Write every line as LAZ or LAS in a coordinate system of your choice</source>
+        <translation>Écrire chaque ligne en LAZ ou LAS dans le système de coordonnées de votre choix</translation>
+    </message>
+    <message>
+        <source>Export &amp;targets…</source>
+        <translation>Exporter les &amp;cibles…</translation>
+    </message>
+    <message>
+        <source>Write the points of targets and validation planes, or plane files</source>
+        <translation>Écrire les points des cibles et des plans de validation, ou des fichiers de plans</translation>
+    </message>
+    <message>
+        <source>Export tra&amp;jectory…</source>
+        <translation>Exporter la tra&amp;jectoire…</translation>
+    </message>
+    <message>
+        <source>Write the trajectory as SBET or text</source>
+        <translation>Écrire la trajectoire en SBET ou en texte</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>Fermer le programme</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Projets &amp;récents</translation>
+    </message>
+    <message>
+        <source>No project yet</source>
+        <translation>Aucun projet pour l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>Vider la liste</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Undo {text}</source>
+        <translation>&amp;Annuler : {text}</translation>
+    </message>
+    <message>
+        <source>Take the last edit back</source>
+        <translation>Annuler la dernière modification</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;Redo {text}</source>
+        <translation>&amp;Rétablir : {text}</translation>
+    </message>
+    <message>
+        <source>Make the edit again</source>
+        <translation>Rétablir la modification annulée</translation>
+    </message>
+    <message>
+        <source>Seed an adjustment &amp;target</source>
+        <translation>Désigner une &amp;cible</translation>
+    </message>
+    <message>
+        <source>The next Ctrl+click picks an adjustment target</source>
+        <translation>Le prochain Ctrl+clic désigne une cible de la compensation</translation>
+    </message>
+    <message>
+        <source>Seed a &amp;validation plane</source>
+        <translation>Désigner un plan de &amp;validation</translation>
+    </message>
+    <message>
+        <source>The next Ctrl+click picks a validation plane</source>
+        <translation>Le prochain Ctrl+clic désigne un plan de validation</translation>
+    </message>
+    <message>
+        <source>Seed at &amp;coordinates…</source>
+        <translation>Désigner par c&amp;oordonnées…</translation>
+    </message>
+    <message>
+        <source>Type the coordinates of a seed, in the local frame or on the map</source>
+        <translation>Saisir les coordonnées d&apos;un germe, dans le repère local ou sur la carte</translation>
+    </message>
+    <message>
+        <source>Seeds &amp;from a file…</source>
+        <translation>Germes d&apos;un &amp;fichier…</translation>
+    </message>
+    <message>
+        <source>Seed list</source>
+        <translation>Liste de germes</translation>
+    </message>
+    <message>
+        <source>Pick all targets of a list of coordinates, from a total station for example</source>
+        <translation>Désigner toutes les cibles d&apos;une liste de coordonnées, d&apos;une station totale par exemple</translation>
+    </message>
+    <message>
+        <source>&amp;Propose targets</source>
+        <translation>&amp;Proposer des cibles</translation>
+    </message>
+    <message>
+        <source>Find flat surfaces on all lines and propose targets and validation planes</source>
+        <translation>Chercher des surfaces planes sur toutes les lignes et proposer des cibles et des plans de validation</translation>
+    </message>
+    <message>
+        <source>&amp;Find again with other settings…</source>
+        <translation>Chercher de &amp;nouveau avec d&apos;autres réglages…</translation>
+    </message>
+    <message>
+        <source>Find again</source>
+        <translation>Chercher de nouveau</translation>
+    </message>
+    <message>
+        <source>Seek the selected target with another threshold or search radius</source>
+        <translation>Chercher la cible sélectionnée avec un autre seuil ou un autre rayon de recherche</translation>
+    </message>
+    <message>
+        <source>&amp;Accept the plane found</source>
+        <translation>&amp;Accepter le plan trouvé</translation>
+    </message>
+    <message>
+        <source>Keep the plane just found</source>
+        <translation>Garder le plan qui vient d&apos;être trouvé</translation>
+    </message>
+    <message>
+        <source>Re&amp;ject the plane found</source>
+        <translation>Re&amp;jeter le plan trouvé</translation>
+    </message>
+    <message>
+        <source>Let the plane just found go</source>
+        <translation>Abandonner le plan qui vient d&apos;être trouvé</translation>
+    </message>
+    <message>
+        <source>&amp;Estimate boresight</source>
+        <translation>&amp;Estimer les angles de visée</translation>
+    </message>
+    <message>
+        <source>Adjust boresight and planes together</source>
+        <translation>Compenser ensemble les angles de visée et les plans</translation>
+    </message>
+    <message>
+        <source>&amp;Validate</source>
+        <translation>&amp;Valider</translation>
+    </message>
+    <message>
+        <source>Compare the lines on the validation planes</source>
+        <translation>Comparer les lignes sur les plans de validation</translation>
+    </message>
+    <message>
+        <source>Check against a &amp;reference…</source>
+        <translation>Contrôler par une &amp;référence…</translation>
+    </message>
+    <message>
+        <source>Compare the lines with a static scan or surveyed points</source>
+        <translation>Comparer les lignes à un balayage statique ou à des points levés</translation>
+    </message>
+    <message>
+        <source>Error &amp;budget…</source>
+        <translation>&amp;Bilan d&apos;erreurs…</translation>
+    </message>
+    <message>
+        <source>What each source of error does to a point at a distance</source>
+        <translation>Ce que chaque source d&apos;erreur fait à un point à une distance donnée</translation>
+    </message>
+    <message>
+        <source>Calibrations over the &amp;years…</source>
+        <translation>Étalonnages au fil des &amp;ans…</translation>
+    </message>
+    <message>
+        <source>All calibrations of a vessel&apos;s system: has its mounting moved?</source>
+        <translation>Tous les étalonnages du système d&apos;un navire : son montage a-t-il bougé ?</translation>
+    </message>
+    <message>
+        <source>&amp;Subsampling study…</source>
+        <translation>Étude du &amp;sous-échantillonnage…</translation>
+    </message>
+    <message>
+        <source>Adjust with points nearer together and farther apart, and compare</source>
+        <translation>Compenser avec des points plus rapprochés et plus espacés, et comparer</translation>
+    </message>
+    <message>
+        <source>&amp;Visibility of errors…</source>
+        <translation>&amp;Visibilité des erreurs…</translation>
+    </message>
+    <message>
+        <source>Which board and which lines show which systematic error</source>
+        <translation>Quel panneau et quelles lignes montrent quelle erreur systématique</translation>
+    </message>
+    <message>
+        <source>&amp;Design a site…</source>
+        <translation>&amp;Concevoir un site…</translation>
+    </message>
+    <message>
+        <source>Which boards, where, and which lines: see what they will give before surveying</source>
+        <translation>Quels panneaux, où, et quelles lignes : voir ce qu&apos;ils donneront avant le levé</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel the running task</source>
+        <translation>&amp;Annuler la tâche en cours</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is changed</source>
+        <translation>Arrêter ; rien n&apos;est modifié</translation>
+    </message>
+    <message>
+        <source>&amp;Before (prior boresight)</source>
+        <translation>A&amp;vant (angles de visée a priori)</translation>
+    </message>
+    <message>
+        <source>Show the lines placed with the prior boresight</source>
+        <translation>Montrer les lignes placées avec les angles de visée a priori</translation>
+    </message>
+    <message>
+        <source>&amp;After (estimated boresight)</source>
+        <translation>&amp;Après (angles de visée estimés)</translation>
+    </message>
+    <message>
+        <source>Show the lines placed with the estimated boresight</source>
+        <translation>Montrer les lignes placées avec les angles de visée estimés</translation>
+    </message>
+    <message>
+        <source>&amp;Switch before / after</source>
+        <translation>&amp;Basculer avant / après</translation>
+    </message>
+    <message>
+        <source>Switch the view between prior and estimated boresight</source>
+        <translation>Basculer la vue 3D entre les angles de visée a priori et estimés</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Souris et clavier</translation>
+    </message>
+    <message>
+        <source>What mouse and keys do</source>
+        <translation>Ce que font la souris et les touches</translation>
+    </message>
+    <message>
+        <source>&amp;About LISPAC</source>
+        <translation>À &amp;propos de LISPAC</translation>
+    </message>
+    <message>
+        <source>Version and conventions</source>
+        <translation>Version et conventions</translation>
+    </message>
+    <message>
+        <source>&amp;Fit all</source>
+        <translation>&amp;Tout montrer</translation>
+    </message>
+    <message>
+        <source>Fit all</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>Bring everything into view</source>
+        <translation>Faire entrer tout dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>Fit &amp;selection</source>
+        <translation>Montrer la &amp;sélection</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>Bring the selected target or sighting into view</source>
+        <translation>Faire entrer la cible ou la vue sélectionnée dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isométrique</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>Look from above at an angle</source>
+        <translation>Regarder d&apos;en haut, en biais</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Dessus</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Look straight down, north up</source>
+        <translation>Regarder d&apos;aplomb, le nord en haut</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>De &amp;face</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Look from the vessel</source>
+        <translation>Regarder depuis le navire</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>De la &amp;gauche</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Look from the left, as the vessel sees</source>
+        <translation>Regarder de la gauche, vue du navire</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>De l&apos;&amp;arrière</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Arrière</translation>
+    </message>
+    <message>
+        <source>Look towards the vessel</source>
+        <translation>Regarder vers le navire</translation>
+    </message>
+    <message>
+        <source>From the ri&amp;ght</source>
+        <translation>De la d&amp;roite</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Look from the right, as the vessel sees</source>
+        <translation>Regarder de la droite, vue du navire</translation>
+    </message>
+    <message>
+        <source>Along the target&apos;s &amp;normal</source>
+        <translation>Le long de la &amp;normale de la cible</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Look squarely at the selected target</source>
+        <translation>Regarder la cible sélectionnée bien en face</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Orthographique</translation>
+    </message>
+    <message>
+        <source>Ortho</source>
+        <translation>Ortho</translation>
+    </message>
+    <message>
+        <source>Draw without perspective: equal lengths look equal at every distance</source>
+        <translation>Dessiner sans perspective : des longueurs égales paraissent égales à toute distance</translation>
+    </message>
+    <message>
+        <source>&amp;Larger points</source>
+        <translation>Points plus &amp;gros</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Plus gros</translation>
+    </message>
+    <message>
+        <source>Draw larger points</source>
+        <translation>Dessiner des points plus gros</translation>
+    </message>
+    <message>
+        <source>S&amp;maller points</source>
+        <translation>Points plus &amp;petits</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Plus petits</translation>
+    </message>
+    <message>
+        <source>Draw smaller points</source>
+        <translation>Dessiner des points plus petits</translation>
+    </message>
+    <message>
+        <source>&amp;Next colouring</source>
+        <translation>Coloration &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Colour the points by line, height, intensity, range, time, residual, in turn</source>
+        <translation>Colorer les points par ligne, hauteur, intensité, distance, temps, résidu, tour à tour</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;line</source>
+        <translation>Par &amp;ligne</translation>
+    </message>
+    <message>
+        <source>Each line in its own colour</source>
+        <translation>Chaque ligne dans sa couleur</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;height</source>
+        <translation>Par &amp;hauteur</translation>
+    </message>
+    <message>
+        <source>Colour the points by height</source>
+        <translation>Colorer les points par hauteur</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;intensity</source>
+        <translation>Par &amp;intensité</translation>
+    </message>
+    <message>
+        <source>Colour the points by the intensity in their file</source>
+        <translation>Colorer les points par l&apos;intensité de leur fichier</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensité</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;range</source>
+        <translation>Par &amp;distance</translation>
+    </message>
+    <message>
+        <source>Colour the points by their distance from the scanner</source>
+        <translation>Colorer les points par leur distance au scanneur</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Colour by ti&amp;me</source>
+        <translation>Par &amp;temps</translation>
+    </message>
+    <message>
+        <source>Colour the points by the time they were measured</source>
+        <translation>Colorer les points par le temps de leur mesure</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Save the &amp;picture…</source>
+        <translation>Enregistrer l&apos;i&amp;mage…</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Write what the view shows as PNG</source>
+        <translation>Écrire en PNG ce que montre la vue 3D</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y the picture</source>
+        <translation>Copier l&apos;imag&amp;e</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy what the view shows, to be pasted elsewhere</source>
+        <translation>Copier ce que montre la vue 3D, pour le coller ailleurs</translation>
+    </message>
+    <message>
+        <source>Colour by r&amp;esidual</source>
+        <translation>Par &amp;résidu</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Résidu</translation>
+    </message>
+    <message>
+        <source>Colour targets by the distance from the adjusted surface, and validation planes by that from the plane of all lines as they are shown</source>
+        <translation>Colorer les cibles par la distance à la surface compensée, et les plans de validation par celle au plan de toutes les lignes telles qu&apos;elles sont montrées</translation>
+    </message>
+    <message>
+        <source>&amp;Section across the target</source>
+        <translation>&amp;Coupe en travers de la cible</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Lay a strip across the selected target: all lines side by side at true scale</source>
+        <translation>Poser une bande en travers de la cible sélectionnée : toutes les lignes côte à côte, à l&apos;échelle vraie</translation>
+    </message>
+    <message>
+        <source>Section &amp;between two points</source>
+        <translation>Coupe &amp;entre deux points</translation>
+    </message>
+    <message>
+        <source>Cut through the lines from one clicked point to another</source>
+        <translation>Couper les lignes d&apos;un point cliqué à un autre</translation>
+    </message>
+    <message>
+        <source>Save the section&apos;s &amp;picture…</source>
+        <translation>Enregistrer l&apos;&amp;image de la coupe…</translation>
+    </message>
+    <message>
+        <source>Write the section as it is shown, as PNG, SVG or PDF</source>
+        <translation>Écrire la coupe telle qu&apos;elle est montrée, en PNG, SVG ou PDF</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y the section&apos;s picture</source>
+        <translation>Co&amp;pier l&apos;image de la coupe</translation>
+    </message>
+    <message>
+        <source>Copy the section as it is shown, to be pasted elsewhere</source>
+        <translation>Copier la coupe telle qu&apos;elle est montrée, pour la coller ailleurs</translation>
+    </message>
+    <message>
+        <source>Measure a &amp;distance</source>
+        <translation>Mesurer une &amp;distance</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Click two points: slope, horizontal and vertical distance</source>
+        <translation>Cliquer deux points : distance suivant la pente, horizontale et verticale</translation>
+    </message>
+    <message>
+        <source>Measure an &amp;angle</source>
+        <translation>Mesurer un &amp;angle</translation>
+    </message>
+    <message>
+        <source>Click a point, the corner and another point</source>
+        <translation>Cliquer un point, le sommet et un autre point</translation>
+    </message>
+    <message>
+        <source>&amp;Clip box</source>
+        <translation>&amp;Boîte de découpe</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Découpe</translation>
+    </message>
+    <message>
+        <source>Clip box</source>
+        <translation>Boîte de découpe</translation>
+    </message>
+    <message>
+        <source>Draw only what lies in a box about the selected target</source>
+        <translation>Ne dessiner que ce qui est dans une boîte autour de la cible sélectionnée</translation>
+    </message>
+    <message>
+        <source>Before and after in one &amp;picture</source>
+        <translation>Avant et après en &amp;une image</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>Volet</translation>
+    </message>
+    <message>
+        <source>Before on the left, after on the right of a line that the mouse moves</source>
+        <translation>Avant à gauche, après à droite d&apos;un trait que la souris déplace</translation>
+    </message>
+    <message>
+        <source>S&amp;how what a click would take</source>
+        <translation>&amp;Montrer ce qu&apos;un clic prendrait</translation>
+    </message>
+    <message>
+        <source>Hover</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Outline the plane under the resting mouse</source>
+        <translation>Tracer le contour du plan sous la souris au repos</translation>
+    </message>
+    <message>
+        <source>A&amp;dd points with a lasso</source>
+        <translation>Aj&amp;outer des points au lasso</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Draw around points near the selected target to add them to it</source>
+        <translation>Entourer des points près de la cible sélectionnée pour les lui ajouter</translation>
+    </message>
+    <message>
+        <source>Re&amp;move points with a lasso</source>
+        <translation>Reti&amp;rer des points au lasso</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Draw around points of the selected target to take them from it</source>
+        <translation>Entourer des points de la cible sélectionnée pour les lui retirer</translation>
+    </message>
+    <message>
+        <source>Change the &amp;role</source>
+        <translation>Changer le r&amp;ôle</translation>
+    </message>
+    <message>
+        <source>Make a validation plane of the selected target, or a target of it</source>
+        <translation>Faire de la cible sélectionnée un plan de validation, ou l&apos;inverse</translation>
+    </message>
+    <message>
+        <source>&amp;End the tool</source>
+        <translation>&amp;Quitter l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Give the mouse back to the view</source>
+        <translation>Rendre la souris à la vue 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Regarder depuis</translation>
+    </message>
+    <message>
+        <source>&amp;Colour by</source>
+        <translation>&amp;Colorer par</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Pa&amp;nneaux</translation>
+    </message>
+</context>
+<context>
+    <name>keys</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Souris et clavier</translation>
+    </message>
+    <message>
+        <source>The view</source>
+        <translation>La vue 3D</translation>
+    </message>
+    <message>
+        <source>Drag, arrows</source>
+        <translation>Glisser, flèches</translation>
+    </message>
+    <message>
+        <source>rotate about what is under the mouse, about the middle</source>
+        <translation>tourner autour de ce qui est sous la souris, autour du milieu</translation>
+    </message>
+    <message>
+        <source>Shift + drag, Shift + arrows</source>
+        <translation>Maj + glisser, Maj + flèches</translation>
+    </message>
+    <message>
+        <source>move; so does a drag with the right or middle button</source>
+        <translation>déplacer, comme glisser avec le bouton droit ou central</translation>
+    </message>
+    <message>
+        <source>Wheel, Page up and down</source>
+        <translation>Molette, Page préc. et suiv.</translation>
+    </message>
+    <message>
+        <source>closer and farther</source>
+        <translation>plus près, plus loin</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Double-clic</translation>
+    </message>
+    <message>
+        <source>look at the point there</source>
+        <translation>regarder ce point</translation>
+    </message>
+    <message>
+        <source>fit everything, fit the selected target</source>
+        <translation>tout montrer, montrer la cible sélectionnée</translation>
+    </message>
+    <message>
+        <source>look isometric, from the top, front, left, back, right</source>
+        <translation>regarder en isométrie, de dessus, de face, de gauche, de l&apos;arrière, de droite</translation>
+    </message>
+    <message>
+        <source>look along the normal of the selected target</source>
+        <translation>regarder le long de la normale de la cible sélectionnée</translation>
+    </message>
+    <message>
+        <source>orthographic or perspective</source>
+        <translation>orthographique ou en perspective</translation>
+    </message>
+    <message>
+        <source>larger, smaller points</source>
+        <translation>points plus gros, plus petits</translation>
+    </message>
+    <message>
+        <source>colour by line, height, intensity, range, time, residual</source>
+        <translation>colorer par ligne, hauteur, intensité, distance, temps, résidu</translation>
+    </message>
+    <message>
+        <source>switch between before and after</source>
+        <translation>basculer entre avant et après</translation>
+    </message>
+    <message>
+        <source>before and after in one picture: drag the line, or Ctrl + arrows</source>
+        <translation>avant et après en une image : glisser le trait, ou Ctrl + flèches</translation>
+    </message>
+    <message>
+        <source>save the picture of the view, copy it</source>
+        <translation>enregistrer l&apos;image de la vue 3D, la copier</translation>
+    </message>
+    <message>
+        <source>Designing a site (Ctrl + Shift + D)</source>
+        <translation>Concevoir un site (Ctrl + Maj + D)</translation>
+    </message>
+    <message>
+        <source>Drag a line, its arrow</source>
+        <translation>Glisser une ligne, sa flèche</translation>
+    </message>
+    <message>
+        <source>nearer or farther, turn it; Shift: not in steps</source>
+        <translation>plus près ou plus loin, la tourner ; Maj : sans pas</translation>
+    </message>
+    <message>
+        <source>Drag a target</source>
+        <translation>Glisser une cible</translation>
+    </message>
+    <message>
+        <source>along the wall and up; in 3D its dots, off the wall too</source>
+        <translation>le long du mur et en hauteur ; en 3D par ses points, hors du mur aussi</translation>
+    </message>
+    <message>
+        <source>Page up and down</source>
+        <translation>Page préc. et suiv.</translation>
+    </message>
+    <message>
+        <source>choose a line or target</source>
+        <translation>choisir une ligne ou une cible</translation>
+    </message>
+    <message>
+        <source>Arrows, Shift + arrows</source>
+        <translation>Flèches, Maj + flèches</translation>
+    </message>
+    <message>
+        <source>move or turn it, in fine steps</source>
+        <translation>la déplacer ou la tourner, par pas fins</translation>
+    </message>
+    <message>
+        <source>Insert, Delete</source>
+        <translation>Inser, Suppr</translation>
+    </message>
+    <message>
+        <source>add one, remove it</source>
+        <translation>en ajouter une, la retirer</translation>
+    </message>
+    <message>
+        <source>Ctrl + D, Alt + Up, Down</source>
+        <translation>Ctrl + D, Alt + Haut, Bas</translation>
+    </message>
+    <message>
+        <source>line again, a turn earlier, later</source>
+        <translation>même ligne encore, un tour plus tôt, plus tard</translation>
+    </message>
+    <message>
+        <source>Ctrl + L, Ctrl + B</source>
+        <translation>Ctrl + L, Ctrl + B</translation>
+    </message>
+    <message>
+        <source>add a line, a board</source>
+        <translation>ajouter une ligne, un panneau</translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + B</source>
+        <translation>Ctrl + Maj + B</translation>
+    </message>
+    <message>
+        <source>add a ball</source>
+        <translation>ajouter une boule</translation>
+    </message>
+    <message>
+        <source>Looking into it</source>
+        <translation>Examiner</translation>
+    </message>
+    <message>
+        <source>section across the selected target, between two points</source>
+        <translation>coupe en travers de la cible sélectionnée, entre deux points</translation>
+    </message>
+    <message>
+        <source>Ctrl + P, Ctrl + Shift + P</source>
+        <translation>Ctrl + P, Ctrl + Maj + P</translation>
+    </message>
+    <message>
+        <source>save the picture of the section, copy it</source>
+        <translation>enregistrer l&apos;image de la coupe, la copier</translation>
+    </message>
+    <message>
+        <source>measure a distance, an angle</source>
+        <translation>mesurer une distance, un angle</translation>
+    </message>
+    <message>
+        <source>clip box about the selected target, or none</source>
+        <translation>boîte de découpe autour de la cible sélectionnée, ou aucune</translation>
+    </message>
+    <message>
+        <source>show what a click would take under the resting mouse</source>
+        <translation>montrer ce que prendrait un clic sous la souris au repos</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>end measuring or the lasso</source>
+        <translation>terminer la mesure ou le lasso</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Cibles</translation>
+    </message>
+    <message>
+        <source>Ctrl + click</source>
+        <translation>Ctrl + clic</translation>
+    </message>
+    <message>
+        <source>set a seed on a target</source>
+        <translation>poser un germe sur une cible</translation>
+    </message>
+    <message>
+        <source>type the coordinates of a seed, read a list of them</source>
+        <translation>saisir les coordonnées d&apos;un germe, lire une liste de germes</translation>
+    </message>
+    <message>
+        <source>Enter, Esc</source>
+        <translation>Entrée, Échap</translation>
+    </message>
+    <message>
+        <source>accept or reject the plane just found</source>
+        <translation>accepter ou rejeter le plan qui vient d&apos;être trouvé</translation>
+    </message>
+    <message>
+        <source>propose targets, find the selected one again</source>
+        <translation>proposer des cibles, chercher de nouveau celle qui est sélectionnée</translation>
+    </message>
+    <message>
+        <source>next seed is an adjustment target, a validation plane</source>
+        <translation>le prochain germe est celui d&apos;une cible, d&apos;un plan de validation</translation>
+    </message>
+    <message>
+        <source>target to validation plane, or the other way round</source>
+        <translation>de cible à plan de validation, ou l&apos;inverse</translation>
+    </message>
+    <message>
+        <source>lasso: add points to the selected target, remove points</source>
+        <translation>lasso : ajouter des points à la cible sélectionnée, en retirer</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>Le projet</translation>
+    </message>
+    <message>
+        <source>estimate, validate</source>
+        <translation>estimer, valider</translation>
+    </message>
+    <message>
+        <source>study the distance between points</source>
+        <translation>étudier la distance entre les points</translation>
+    </message>
+    <message>
+        <source>check against a reference, calibrations over the years</source>
+        <translation>contrôler par une référence, étalonnages au fil des ans</translation>
+    </message>
+    <message>
+        <source>cancel the running task</source>
+        <translation>annuler la tâche en cours</translation>
+    </message>
+    <message>
+        <source>Ctrl + E, Ctrl + Shift + E</source>
+        <translation>Ctrl + E, Ctrl + Maj + E</translation>
+    </message>
+    <message>
+        <source>export the report, the georeferenced lines</source>
+        <translation>exporter le rapport, les lignes géoréférencées</translation>
+    </message>
+    <message>
+        <source>Ctrl + Z, Ctrl + Y</source>
+        <translation>Ctrl + Z, Ctrl + Y</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>annuler, rétablir</translation>
+    </message>
+    <message>
+        <source>Ctrl + N, Ctrl + O, Ctrl + S</source>
+        <translation>Ctrl + N, Ctrl + O, Ctrl + S</translation>
+    </message>
+    <message>
+        <source>new project, open, save</source>
+        <translation>nouveau projet, ouvrir, enregistrer</translation>
+    </message>
+    <message>
+        <source>F, Shift + F</source>
+        <translation>F, Maj + F</translation>
+    </message>
+    <message>
+        <source>O</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>P, Shift + P</source>
+        <translation>P, Maj + P</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
+    <message>
+        <source>scenarios</source>
+        <translation>scénarios</translation>
+    </message>
+    <message>
+        <source>S, Shift + S</source>
+        <translation>S, Maj + S</translation>
+    </message>
+    <message>
+        <source>M, Shift + M</source>
+        <translation>M, Maj + M</translation>
+    </message>
+    <message>
+        <source>F3, Shift + F3</source>
+        <translation>F3, Maj + F3</translation>
+    </message>
+    <message>
+        <source>F5, Shift + F5</source>
+        <translation>F5, Maj + F5</translation>
+    </message>
+    <message>
+        <source>F6, F7</source>
+        <translation>F6, F7</translation>
+    </message>
+    <message>
+        <source>F8</source>
+        <translation>F8</translation>
+    </message>
+    <message>
+        <source>L, Shift + L</source>
+        <translation>L, Maj + L</translation>
+    </message>
+    <message>
+        <source>F9, F10</source>
+        <translation>F9, F10</translation>
+    </message>
+    <message>
+        <source>Shift + F9</source>
+        <translation>Maj + F9</translation>
+    </message>
+    <message>
+        <source>Shift + F10, F11</source>
+        <translation>Maj + F10, F11</translation>
+    </message>
+    <message>
+        <source>Ctrl + .</source>
+        <translation>Ctrl + .</translation>
+    </message>
+    <message>
+        <source>Phoenix SpatialExplorer 6 and later</source>
+        <translation>Phoenix SpatialExplorer 6 et suivants</translation>
+    </message>
+    <message>
+        <source>Phoenix SpatialExplorer 1 to 5</source>
+        <translation>Phoenix SpatialExplorer 1 à 5</translation>
+    </message>
+    <message>
+        <source>This program (iXblue)</source>
+        <translation>Ce programme (iXblue)</translation>
+    </message>
+    <message>
+        <source>{program:foreign} (verified)</source>
+        <translation>{program} (vérifiée)</translation>
+    </message>
+    <message>
+        <source>{program:foreign} (partly verified)</source>
+        <translation>{program} (partiellement vérifiée)</translation>
+    </message>
+    <message>
+        <source>{program:foreign} (not verified)</source>
+        <translation>{program} (non vérifiée)</translation>
+    </message>
+    <message>
+        <source>Present {turn} in {program:foreign}, degrees, {meaning}</source>
+        <translation>{turn} actuel dans {program}, en degrés, {meaning}</translation>
+    </message>
+    <message>
+        <source>Scanner to body there, with the lever arm ({name:foreign})</source>
+        <translation>Du scanneur au navire là-bas, avec le bras de levier ({name})</translation>
+    </message>
+    <message>
+        <source>Advanced: {what:kept}</source>
+        <translation>Avancé : {what}</translation>
+    </message>
+    <message>
+        <source>Estimate also: {what:kept}</source>
+        <translation>Estimer aussi : {what}</translation>
+    </message>
+    <message>
+        <source>More: {what:kept}</source>
+        <translation>Plus : {what}</translation>
+    </message>
+</context>
+<context>
+    <name>about</name>
+    <message>
+        <source>About LISPAC</source>
+        <translation>À propos de LISPAC</translation>
+    </message>
+    <message>
+        <source>Boresight calibration of a LiDAR and an INS/GNSS on a vessel, with honest uncertainties.</source>
+        <translation>Étalonnage des angles de visée d&apos;un LiDAR et d&apos;un INS/GNSS sur un navire, avec des incertitudes honnêtes.</translation>
+    </message>
+    <message>
+        <source>Local coordinates are North, West, Up in metres.</source>
+        <translation>Les coordonnées locales sont nord, ouest, haut, en mètres.</translation>
+    </message>
+    <message>
+        <source>Qt {qt:kept}, Python {python:kept}. BSD 3-clause licence.</source>
+        <translation>Qt {qt}, Python {python}. Licence BSD à trois clauses.</translation>
+    </message>
+    <message>
+        <source>Boresight calibration of a LiDAR and an INS/GNSS.</source>
+        <translation>Étalonnage des angles de visée d&apos;un LiDAR et d&apos;un INS/GNSS.</translation>
+    </message>
+</context>
+<context>
+    <name>messages</name>
+    <message>
+        <source>Time since the first line began (s)</source>
+        <translation>Temps depuis le début de la première ligne (s)</translation>
+    </message>
+    <message>
+        <source>{name} has no intensities; choose another colouring</source>
+        <translation>{name} n&apos;a pas d&apos;intensités ; choisissez une autre coloration</translation>
+    </message>
+    <message>
+        <source>Estimate first; then before and after can be compared</source>
+        <translation>Estimez d&apos;abord ; avant et après pourront ensuite être comparés</translation>
+    </message>
+    <message>
+        <source>Counting points</source>
+        <translation>Comptage des points</translation>
+    </message>
+    <message>
+        <source>validation, {model}</source>
+        <translation>validation, {model}</translation>
+    </message>
+    <message>
+        <source>Compared the lines on {n:n} validation planes</source>
+        <translation>Lignes comparées sur {n} plans de validation</translation>
+    </message>
+    <message>
+        <source>Compared the lines on 1 validation plane</source>
+        <translation>Lignes comparées sur 1 plan de validation</translation>
+    </message>
+    <message>
+        <source>Validating</source>
+        <translation>Validation en cours</translation>
+    </message>
+    <message>
+        <source>Placing the lines with the estimated boresight</source>
+        <translation>Placement des lignes avec les angles de visée estimés</translation>
+    </message>
+    <message>
+        <source>Wrote {path:kept} ({n:n} files)</source>
+        <translation>{path} écrit ({n} fichiers)</translation>
+    </message>
+    <message>
+        <source>Wrote {path:kept}</source>
+        <translation>{path} écrit</translation>
+    </message>
+    <message>
+        <source>Writing {what}</source>
+        <translation>Écriture : {what}</translation>
+    </message>
+    <message>
+        <source>the lines</source>
+        <translation>les lignes</translation>
+    </message>
+    <message>
+        <source>the targets</source>
+        <translation>les cibles</translation>
+    </message>
+    <message>
+        <source>the plane files</source>
+        <translation>les fichiers de plans</translation>
+    </message>
+    <message>
+        <source>the trajectory</source>
+        <translation>la trajectoire</translation>
+    </message>
+    <message>
+        <source>Opening {name:kept}</source>
+        <translation>Ouverture de {name}</translation>
+    </message>
+    <message>
+        <source>Making {name:kept}</source>
+        <translation>Création de {name}</translation>
+    </message>
+    <message>
+        <source>addition of {n:n} lines</source>
+        <translation>ajout de {n} lignes</translation>
+    </message>
+    <message>
+        <source>addition of {name:kept}</source>
+        <translation>ajout de {name}</translation>
+    </message>
+    <message>
+        <source>Added {n:n} lines to {name:kept}; save the project to keep them</source>
+        <translation>{n} lignes ajoutées à {name} ; enregistrez le projet pour les garder</translation>
+    </message>
+    <message>
+        <source>Added {what:kept} to {name:kept}; save the project to keep them</source>
+        <translation>{what} ajoutée à {name} ; enregistrez le projet pour les garder</translation>
+    </message>
+    <message>
+        <source>Adding {n:n} lines</source>
+        <translation>Ajout de {n} lignes</translation>
+    </message>
+    <message>
+        <source>Adding {name:kept}</source>
+        <translation>Ajout de {name}</translation>
+    </message>
+    <message>
+        <source>Opening the demo survey</source>
+        <translation>Ouverture du levé de démonstration</translation>
+    </message>
+    <message>
+        <source>File &gt; Save as… does that.</source>
+        <translation>Utilisez Fichier &gt; Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Saved {name:kept}</source>
+        <translation>{name} enregistré</translation>
+    </message>
+    <message>
+        <source>Saved as {folder:kept}; {other:kept} stays as it was saved last</source>
+        <translation>Enregistré sous {folder} ; {other} reste tel qu&apos;il a été enregistré la dernière fois</translation>
+    </message>
+    <message>
+        <source>Saving as {name:kept}</source>
+        <translation>Enregistrement sous {name}</translation>
+    </message>
+    <message>
+        <source>Opened {path:kept}</source>
+        <translation>{path} ouvert</translation>
+    </message>
+    <message>
+        <source>Placing the lines</source>
+        <translation>Placement des lignes</translation>
+    </message>
+    <message>
+        <source>Seeking {name:kept} on every line</source>
+        <translation>Recherche de {name} sur toutes les lignes</translation>
+    </message>
+    <message>
+        <source>Seeking {name:kept} on {line:kept}</source>
+        <translation>Recherche de {name} sur {line}</translation>
+    </message>
+    <message>
+        <source>Wait until the running task has ended, then seed again</source>
+        <translation>Attendez la fin de la tâche en cours, puis désignez de nouveau</translation>
+    </message>
+    <message>
+        <source>pick of {name:kept}</source>
+        <translation>désignation de {name}</translation>
+    </message>
+    <message>
+        <source>{name:kept}: {some:n} of {all:n} lines</source>
+        <translation>{name} : {some} lignes sur {all}</translation>
+    </message>
+    <message>
+        <source>{name:kept} rejected</source>
+        <translation>{name} rejetée</translation>
+    </message>
+    <message>
+        <source>rename of {name:kept}</source>
+        <translation>changement de nom de {name}</translation>
+    </message>
+    <message>
+        <source>removal of {name:kept}</source>
+        <translation>suppression de {name}</translation>
+    </message>
+    <message>
+        <source>use of {name:kept}</source>
+        <translation>emploi de {name}</translation>
+    </message>
+    <message>
+        <source>leaving out {name:kept}</source>
+        <translation>mise à l&apos;écart de {name}</translation>
+    </message>
+    <message>
+        <source>use of {name:kept} on {line:kept}</source>
+        <translation>emploi de {name} sur {line}</translation>
+    </message>
+    <message>
+        <source>leaving out {name:kept} on {line:kept}</source>
+        <translation>mise à l&apos;écart de {name} sur {line}</translation>
+    </message>
+    <message>
+        <source>use of line {line:kept}</source>
+        <translation>emploi de la ligne {line}</translation>
+    </message>
+    <message>
+        <source>leaving out line {line:kept}</source>
+        <translation>mise à l&apos;écart de la ligne {line}</translation>
+    </message>
+    <message>
+        <source>change of the mounting</source>
+        <translation>modification du montage</translation>
+    </message>
+    <message>
+        <source>Estimating the boresight</source>
+        <translation>Estimation des angles de visée</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>estimation</translation>
+    </message>
+    <message>
+        <source>The adjustment was cancelled. Press Estimate for it.</source>
+        <translation>La compensation a été annulée. Cliquez sur Estimer pour la faire.</translation>
+    </message>
+    <message>
+        <source>The adjustment failed. Press Estimate to try again.</source>
+        <translation>La compensation a échoué. Cliquez sur Estimer pour réessayer.</translation>
+    </message>
+    <message>
+        <source>Estimating again</source>
+        <translation>Nouvelle estimation</translation>
+    </message>
+    <message>
+        <source>Looking for a further line</source>
+        <translation>Recherche d&apos;une ligne supplémentaire</translation>
+    </message>
+    <message>
+        <source>Cross-checking</source>
+        <translation>Vérifications croisées en cours</translation>
+    </message>
+    <message>
+        <source>Estimated on {points:n} points in {time:n} s; RMS {before:n} → {after:n} mm</source>
+        <translation>Estimé sur {points} points en {time} s ; RMS {before} → {after} mm</translation>
+    </message>
+    <message>
+        <source>Estimated again on {points:n} points in {time:n} s; RMS {before:n} → {after:n} mm</source>
+        <translation>Estimé de nouveau sur {points} points en {time} s ; RMS {before} → {after} mm</translation>
+    </message>
+    <message>
+        <source>Estimated again with the points as they were selected before on {points:n} points in {time:n} s; RMS {before:n} → {after:n} mm</source>
+        <translation>Estimé de nouveau, avec les points choisis auparavant, sur {points} points en {time} s ; RMS {before} → {after} mm</translation>
+    </message>
+    <message>
+        <source>Preparing the preview</source>
+        <translation>Préparation de l&apos;aperçu</translation>
+    </message>
+    <message>
+        <source>About {a:n} × {b:n} m on {line:kept}</source>
+        <translation>Environ {a} × {b} m sur {line}</translation>
+    </message>
+    <message>
+        <source>Judging the sightings</source>
+        <translation>Évaluation des vues</translation>
+    </message>
+    <message>
+        <source>Judging {name:kept}</source>
+        <translation>Évaluation de {name}</translation>
+    </message>
+    <message>
+        <source>Draw around points to add to {what}</source>
+        <translation>Entourez les points à ajouter à {what}</translation>
+    </message>
+    <message>
+        <source>Draw around points to take from {what}</source>
+        <translation>Entourez les points à retirer de {what}</translation>
+    </message>
+    <message>
+        <source>{target:name} on {line:name}</source>
+        <translation>{target} sur {line}</translation>
+    </message>
+    <message>
+        <source>Select a target first; then draw around points of it</source>
+        <translation>Sélectionnez d&apos;abord une cible ; puis entourez des points de celle-ci</translation>
+    </message>
+    <message>
+        <source>{name:name} on {line:name}: no points of it there</source>
+        <translation>{name} sur {line} : aucun de ses points à cet endroit</translation>
+    </message>
+    <message>
+        <source>{name:name}: no points of it there</source>
+        <translation>{name} : aucun de ses points à cet endroit</translation>
+    </message>
+    <message>
+        <source>adding {n:n} points, {what}</source>
+        <translation>ajout de {n} points, {what}</translation>
+    </message>
+    <message>
+        <source>removal of {n:n} points, {what}</source>
+        <translation>retrait de {n} points, {what}</translation>
+    </message>
+    <message>
+        <source>{n:n} points added to {what}</source>
+        <translation>{n} points ajoutés à {what}</translation>
+    </message>
+    <message>
+        <source>{n:n} points taken from {what}</source>
+        <translation>{n} points retirés de {what}</translation>
+    </message>
+    <message>
+        <source>Wait until the running task has ended, then drop the files again</source>
+        <translation>Attendez la fin de la tâche en cours, puis déposez de nouveau les fichiers</translation>
+    </message>
+    <message>
+        <source>Select a target first: click it in the list of targets or in the table</source>
+        <translation>Sélectionnez d&apos;abord une cible : cliquez-la dans la liste des cibles ou dans le tableau</translation>
+    </message>
+    <message>
+        <source>No point there: Ctrl+click right on a target</source>
+        <translation>Aucun point ici : faites Ctrl+clic sur une cible même</translation>
+    </message>
+    <message>
+        <source>{title}: cancelled</source>
+        <translation>{title} : annulé</translation>
+    </message>
+    <message>
+        <source>{title}: stopping …</source>
+        <translation>{title} : arrêt en cours…</translation>
+    </message>
+    <message>
+        <source>{title}: it was done before it could be cancelled</source>
+        <translation>{title} : terminé avant d&apos;avoir pu être annulé</translation>
+    </message>
+    <message>
+        <source>Click the first point</source>
+        <translation>Cliquez le premier point</translation>
+    </message>
+    <message>
+        <source>Click the second point</source>
+        <translation>Cliquez le second point</translation>
+    </message>
+    <message>
+        <source>Click a point on the first side</source>
+        <translation>Cliquez un point du premier côté</translation>
+    </message>
+    <message>
+        <source>Click the corner</source>
+        <translation>Cliquez le sommet</translation>
+    </message>
+    <message>
+        <source>Click a point on the second side</source>
+        <translation>Cliquez un point du second côté</translation>
+    </message>
+    <message>
+        <source>Click to measure again</source>
+        <translation>Cliquez pour mesurer de nouveau</translation>
+    </message>
+    <message>
+        <source>Slope distance {n:n} m</source>
+        <translation>Distance suivant la pente {n} m</translation>
+    </message>
+    <message>
+        <source>Horizontal {n:n} m</source>
+        <translation>Horizontale {n} m</translation>
+    </message>
+    <message>
+        <source>Vertical {n:n} m</source>
+        <translation>Verticale {n} m</translation>
+    </message>
+    <message>
+        <source>Azimuth {n:n}°</source>
+        <translation>Azimut {n}°</translation>
+    </message>
+    <message>
+        <source>Angle {n:n}°</source>
+        <translation>Angle {n}°</translation>
+    </message>
+    <message>
+        <source>Sides {a:n} m and {b:n} m</source>
+        <translation>Côtés {a} m et {b} m</translation>
+    </message>
+    <message>
+        <source>There is no section to take a picture of: select a target and press S</source>
+        <translation>Il n&apos;y a pas de coupe dont prendre l&apos;image : sélectionnez une cible et appuyez sur S</translation>
+    </message>
+    <message>
+        <source>The picture of the view is in the clipboard</source>
+        <translation>L&apos;image de la vue 3D est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>The picture of the section is in the clipboard</source>
+        <translation>L&apos;image de la coupe est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>{text}   ·   Esc ends</source>
+        <translation>{text}   ·   Échap pour terminer</translation>
+    </message>
+    <message>
+        <source>details for the report</source>
+        <translation>détails pour le rapport</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Écriture du rapport</translation>
+    </message>
+    <message>
+        <source>Distance from the surface (mm)</source>
+        <translation>Distance à la surface (mm)</translation>
+    </message>
+    <message>
+        <source>Select a target or validation plane first; then change its role</source>
+        <translation>Sélectionnez d&apos;abord une cible ou un plan de validation ; puis changez son rôle</translation>
+    </message>
+    <message>
+        <source>change of role of {name:kept}</source>
+        <translation>changement de rôle de {name}</translation>
+    </message>
+    <message>
+        <source>{name:kept} is a validation plane now</source>
+        <translation>{name} est maintenant un plan de validation</translation>
+    </message>
+    <message>
+        <source>{name:kept} is a target now</source>
+        <translation>{name} est maintenant une cible</translation>
+    </message>
+    <message>
+        <source>Click where the section begins</source>
+        <translation>Cliquez où commence la coupe</translation>
+    </message>
+    <message>
+        <source>Click where it ends</source>
+        <translation>Cliquez où elle se termine</translation>
+    </message>
+    <message>
+        <source>Between two points</source>
+        <translation>Entre deux points</translation>
+    </message>
+    <message>
+        <source>Across {name:kept}</source>
+        <translation>En travers de {name}</translation>
+    </message>
+    <message>
+        <source>Cutting the section</source>
+        <translation>Calcul de la coupe</translation>
+    </message>
+    <message>
+        <source>Picking 1 seed of {file:kept}</source>
+        <translation>Recherche d&apos;un germe de {file}</translation>
+    </message>
+    <message>
+        <source>Picking {n:n} seeds of {file:kept}</source>
+        <translation>Recherche de {n} germes de {file}</translation>
+    </message>
+    <message>
+        <source>seeds of {file:kept}</source>
+        <translation>germes de {file}</translation>
+    </message>
+    <message>
+        <source>{some:n} of {all:n} seeds of {file:kept} led to a target</source>
+        <translation>{some} germes sur {all} de {file} ont donné une cible</translation>
+    </message>
+    <message>
+        <source>All are sought as planes on every line, with search radius, threshold and the rest as set in step 2.</source>
+        <translation>Tous sont cherchés comme plans sur toutes les lignes, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2.</translation>
+    </message>
+    <message>
+        <source>All are sought as spheres, validation planes on every line, with search radius, threshold and the rest as set in step 2.</source>
+        <translation>Tous sont cherchés comme sphères, les plans de validation comme plans, sur toutes les lignes, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2.</translation>
+    </message>
+    <message>
+        <source>Reading the calibrations</source>
+        <translation>Lecture des étalonnages</translation>
+    </message>
+    <message>
+        <source>check against {name:kept}</source>
+        <translation>contrôle par {name}</translation>
+    </message>
+    <message>
+        <source>Checking against {name:kept}</source>
+        <translation>Contrôle par {name}</translation>
+    </message>
+    <message>
+        <source>Adding up the errors</source>
+        <translation>Cumul des erreurs</translation>
+    </message>
+    <message>
+        <source>Studying the distance between points</source>
+        <translation>Étude de la distance entre les points</translation>
+    </message>
+    <message>
+        <source>Simulating boards</source>
+        <translation>Simulation de panneaux</translation>
+    </message>
+    <message>
+        <source>Proposing targets</source>
+        <translation>Recherche de cibles à proposer</translation>
+    </message>
+    <message>
+        <source>Finding {name:kept} again</source>
+        <translation>Nouvelle recherche de {name}</translation>
+    </message>
+    <message>
+        <source>Nothing to propose that is not picked already</source>
+        <translation>Rien à proposer qui ne soit déjà désigné</translation>
+    </message>
+    <message>
+        <source>Proposal rejected</source>
+        <translation>Proposition rejetée</translation>
+    </message>
+    <message>
+        <source>proposal</source>
+        <translation>proposition</translation>
+    </message>
+    <message>
+        <source>Accepted {names:kept} of the proposal</source>
+        <translation>Acceptés de la proposition : {names}</translation>
+    </message>
+    <message>
+        <source>{words}  ·  {left} left</source>
+        <translation>{words}  ·  encore {left}</translation>
+    </message>
+    <message>
+        <source>{words}  ·  {rate:n} %/s, {left} left</source>
+        <translation>{words}  ·  {rate} %/s, encore {left}</translation>
+    </message>
+</context>
+<context>
+    <name>steps</name>
+    <message>
+        <source>Data</source>
+        <translation>Données</translation>
+    </message>
+    <message>
+        <source>Adjust</source>
+        <translation>Compensation</translation>
+    </message>
+    <message>
+        <source>no project</source>
+        <translation>pas de projet</translation>
+    </message>
+    <message>
+        <source>Open or make a project first.</source>
+        <translation>Ouvrez ou créez d&apos;abord un projet.</translation>
+    </message>
+    <message>
+        <source>no project open</source>
+        <translation>aucun projet ouvert</translation>
+    </message>
+    <message>
+        <source>Make a project from a trajectory and raw lines, or open the built-in demo survey.</source>
+        <translation>Créez un projet à partir d&apos;une trajectoire et de lignes brutes, ou ouvrez le levé de démonstration.</translation>
+    </message>
+    <message>
+        <source>{lines}, being read</source>
+        <translation>{lines}, lecture en cours</translation>
+    </message>
+    <message>
+        <source>The files are being read.</source>
+        <translation>Les fichiers sont en cours de lecture.</translation>
+    </message>
+    <message>
+        <source>Check the lever arm and its signs, then go on to the targets.</source>
+        <translation>Vérifiez le bras de levier et ses signes, puis passez aux cibles.</translation>
+    </message>
+    <message>
+        <source>{n:n} M points</source>
+        <translation>{n} M points</translation>
+    </message>
+    <message>
+        <source>{n:n} points</source>
+        <translation>{n} points</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 point</translation>
+    </message>
+    <message>
+        <source>1 plane</source>
+        <translation>1 plan</translation>
+    </message>
+    <message>
+        <source>{n:n} planes</source>
+        <translation>{n} plans</translation>
+    </message>
+    <message>
+        <source>1 validation plane</source>
+        <translation>1 plan de validation</translation>
+    </message>
+    <message>
+        <source>{n:n} validation planes</source>
+        <translation>{n} plans de validation</translation>
+    </message>
+    <message>
+        <source>data first</source>
+        <translation>données d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Wait until the data are read.</source>
+        <translation>Attendez que les données soient lues.</translation>
+    </message>
+    <message>
+        <source>no targets yet</source>
+        <translation>pas encore de cible</translation>
+    </message>
+    <message>
+        <source>Hold Ctrl and click a target in the view.</source>
+        <translation>Maintenez Ctrl et cliquez une cible dans la vue 3D.</translation>
+    </message>
+    <message>
+        <source>{name:name} is seen on fewer than two lines: seed it on another, or leave it out.</source>
+        <translation>{name} est vue sur moins de deux lignes : désignez-la sur une autre, ou écartez-la.</translation>
+    </message>
+    <message>
+        <source>Nothing checks a single target: pick another that faces elsewhere.</source>
+        <translation>Rien ne contrôle une cible unique : désignez-en une autre, orientée autrement.</translation>
+    </message>
+    <message>
+        <source>Enough to adjust. Pick validation planes too, to show how well the lines agree.</source>
+        <translation>Assez pour compenser. Désignez aussi des plans de validation, pour montrer combien les lignes concordent.</translation>
+    </message>
+    <message>
+        <source>Enough to adjust and to validate.</source>
+        <translation>Assez pour compenser et pour valider.</translation>
+    </message>
+    <message>
+        <source>Do not use the angles before you have read the warnings on the right.</source>
+        <translation>N&apos;utilisez pas les angles avant d&apos;avoir lu les avertissements à droite.</translation>
+    </message>
+    <message>
+        <source>The result stands on the right.</source>
+        <translation>Le résultat est à droite.</translation>
+    </message>
+    <message>
+        <source>The residuals do not match the stated sigmas: see the test on the right.</source>
+        <translation>Les résidus ne correspondent pas aux écarts-types déclarés : voyez le test à droite.</translation>
+    </message>
+    <message>
+        <source>done: variance factor {n:n}</source>
+        <translation>fait : facteur de variance {n}</translation>
+    </message>
+    <message>
+        <source>done, in doubt: variance factor {n:n}</source>
+        <translation>fait, douteux : facteur de variance {n}</translation>
+    </message>
+    <message>
+        <source>not estimated</source>
+        <translation>non estimé</translation>
+    </message>
+    <message>
+        <source>estimating again</source>
+        <translation>nouvelle estimation</translation>
+    </message>
+    <message>
+        <source>The result follows at once.</source>
+        <translation>Le résultat suit aussitôt.</translation>
+    </message>
+    <message>
+        <source>pick targets first</source>
+        <translation>désigner d&apos;abord des cibles</translation>
+    </message>
+    <message>
+        <source>Pick at least two targets first.</source>
+        <translation>Désignez d&apos;abord au moins deux cibles.</translation>
+    </message>
+    <message>
+        <source>ready to estimate</source>
+        <translation>prêt à estimer</translation>
+    </message>
+    <message>
+        <source>Press Estimate.</source>
+        <translation>Cliquez sur Estimer.</translation>
+    </message>
+    <message>
+        <source>{some:n} of {all:n} plane closer than before</source>
+        <translation>{some} plan sur {all} plus proche qu&apos;avant</translation>
+    </message>
+    <message>
+        <source>{some:n} of {all:n} planes closer than before</source>
+        <translation>{some} plans sur {all} plus proches qu&apos;avant</translation>
+    </message>
+    <message>
+        <source>{some:n} of {all:n} plane closer than before, {n:n} not compared</source>
+        <translation>{some} plan sur {all} plus proche qu&apos;avant, {n} non comparés</translation>
+    </message>
+    <message>
+        <source>{some:n} of {all:n} planes closer than before, {n:n} not compared</source>
+        <translation>{some} plans sur {all} plus proches qu&apos;avant, {n} non comparés</translation>
+    </message>
+    <message>
+        <source>The histograms stand below.</source>
+        <translation>Les histogrammes sont en bas.</translation>
+    </message>
+    <message>
+        <source>no validation planes</source>
+        <translation>aucun plan de validation</translation>
+    </message>
+    <message>
+        <source>Pick planes that take no part in the adjustment: choose Validation plane in step 2, then Ctrl+click.</source>
+        <translation>Désignez des plans qui ne servent pas à la compensation : choisissez Plan de validation à l&apos;étape 2, puis Ctrl+clic.</translation>
+    </message>
+    <message>
+        <source>{planes}, estimate first</source>
+        <translation>{planes}, estimer d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Estimate the boresight first; then the lines are compared before and after.</source>
+        <translation>Estimez d&apos;abord les angles de visée ; les lignes sont ensuite comparées avant et après.</translation>
+    </message>
+    <message>
+        <source>{planes} to compare</source>
+        <translation>{planes} à comparer</translation>
+    </message>
+    <message>
+        <source>Press Validate to compare the lines on each plane.</source>
+        <translation>Cliquez sur Valider pour comparer les lignes sur chaque plan.</translation>
+    </message>
+    <message>
+        <source>estimate first</source>
+        <translation>estimer d&apos;abord</translation>
+    </message>
+    <message>
+        <source>The report needs an estimated boresight.</source>
+        <translation>Le rapport demande des angles de visée estimés.</translation>
+    </message>
+    <message>
+        <source>It will have no validation: run step 4 for it.</source>
+        <translation>Il sera sans validation : exécutez l&apos;étape 4 pour l&apos;avoir.</translation>
+    </message>
+    <message>
+        <source>ready to export</source>
+        <translation>prêt à exporter</translation>
+    </message>
+    <message>
+        <source>ready, without validation</source>
+        <translation>prêt, sans validation</translation>
+    </message>
+    <message>
+        <source>Export the report as PDF or HTML, or its numbers as JSON.</source>
+        <translation>Exportez le rapport en PDF ou HTML, ou ses chiffres en JSON.</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>pas encore</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>à faire</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>look at this</source>
+        <translation>à regarder</translation>
+    </message>
+    <message>
+        <source>Nothing loaded yet</source>
+        <translation>Rien de chargé pour l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Open or make a project to see its lines here</source>
+        <translation>Ouvrez ou créez un projet pour voir ses lignes ici</translation>
+    </message>
+    <message>
+        <source>Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+click: set a seed</source>
+        <translation>Glisser : tourner   ·   Maj+glisser : déplacer   ·   Molette : zoom   ·   Ctrl+clic : poser un germe</translation>
+    </message>
+    <message>
+        <source>Histograms</source>
+        <translation>Histogrammes</translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnostics</translation>
+    </message>
+</context>
+<context>
+    <name>counts</name>
+    <message>
+        <source>{n:n} lines, {k:n} M points</source>
+        <translation>{n} lignes, {k} M points</translation>
+    </message>
+    <message>
+        <source>1 line, {k:n} M points</source>
+        <translation>1 ligne, {k} M points</translation>
+    </message>
+    <message>
+        <source>{n:n} lines, {k:n} points</source>
+        <translation>{n} lignes, {k} points</translation>
+    </message>
+    <message>
+        <source>1 line, {k:n} points</source>
+        <translation>1 ligne, {k} points</translation>
+    </message>
+    <message>
+        <source>{n:n} targets in {lines}</source>
+        <translation>{n} cibles sur {lines}</translation>
+    </message>
+    <message>
+        <source>1 target in {lines}</source>
+        <translation>1 cible sur {lines}</translation>
+    </message>
+    <message>
+        <source>{n:n} targets in {k:n} lines, {planes}</source>
+        <translation>{n} cibles sur {k} lignes, {planes}</translation>
+    </message>
+    <message>
+        <source>1 target in {k:n} lines, {planes}</source>
+        <translation>1 cible sur {k} lignes, {planes}</translation>
+    </message>
+    <message>
+        <source>{n:n} targets in 1 line, {planes}</source>
+        <translation>{n} cibles sur 1 ligne, {planes}</translation>
+    </message>
+    <message>
+        <source>1 target in 1 line, {planes}</source>
+        <translation>1 cible sur 1 ligne, {planes}</translation>
+    </message>
+</context>
+<context>
+    <name>dialogs</name>
+    <message>
+        <source>Browse…</source>
+        <translation>Parcourir…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Hauteurs</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Désigner</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>Search radius</source>
+        <translation>Rayon de recherche</translation>
+    </message>
+    <message>
+        <source>LISPAC</source>
+        <translation>LISPAC</translation>
+    </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+</context>
+<context>
+    <name>budget dialog</name>
+    <message>
+        <source>Horiz. {far:n} m (cm)</source>
+        <translation>Horiz. {far} m (cm)</translation>
+    </message>
+    <message>
+        <source>Vert. {far:n} m (cm)</source>
+        <translation>Vert. {far} m (cm)</translation>
+    </message>
+    <message>
+        <source>Across {far:n} m (cm)</source>
+        <translation>Transv. {far} m (cm)</translation>
+    </message>
+    <message>
+        <source>In the plane of north and west, 1 sigma, {far:n} m from the scanner</source>
+        <translation>Dans le plan nord-ouest, 1 sigma, à {far} m du scanneur</translation>
+    </message>
+    <message>
+        <source>Upwards, 1 sigma, {far:n} m from the scanner</source>
+        <translation>Vers le haut, 1 sigma, à {far} m du scanneur</translation>
+    </message>
+    <message>
+        <source>Across the beam, 1 sigma, {far:n} m from the scanner</source>
+        <translation>En travers du faisceau, 1 sigma, à {far} m du scanneur</translation>
+    </message>
+    <message>
+        <source>What makes a point uncertain</source>
+        <translation>Ce qui rend un point incertain</translation>
+    </message>
+    <message>
+        <source>Error budget</source>
+        <translation>Bilan d&apos;erreurs</translation>
+    </message>
+    <message>
+        <source>What each source of error does to a point, as a standard deviation in centimetres, by the derivatives of the adjustment.</source>
+        <translation>Ce que chaque source d&apos;erreur fait à un point, en écart-type et en centimètres, d&apos;après les dérivées de la compensation.</translation>
+    </message>
+    <message>
+        <source>Beam {beam}</source>
+        <translation>Faisceau {beam}</translation>
+    </message>
+    <message>
+        <source>Where the beam points</source>
+        <translation>Où pointe le faisceau</translation>
+    </message>
+    <message>
+        <source>How well it is known is not stated</source>
+        <translation>Sa précision n&apos;est pas déclarée</translation>
+    </message>
+</context>
+<context>
+    <name>check dialog</name>
+    <message>
+        <source>As the file says, else the local frame</source>
+        <translation>Comme l&apos;indique le fichier, sinon le repère local</translation>
+    </message>
+    <message>
+        <source>Each line that saw the reference, and all of them</source>
+        <translation>Chaque ligne qui a vu la référence, et l&apos;ensemble</translation>
+    </message>
+    <message>
+        <source>Where line and reference were compared, the same before and after</source>
+        <translation>Où ligne et référence ont été comparées, les mêmes avant et après</translation>
+    </message>
+    <message>
+        <source>Mean before (mm)</source>
+        <translation>Moyenne avant (mm)</translation>
+    </message>
+    <message>
+        <source>Mean after (mm)</source>
+        <translation>Moyenne après (mm)</translation>
+    </message>
+    <message>
+        <source>± 95 % before (mm)</source>
+        <translation>± 95 % avant (mm)</translation>
+    </message>
+    <message>
+        <source>± 95 % after (mm)</source>
+        <translation>± 95 % après (mm)</translation>
+    </message>
+    <message>
+        <source>RMS before (mm)</source>
+        <translation>RMS avant (mm)</translation>
+    </message>
+    <message>
+        <source>RMS after (mm)</source>
+        <translation>RMS après (mm)</translation>
+    </message>
+    <message>
+        <source>Mean distance from the reference, positive towards the vessel, before the calibration, millimetres</source>
+        <translation>Distance moyenne à la référence, positive vers le navire, avant l&apos;étalonnage, en millimètres</translation>
+    </message>
+    <message>
+        <source>Mean distance from the reference, positive towards the vessel, after the calibration, millimetres</source>
+        <translation>Distance moyenne à la référence, positive vers le navire, après l&apos;étalonnage, en millimètres</translation>
+    </message>
+    <message>
+        <source>What the mean may be off by, with POS, reference and boresight, before the calibration, millimetres</source>
+        <translation>Erreur possible de la moyenne, avec POS, référence et angles de visée, avant l&apos;étalonnage, en millimètres</translation>
+    </message>
+    <message>
+        <source>What the mean may be off by, with POS, reference and boresight, after the calibration, millimetres</source>
+        <translation>Erreur possible de la moyenne, avec POS, référence et angles de visée, après l&apos;étalonnage, en millimètres</translation>
+    </message>
+    <message>
+        <source>Root mean square distance, before the calibration, millimetres</source>
+        <translation>Distance quadratique moyenne, avant l&apos;étalonnage, en millimètres</translation>
+    </message>
+    <message>
+        <source>Root mean square distance, after the calibration, millimetres</source>
+        <translation>Distance quadratique moyenne, après l&apos;étalonnage, en millimètres</translation>
+    </message>
+    <message>
+        <source>Whether the mean after the calibration is within its 95 %</source>
+        <translation>Si la moyenne après l&apos;étalonnage est dans ses 95 %</translation>
+    </message>
+    <message>
+        <source>Check against a reference</source>
+        <translation>Contrôler par une référence</translation>
+    </message>
+    <message>
+        <source>The lines are compared with a static scan of the site, or with surveyed points: a list with name, three coordinates, and perhaps the sigma and the plane that each point lies on with others.</source>
+        <translation>Les lignes sont comparées à un balayage statique du site, ou à des points levés : une liste avec nom, trois coordonnées, et éventuellement l&apos;écart-type et le plan que chaque point partage avec d&apos;autres.</translation>
+    </message>
+    <message>
+        <source>LAS, LAZ, E57 or text</source>
+        <translation>LAS, LAZ, E57 ou texte</translation>
+    </message>
+    <message>
+        <source>Choose the reference</source>
+        <translation>Choisir la référence</translation>
+    </message>
+    <message>
+        <source>1 sigma of the reference: of a scan what all its points share (registration and control), of a list that of each point it states none for</source>
+        <translation>1 sigma de la référence : pour un balayage, ce que tous ses points partagent (recalage et canevas) ; pour une liste, celui de chaque point qui n&apos;en indique pas</translation>
+    </message>
+    <message>
+        <source>How far from the reference a line is looked for: more than the prior boresight puts it off</source>
+        <translation>Jusqu&apos;où une ligne est cherchée autour de la référence : plus que l&apos;écart dû aux angles de visée a priori</translation>
+    </message>
+    <message>
+        <source>Reference ± 1 sigma</source>
+        <translation>Référence ± 1 sigma</translation>
+    </message>
+    <message>
+        <source>Looked for within</source>
+        <translation>Cherchée à moins de</translation>
+    </message>
+    <message>
+        <source>Scans and lists of points (*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts);;All files (*)</source>
+        <translation>Balayages et listes de points (*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Lines against the reference</source>
+        <translation>Lignes par rapport à la référence</translation>
+    </message>
+    <message>
+        <source>Check against {file:kept}</source>
+        <translation>Contrôle par {file}</translation>
+    </message>
+    <message>
+        <source>Distances of the lines from the reference along its normal, positive towards the vessel. The report has them too.</source>
+        <translation>Distances des lignes à la référence le long de sa normale, positives vers le navire. Le rapport les donne aussi.</translation>
+    </message>
+    <message>
+        <source>Not compared: {reason}</source>
+        <translation>Non comparée : {reason}</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>diffère</translation>
+    </message>
+</context>
+<context>
+    <name>error dialog</name>
+    <message>
+        <source>There is not enough memory for this; close other programs or use fewer lines.</source>
+        <translation>Il n&apos;y a pas assez de mémoire pour cela ; fermez d&apos;autres programmes ou prenez moins de lignes.</translation>
+    </message>
+    <message>
+        <source>Something went wrong that the program did not foresee. Your project is as it was before this step; save it, and send the details to the program&apos;s maintainers.</source>
+        <translation>Il s&apos;est produit une erreur que le programme n&apos;avait pas prévue. Votre projet est tel qu&apos;avant cette étape ; enregistrez-le et envoyez les détails aux responsables du programme.</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>Copier les détails</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>Un fichier</translation>
+    </message>
+</context>
+<context>
+    <name>export dialog</name>
+    <message>
+        <source>Georeferenced lines, all attributes kept</source>
+        <translation>Lignes géoréférencées, avec tous leurs attributs</translation>
+    </message>
+    <message>
+        <source>Points of targets and validation planes</source>
+        <translation>Points des cibles et des plans de validation</translation>
+    </message>
+    <message>
+        <source>Plane files of the targets (25 columns)</source>
+        <translation>Fichiers de plans des cibles (25 colonnes)</translation>
+    </message>
+    <message>
+        <source>LAZ (compressed)</source>
+        <translation>LAZ (compressé)</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>SBET (.out)</source>
+        <translation>SBET (.out)</translation>
+    </message>
+    <message>
+        <source>Text (.txt)</source>
+        <translation>Texte (.txt)</translation>
+    </message>
+    <message>
+        <source>What to write</source>
+        <translation>Ce qu&apos;il faut écrire</translation>
+    </message>
+    <message>
+        <source>Boresight the points are placed with</source>
+        <translation>Angles de visée avec lesquels placer les points</translation>
+    </message>
+    <message>
+        <source>EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid</source>
+        <translation>Code EPSG d&apos;un système vertical, chemin d&apos;une grille de géoïde (.gtx, .tif), ou « ellipsoid »</translation>
+    </message>
+    <message>
+        <source>As the coordinate system says, else above the ellipsoid</source>
+        <translation>Comme le dit le système de coordonnées, sinon au-dessus de l&apos;ellipsoïde</translation>
+    </message>
+    <message>
+        <source>As the coordinate system, nothing is shifted</source>
+        <translation>Comme le système de coordonnées, rien n&apos;est décalé</translation>
+    </message>
+    <message>
+        <source>Geographic system of the trajectory: EPSG:7912 for ITRF2014, say</source>
+        <translation>Système géographique de la trajectoire : EPSG:7912 pour ITRF2014, par exemple</translation>
+    </message>
+    <message>
+        <source>Where datums drift apart: 2024.5, say</source>
+        <translation>Là où les référentiels dérivent : 2024,5, par exemple</translation>
+    </message>
+    <message>
+        <source>Date of the survey as a decimal year (yr)</source>
+        <translation>Date du levé en année décimale (a)</translation>
+    </message>
+    <message>
+        <source>Trajectory datum</source>
+        <translation>Référentiel de la trajectoire</translation>
+    </message>
+    <message>
+        <source>Epoch (yr)</source>
+        <translation>Époque (a)</translation>
+    </message>
+    <message>
+        <source>File format</source>
+        <translation>Format de fichier</translation>
+    </message>
+    <message>
+        <source>Nothing is estimated yet</source>
+        <translation>Rien n&apos;est encore estimé</translation>
+    </message>
+    <message>
+        <source>Metres North, West and Up from the project&apos;s origin.</source>
+        <translation>Mètres vers le nord, l&apos;ouest et le haut depuis l&apos;origine du projet.</translation>
+    </message>
+    <message>
+        <source>Folder to export to</source>
+        <translation>Dossier où exporter</translation>
+    </message>
+    <message>
+        <source>{text:kept}: not a date as a decimal year; 2024.5 for example.</source>
+        <translation>{text} : ce n&apos;est pas une date en année décimale ; 2024,5 par exemple.</translation>
+    </message>
+</context>
+<context>
+    <name>find again dialog</name>
+    <message>
+        <source>Find {name:kept} again</source>
+        <translation>Chercher de nouveau {name}</translation>
+    </message>
+    <message>
+        <source>{name:kept} is sought at its seed on every line with these settings. What is found is offered in place of the present one.</source>
+        <translation>{name} est cherchée à son germe sur toutes les lignes avec ces réglages. Ce qui est trouvé est proposé à la place de l&apos;actuelle.</translation>
+    </message>
+    <message>
+        <source>Farthest a point may lie from its plane or sphere: less keeps rough edges out, more takes in a rough or smeared surface</source>
+        <translation>Distance maximale d&apos;un point à son plan ou à sa sphère : moins écarte les bords rugueux, plus admet une surface rugueuse ou étalée</translation>
+    </message>
+    <message>
+        <source>Only points this near to the seed can belong to the target</source>
+        <translation>Seuls des points à cette distance du germe au plus peuvent appartenir à la cible</translation>
+    </message>
+</context>
+<context>
+    <name>history dialog</name>
+    <message>
+        <source>First day of the survey</source>
+        <translation>Premier jour du levé</translation>
+    </message>
+    <message>
+        <source>Its project</source>
+        <translation>Son projet</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Jour</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>Roll (deg)</source>
+        <translation>Roulis (°)</translation>
+    </message>
+    <message>
+        <source>Pitch (deg)</source>
+        <translation>Tangage (°)</translation>
+    </message>
+    <message>
+        <source>Yaw (deg)</source>
+        <translation>Lacet (°)</translation>
+    </message>
+    <message>
+        <source>Roll ± (deg)</source>
+        <translation>Roulis ± (°)</translation>
+    </message>
+    <message>
+        <source>Pitch ± (deg)</source>
+        <translation>Tangage ± (°)</translation>
+    </message>
+    <message>
+        <source>Yaw ± (deg)</source>
+        <translation>Lacet ± (°)</translation>
+    </message>
+    <message>
+        <source>Estimated value of roll, degrees</source>
+        <translation>Valeur estimée du roulis, en degrés</translation>
+    </message>
+    <message>
+        <source>Estimated value of pitch, degrees</source>
+        <translation>Valeur estimée du tangage, en degrés</translation>
+    </message>
+    <message>
+        <source>Estimated value of yaw, degrees</source>
+        <translation>Valeur estimée du lacet, en degrés</translation>
+    </message>
+    <message>
+        <source>1 sigma of roll, degrees</source>
+        <translation>1 sigma du roulis, en degrés</translation>
+    </message>
+    <message>
+        <source>1 sigma of pitch, degrees</source>
+        <translation>1 sigma du tangage, en degrés</translation>
+    </message>
+    <message>
+        <source>1 sigma of yaw, degrees</source>
+        <translation>1 sigma du lacet, en degrés</translation>
+    </message>
+    <message>
+        <source>Δ roll (sigmas)</source>
+        <translation>Δ roulis (sigmas)</translation>
+    </message>
+    <message>
+        <source>Δ pitch (sigmas)</source>
+        <translation>Δ tangage (sigmas)</translation>
+    </message>
+    <message>
+        <source>Δ yaw (sigmas)</source>
+        <translation>Δ lacet (sigmas)</translation>
+    </message>
+    <message>
+        <source>{angle} less the mean of the calibrations before, over the sigma of that difference</source>
+        <translation>{angle} moins la moyenne des étalonnages antérieurs, rapporté à l&apos;écart-type de cette différence</translation>
+    </message>
+    <message>
+        <source>Moves at {n:n} m (cm)</source>
+        <translation>Déplacement à {n} m (cm)</translation>
+    </message>
+    <message>
+        <source>How far a point is from where the mean of the calibrations before puts it, at most</source>
+        <translation>Distance maximale d&apos;un point à l&apos;endroit où le met la moyenne des étalonnages antérieurs</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Beyond three sigmas, the angles taken together, the mounting has moved</source>
+        <translation>Au-delà de trois sigmas, les angles pris ensemble, le montage a bougé</translation>
+    </message>
+    <message>
+        <source>Calibrations over the years</source>
+        <translation>Étalonnages au fil des ans</translation>
+    </message>
+    <message>
+        <source>Each calibration is held against the mean of those before it. A system is a vessel with its scanner and INS/GNSS, as named in the details for the report.</source>
+        <translation>Chaque étalonnage est comparé à la moyenne de ceux qui le précèdent. Un système est un navire avec son scanneur et son INS/GNSS, tels que nommés dans les détails pour le rapport.</translation>
+    </message>
+    <message>
+        <source>Whose calibrations are shown</source>
+        <translation>De quel système sont montrés les étalonnages</translation>
+    </message>
+    <message>
+        <source>Control chart of {system:kept}</source>
+        <translation>Carte de contrôle de {system}</translation>
+    </message>
+    <message>
+        <source>has moved</source>
+        <translation>a bougé</translation>
+    </message>
+</context>
+<context>
+    <name>identity dialog</name>
+    <message>
+        <source>Details for the report</source>
+        <translation>Détails pour le rapport</translation>
+    </message>
+    <message>
+        <source>Details for the report…</source>
+        <translation>Détails pour le rapport…</translation>
+    </message>
+    <message>
+        <source>What is left blank is printed as a line to be filled in by hand.</source>
+        <translation>Ce qui reste vide est imprimé comme une ligne à remplir à la main.</translation>
+    </message>
+    <message>
+        <source>From the lines</source>
+        <translation>D&apos;après les lignes</translation>
+    </message>
+    <message>
+        <source>The days (UTC) that the times of the lines tell</source>
+        <translation>Les jours (UTC) que donnent les temps des lignes</translation>
+    </message>
+</context>
+<context>
+    <name>import</name>
+    <message>
+        <source>Add lines to {name:kept}</source>
+        <translation>Ajouter des lignes à {name}</translation>
+    </message>
+    <message>
+        <source>Add to project</source>
+        <translation>Ajouter au projet</translation>
+    </message>
+    <message>
+        <source>Add the scan files of the lines: drop them here, or press Add files.</source>
+        <translation>Ajoutez les fichiers de balayage des lignes : déposez-les ici, ou cliquez sur Ajouter des fichiers.</translation>
+    </message>
+    <message>
+        <source>Lines on the map are taken back to the scanner with the project&apos;s lever arm and prior boresight: they have to be those the lines were made with.</source>
+        <translation>Les lignes sur la carte sont ramenées au scanneur avec le bras de levier et les angles de visée a priori du projet : ils doivent être ceux avec lesquels les lignes ont été faites.</translation>
+    </message>
+    <message>
+        <source>Survey files (*.las *.laz *.e57 *.ply *.pcd *.txt *.xyz *.csv *.asc *.gz *.sbet *.out *.pos *.smrmsg *.dat);;All files (*)</source>
+        <translation>Fichiers de levé (*.las *.laz *.e57 *.ply *.pcd *.txt *.xyz *.csv *.asc *.gz *.sbet *.out *.pos *.smrmsg *.dat);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Nouveau projet</translation>
+    </message>
+    <message>
+        <source>Selected file</source>
+        <translation>Fichier sélectionné</translation>
+    </message>
+    <message>
+        <source>Trajectory quality</source>
+        <translation>Qualité de la trajectoire</translation>
+    </message>
+    <message>
+        <source>Mounting and accuracies</source>
+        <translation>Montage et précisions</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <source>Timeline ({n:n} to look at)</source>
+        <translation>Chronologie ({n} à regarder)</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Ajouter des fichiers…</translation>
+    </message>
+    <message>
+        <source>Add folder…</source>
+        <translation>Ajouter un dossier…</translation>
+    </message>
+    <message>
+        <source>Add the files that lie directly in a folder</source>
+        <translation>Ajouter les fichiers qui se trouvent directement dans un dossier</translation>
+    </message>
+    <message>
+        <source>Take the selected file off the list (Delete)</source>
+        <translation>Retirer le fichier sélectionné de la liste (Suppr)</translation>
+    </message>
+    <message>
+        <source>Files looked into</source>
+        <translation>Fichiers examinés</translation>
+    </message>
+    <message>
+        <source>Look into no more files</source>
+        <translation>Ne plus examiner de fichiers</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Réexaminer</translation>
+    </message>
+    <message>
+        <source>Look into the files that were passed over</source>
+        <translation>Examiner les fichiers laissés de côté</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Project folder</source>
+        <translation>Dossier du projet</translation>
+    </message>
+    <message>
+        <source>Where the project is kept; the survey&apos;s files stay where they are</source>
+        <translation>Où le projet est gardé ; les fichiers du levé restent où ils sont</translation>
+    </message>
+    <message>
+        <source>Create project</source>
+        <translation>Créer le projet</translation>
+    </message>
+    <message>
+        <source>The lever arm is zero: state it under Mounting and accuracies if it is not.</source>
+        <translation>Le bras de levier est nul : indiquez-le sous Montage et précisions s&apos;il ne l&apos;est pas.</translation>
+    </message>
+    <message>
+        <source>Survey files</source>
+        <translation>Fichiers de levé</translation>
+    </message>
+    <message>
+        <source>Folder with survey files</source>
+        <translation>Dossier contenant les fichiers de levé</translation>
+    </message>
+    <message>
+        <source>SBET, POSPac or Exail (iXblue) text, or any text with columns</source>
+        <translation>SBET, texte POSPac ou Exail (iXblue), ou tout texte en colonnes</translation>
+    </message>
+    <message>
+        <source>Its accuracies, if there are any</source>
+        <translation>Ses précisions, s&apos;il y en a</translation>
+    </message>
+    <message>
+        <source>smrmsg, or a text export of them</source>
+        <translation>smrmsg, ou un export texte de celles-ci</translation>
+    </message>
+    <message>
+        <source>A scan file for each line</source>
+        <translation>Un fichier de balayage par ligne</translation>
+    </message>
+    <message>
+        <source>LAS, LAZ, E57, PLY, PCD, text or CIDCO; in the scanner&apos;s frame or on the map</source>
+        <translation>LAS, LAZ, E57, PLY, PCD, texte ou CIDCO ; dans le repère du scanneur ou sur la carte</translation>
+    </message>
+    <message>
+        <source>Drop the survey&apos;s files or their folder here</source>
+        <translation>Déposez ici les fichiers du levé ou leur dossier</translation>
+    </message>
+    <message>
+        <source>Nothing is copied or changed: each file is looked into, and you see what it is before the project is made.</source>
+        <translation>Rien n&apos;est copié ni modifié : chaque fichier est examiné, et vous voyez ce qu&apos;il est avant que le projet ne soit créé.</translation>
+    </message>
+    <message>
+        <source>Select a file above to see what is in it.</source>
+        <translation>Sélectionnez un fichier ci-dessus pour voir ce qu&apos;il contient.</translation>
+    </message>
+    <message>
+        <source>First rows</source>
+        <translation>Premières rangées</translation>
+    </message>
+    <message>
+        <source>How it is read</source>
+        <translation>Comment il est lu</translation>
+    </message>
+    <message>
+        <source>What is in it</source>
+        <translation>Ce qu&apos;il contient</translation>
+    </message>
+    <message>
+        <source>Taken for granted</source>
+        <translation>Supposé</translation>
+    </message>
+    <message>
+        <source>How the file is read, and what is in it</source>
+        <translation>Comment le fichier est lu, et ce qu&apos;il contient</translation>
+    </message>
+    <message>
+        <source>Nothing to doubt in this file.</source>
+        <translation>Rien de douteux dans ce fichier.</translation>
+    </message>
+    <message>
+        <source>First rows – choose over each column what it is</source>
+        <translation>Premières rangées – choisissez au-dessus de chaque colonne ce qu&apos;elle est</translation>
+    </message>
+    <message>
+        <source>Time span (s)</source>
+        <translation>Durée couverte (s)</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Name of the file; its folder is in the tip of each row</source>
+        <translation>Nom du fichier ; son dossier est dans l&apos;infobulle de chaque rangée</translation>
+    </message>
+    <message>
+        <source>What the file is for the project</source>
+        <translation>Ce que le fichier est pour le projet</translation>
+    </message>
+    <message>
+        <source>How the file is read; the surest comes first</source>
+        <translation>Comment le fichier est lu ; le plus sûr en premier</translation>
+    </message>
+    <message>
+        <source>Points of a line, states of a trajectory</source>
+        <translation>Points d&apos;une ligne, états d&apos;une trajectoire</translation>
+    </message>
+    <message>
+        <source>First and last time, seconds, in the file&apos;s own time base</source>
+        <translation>Premier et dernier temps, en secondes, dans la base de temps du fichier</translation>
+    </message>
+    <message>
+        <source>What the coordinates refer to</source>
+        <translation>À quoi se rapportent les coordonnées</translation>
+    </message>
+    <message>
+        <source>Whether there is something to look at; select the row to read it</source>
+        <translation>S&apos;il y a quelque chose à regarder ; sélectionnez la rangée pour le lire</translation>
+    </message>
+    <message>
+        <source>Files to be imported</source>
+        <translation>Fichiers à importer</translation>
+    </message>
+    <message>
+        <source>Role of {file:kept}</source>
+        <translation>Rôle de {file}</translation>
+    </message>
+    <message>
+        <source>Format of {file:kept}</source>
+        <translation>Format de {file}</translation>
+    </message>
+    <message>
+        <source>Position and attitude: from {file:kept}.</source>
+        <translation>Position et attitude : de {file}.</translation>
+    </message>
+    <message>
+        <source>Position and attitude: no accuracy file, so these hold at all times.</source>
+        <translation>Position et attitude : pas de fichier de précision, ces valeurs valent donc à tout moment.</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>Montage</translation>
+    </message>
+    <message>
+        <source>Uncertainties</source>
+        <translation>Incertitudes</translation>
+    </message>
+    <message>
+        <source>Prior boresight</source>
+        <translation>Angles de visée a priori</translation>
+    </message>
+    <message>
+        <source>Lines on the map are taken back to the scanner: state the lever arm and the boresight that they were made with.</source>
+        <translation>Les lignes sur la carte sont ramenées au scanneur : indiquez le bras de levier et les angles de visée avec lesquels elles ont été faites.</translation>
+    </message>
+    <message>
+        <source>Set the origin of the local frame</source>
+        <translation>Fixer l&apos;origine du repère local</translation>
+    </message>
+    <message>
+        <source>Without it, the mean position of the trajectory is used</source>
+        <translation>Sans elle, la position moyenne de la trajectoire est prise</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one LiDAR point on each axis, millimetres</source>
+        <translation>Écart-type d&apos;un point LiDAR sur chaque axe, en millimètres</translation>
+    </message>
+    <message>
+        <source>LiDAR noise (1 σ)</source>
+        <translation>Bruit du LiDAR (1 σ)</translation>
+    </message>
+    <message>
+        <source>Position (1 σ)</source>
+        <translation>Position (1 σ)</translation>
+    </message>
+    <message>
+        <source>Attitude (1 σ)</source>
+        <translation>Attitude (1 σ)</translation>
+    </message>
+    <message>
+        <source>Stated by you.</source>
+        <translation>Indiqué par vous.</translation>
+    </message>
+    <message>
+        <source>As found in the file, or by default.</source>
+        <translation>Trouvé dans le fichier, ou par défaut.</translation>
+    </message>
+    <message>
+        <source>This is {system:kept}.</source>
+        <translation>Il s&apos;agit de {system}.</translation>
+    </message>
+    <message>
+        <source>EPSG:32619, say</source>
+        <translation>EPSG:32619, par exemple</translation>
+    </message>
+    <message>
+        <source>First rows of the file</source>
+        <translation>Premières rangées du fichier</translation>
+    </message>
+    <message>
+        <source>What this column is</source>
+        <translation>Ce qu&apos;est cette colonne</translation>
+    </message>
+    <message>
+        <source>Column {n:n}</source>
+        <translation>Colonne {n}</translation>
+    </message>
+    <message>
+        <source>Meaning of column {n:n}</source>
+        <translation>Sens de la colonne {n}</translation>
+    </message>
+    <message>
+        <source>No accuracy file: the sigmas typed under Mounting and accuracies hold at all times.</source>
+        <translation>Pas de fichier de précision : les écarts-types saisis sous Montage et précisions valent à tout moment.</translation>
+    </message>
+    <message>
+        <source>With smrmsg, or the standard deviations of a text export, their course appears here.</source>
+        <translation>Avec smrmsg, ou les écarts-types d&apos;un export texte, leur évolution apparaît ici.</translation>
+    </message>
+    <message>
+        <source>Speed and attitude</source>
+        <translation>Vitesse et attitude</translation>
+    </message>
+    <message>
+        <source>Accuracies</source>
+        <translation>Précisions</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Temps, s</translation>
+    </message>
+    <message>
+        <source>East, m</source>
+        <translation>Est, m</translation>
+    </message>
+    <message>
+        <source>North, m</source>
+        <translation>Nord, m</translation>
+    </message>
+    <message>
+        <source>Standard deviations of position and attitude over time</source>
+        <translation>Écarts-types de la position et de l&apos;attitude au cours du temps</translation>
+    </message>
+    <message>
+        <source>The way of the vessel on a map, the lines in their colours</source>
+        <translation>La route du navire sur une carte, les lignes dans leurs couleurs</translation>
+    </message>
+    <message>
+        <source>Speed, roll and pitch, heading over time</source>
+        <translation>Vitesse, roulis et tangage, cap au cours du temps</translation>
+    </message>
+    <message>
+        <source>Shaded: the lines.</source>
+        <translation>Ombré : les lignes.</translation>
+    </message>
+    <message>
+        <source>Coloured: the lines.</source>
+        <translation>En couleur : les lignes.</translation>
+    </message>
+    <message>
+        <source>Add the trajectory: its accuracies, its track and its motion appear here.</source>
+        <translation>Ajoutez la trajectoire : ses précisions, sa trace et son mouvement apparaissent ici.</translation>
+    </message>
+    <message>
+        <source>{what} of the trajectory over time, lines marked</source>
+        <translation>{what} de la trajectoire au cours du temps, lignes marquées</translation>
+    </message>
+    <message>
+        <source>What there is to look at</source>
+        <translation>Ce qu&apos;il y a à regarder</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Doubt</source>
+        <translation>Doute</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Bon</translation>
+    </message>
+    <message>
+        <source>1 doubt</source>
+        <translation>1 doute</translation>
+    </message>
+    <message>
+        <source>{n:n} doubts</source>
+        <translation>{n} doutes</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>En attente</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>Inconnu</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Écarté</translation>
+    </message>
+    <message>
+        <source>no gap</source>
+        <translation>aucune lacune</translation>
+    </message>
+    <message>
+        <source>1 gap</source>
+        <translation>1 lacune</translation>
+    </message>
+    <message>
+        <source>{n:n} gaps</source>
+        <translation>{n} lacunes</translation>
+    </message>
+    <message>
+        <source>no trajectory yet</source>
+        <translation>pas encore de trajectoire</translation>
+    </message>
+    <message>
+        <source>{n:n} % outside</source>
+        <translation>{n} % en dehors</translation>
+    </message>
+    <message>
+        <source>{n:n} % in gaps</source>
+        <translation>{n} % dans des lacunes</translation>
+    </message>
+    <message>
+        <source>{a:n} % outside, {b:n} % in gaps</source>
+        <translation>{a} % en dehors, {b} % dans des lacunes</translation>
+    </message>
+    <message>
+        <source>{words} ({shift:n} s)</source>
+        <translation>{words} ({shift} s)</translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>couverte</translation>
+    </message>
+    <message>
+        <source>Timeline of the lines over the trajectory</source>
+        <translation>Chronologie des lignes sur la trajectoire</translation>
+    </message>
+    <message>
+        <source>No file with times yet</source>
+        <translation>Pas encore de fichier avec des temps</translation>
+    </message>
+    <message>
+        <source>Add the trajectory and the lines: their times appear here.</source>
+        <translation>Ajoutez la trajectoire et les lignes : leurs temps apparaissent ici.</translation>
+    </message>
+    <message>
+        <source>before the trajectory</source>
+        <translation>avant la trajectoire</translation>
+    </message>
+    <message>
+        <source>after the trajectory</source>
+        <translation>après la trajectoire</translation>
+    </message>
+    <message>
+        <source>gap {n:n} s</source>
+        <translation>lacune {n} s</translation>
+    </message>
+    <message>
+        <source>{name:kept} {start:n} to {end:n} s, {words}</source>
+        <translation>{name} de {start} à {end} s, {words}</translation>
+    </message>
+    <message>
+        <source>Longest gap between two states of the trajectory that a straight line bridges, seconds; points in longer gaps are left out</source>
+        <translation>Plus longue lacune entre deux états de la trajectoire comblée par une droite, en secondes ; les points dans des lacunes plus longues sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>Longest gap bridged</source>
+        <translation>Plus longue lacune comblée</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décaler</translation>
+    </message>
+    <message>
+        <source>Add {n:n} s to</source>
+        <translation>Ajouter {n} s à</translation>
+    </message>
+    <message>
+        <source>Add {n:n} s to all {lines:n} lines outside</source>
+        <translation>Ajouter {n} s aux {lines} lignes en dehors</translation>
+    </message>
+    <message>
+        <source>Shift all {lines:n} lines outside</source>
+        <translation>Décaler les {lines} lignes en dehors</translation>
+    </message>
+    <message>
+        <source>{n:n} % of the points lie in longer gaps</source>
+        <translation>{n} % des points sont dans des lacunes plus longues</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Précision</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Système de coordonnées</translation>
+    </message>
+    <message>
+        <source>Order of bytes</source>
+        <translation>Ordre des octets</translation>
+    </message>
+    <message>
+        <source>Times restart</source>
+        <translation>Reprise des temps</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>nulle part</translation>
+    </message>
+    <message>
+        <source>at midnight</source>
+        <translation>à minuit</translation>
+    </message>
+    <message>
+        <source>at the end of the week</source>
+        <translation>à la fin de la semaine</translation>
+    </message>
+    <message>
+        <source>as found by the times</source>
+        <translation>d&apos;après les temps</translation>
+    </message>
+    <message>
+        <source>by the system</source>
+        <translation>d&apos;après le système</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>comme l&apos;indique le fichier</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>Sur la carte</translation>
+    </message>
+    <message>
+        <source>System not stated</source>
+        <translation>Système non indiqué</translation>
+    </message>
+    <message>
+        <source>Latitude, longitude</source>
+        <translation>Latitude, longitude</translation>
+    </message>
+    <message>
+        <source>North, east, down</source>
+        <translation>Nord, est, bas</translation>
+    </message>
+    <message>
+        <source>Not looked into, as it was stopped; press Look again.</source>
+        <translation>Non examiné, l&apos;examen ayant été arrêté ; cliquez sur Réexaminer.</translation>
+    </message>
+    <message>
+        <source>Listing the files</source>
+        <translation>Liste des fichiers</translation>
+    </message>
+    <message>
+        <source>Looking into {file:kept}</source>
+        <translation>Examen de {file}</translation>
+    </message>
+    <message>
+        <source>Looking into {file:kept} ({n:n} of {all:n})</source>
+        <translation>Examen de {file} ({n} sur {all})</translation>
+    </message>
+    <message>
+        <source>It cannot be looked into ({kind:kept}: {error}).</source>
+        <translation>Il ne peut être examiné ({kind} : {error}).</translation>
+    </message>
+    <message>
+        <source>Add {name:kept} to the project</source>
+        <translation>Ajouter {name} au projet</translation>
+    </message>
+</context>
+<context>
+    <name>preview dialog</name>
+    <message>
+        <source>Preview of the report</source>
+        <translation>Aperçu du rapport</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>Page {n:n} of {all:n}</source>
+        <translation>Page {n} sur {all}</translation>
+    </message>
+    <message>
+        <source>Page {n:n}</source>
+        <translation>Page {n}</translation>
+    </message>
+</context>
+<context>
+    <name>proposal dialog</name>
+    <message>
+        <source>Proposed targets</source>
+        <translation>Cibles proposées</translation>
+    </message>
+    <message>
+        <source>Proposed targets and validation planes</source>
+        <translation>Cibles et plans de validation proposés</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Pourquoi</translation>
+    </message>
+    <message>
+        <source>Add the ticked ones to the project</source>
+        <translation>Ajouter au projet ce qui est coché</translation>
+    </message>
+    <message>
+        <source>Add nothing</source>
+        <translation>Ne rien ajouter</translation>
+    </message>
+    <message>
+        <source>Untick to leave it out</source>
+        <translation>Décocher pour l&apos;écarter</translation>
+    </message>
+    <message>
+        <source>Seen on {lines:kept}</source>
+        <translation>Vu sur {lines}</translation>
+    </message>
+    <message>
+        <source>Accept {n:n} of {all:n}</source>
+        <translation>Accepter {n} sur {all}</translation>
+    </message>
+    <message>
+        <source>Validation planes take no part in the adjustment; the lines are compared on them. Untick what you do not want.</source>
+        <translation>Les plans de validation ne servent pas à la compensation ; les lignes y sont comparées. Décochez ce que vous ne voulez pas.</translation>
+    </message>
+    <message>
+        <source>No further targets are proposed: what would serve is picked already ({names:kept}).</source>
+        <translation>Aucune autre cible n&apos;est proposée : ce qui servirait est déjà désigné ({names}).</translation>
+    </message>
+</context>
+<context>
+    <name>seed dialogs</name>
+    <message>
+        <source>Seed at coordinates</source>
+        <translation>Désigner par coordonnées</translation>
+    </message>
+    <message>
+        <source>The plane at this place is sought on every line, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
+        <translation>Le plan à cet endroit est cherché sur toutes les lignes, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2. Ce qui est trouvé est proposé.</translation>
+    </message>
+    <message>
+        <source>The sphere at this place is sought on every line, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
+        <translation>La sphère à cet endroit est cherchée sur toutes les lignes, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2. Ce qui est trouvé est proposé.</translation>
+    </message>
+    <message>
+        <source>The plane at this place is sought on {line:kept} only, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
+        <translation>Le plan à cet endroit n&apos;est cherché que sur {line}, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2. Ce qui est trouvé est proposé.</translation>
+    </message>
+    <message>
+        <source>The sphere at this place is sought on {line:kept} only, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
+        <translation>La sphère à cet endroit n&apos;est cherchée que sur {line}, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2. Ce qui est trouvé est proposé.</translation>
+    </message>
+    <message>
+        <source>Name of the new target</source>
+        <translation>Nom de la nouvelle cible</translation>
+    </message>
+    <message>
+        <source>There is a {name:kept} already; give the seed another name.</source>
+        <translation>Il y a déjà une cible {name} ; donnez un autre nom au germe.</translation>
+    </message>
+    <message>
+        <source>{axis}: “{text:kept}” is not a number.</source>
+        <translation>{axis} : « {text} » n&apos;est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>Still to be given: {axes:list}.</source>
+        <translation>Encore à donner : {axes}.</translation>
+    </message>
+    <message>
+        <source>{n:n} m from the trajectory.</source>
+        <translation>À {n} m de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>In the local frame {n:n} m north, {w:n} m west, {u:n} m up; {d:n} m from the trajectory.</source>
+        <translation>Dans le repère local, {n} m nord, {w} m ouest, {u} m haut ; à {d} m de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Paste three numbers at once into the first field to fill all three</source>
+        <translation>Collez trois nombres à la fois dans le premier champ pour remplir les trois</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>ouest</translation>
+    </message>
+    <message>
+        <source>Easting</source>
+        <translation>Abscisse est</translation>
+    </message>
+    <message>
+        <source>Northing</source>
+        <translation>Ordonnée nord</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Est</translation>
+    </message>
+    <message>
+        <source>{axis} (m)</source>
+        <translation>{axis} (m)</translation>
+    </message>
+    <message>
+        <source>{axis} (°)</source>
+        <translation>{axis} (°)</translation>
+    </message>
+    <message>
+        <source>{axis}, m</source>
+        <translation>{axis}, m</translation>
+    </message>
+    <message>
+        <source>{axis}, °</source>
+        <translation>{axis}, °</translation>
+    </message>
+    <message>
+        <source>Validation plane</source>
+        <translation>Plan de validation</translation>
+    </message>
+    <message>
+        <source>Off the track (m)</source>
+        <translation>À la trace (m)</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Seeds from {file:kept}</source>
+        <translation>Germes de {file}</translation>
+    </message>
+    <message>
+        <source>The role is that of the list, or goes by the name: what begins with V is a validation plane.</source>
+        <translation>Le rôle est celui de la liste, ou suit le nom : ce qui commence par V est un plan de validation.</translation>
+    </message>
+    <message>
+        <source>What the columns hold, from the left: name, x, y, z, role, and - for one that is not used. Empty: as the file names them, else in that order</source>
+        <translation>Ce que contiennent les colonnes, de gauche à droite : name, x, y, z, role, et - pour une colonne inutilisée. Vide : comme les nomme le fichier, sinon dans cet ordre</translation>
+    </message>
+    <message>
+        <source>As the file names them, else name, x, y, z, role</source>
+        <translation>Comme les nomme le fichier, sinon name, x, y, z, role</translation>
+    </message>
+    <message>
+        <source>Seeds that were read</source>
+        <translation>Germes lus</translation>
+    </message>
+    <message>
+        <source>Pick nothing</source>
+        <translation>Ne rien désigner</translation>
+    </message>
+    <message>
+        <source>Row {n:n} of the list; untick to leave it out</source>
+        <translation>Rangée {n} de la liste ; décocher pour l&apos;écarter</translation>
+    </message>
+    <message>
+        <source>Picked already; tick to replace</source>
+        <translation>Déjà désignée ; cocher pour remplacer</translation>
+    </message>
+    <message>
+        <source>Pick {n:n} of {all:n}</source>
+        <translation>Désigner {n} sur {all}</translation>
+    </message>
+    <message>
+        <source>Seeds picked</source>
+        <translation>Germes désignés</translation>
+    </message>
+    <message>
+        <source>{n:n} of {all:n} seeds led to a target.</source>
+        <translation>{n} germes sur {all} ont donné une cible.</translation>
+    </message>
+    <message>
+        <source>One undo step takes all of them back.</source>
+        <translation>Une seule annulation les retire tous.</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Ce qui a été trouvé</translation>
+    </message>
+    <message>
+        <source>Not on {line:kept}: {why}</source>
+        <translation>Pas sur {line} : {why}</translation>
+    </message>
+    <message>
+        <source>Seeds from a file</source>
+        <translation>Germes d&apos;un fichier</translation>
+    </message>
+    <message>
+        <source>Lists of coordinates (*.txt *.csv *.asc *.xyz *.pts *.dat);;All files (*)</source>
+        <translation>Listes de coordonnées (*.txt *.csv *.asc *.xyz *.pts *.dat);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>files and questions</name>
+    <message>
+        <source>Open plan</source>
+        <translation>Ouvrir un plan</translation>
+    </message>
+    <message>
+        <source>Plan (*.toml)</source>
+        <translation>Plan (*.toml)</translation>
+    </message>
+    <message>
+        <source>Save plan</source>
+        <translation>Enregistrer le plan</translation>
+    </message>
+    <message>
+        <source>Write the field plan</source>
+        <translation>Écrire le plan de terrain</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Open site</source>
+        <translation>Ouvrir un site</translation>
+    </message>
+    <message>
+        <source>Site (*.toml)</source>
+        <translation>Site (*.toml)</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;HTML (*.html);;Numbers as JSON (*.json);;Tables as CSV in a ZIP file (*.zip)</source>
+        <translation>PDF (*.pdf);;HTML (*.html);;Chiffres en JSON (*.json);;Tableaux en CSV dans un fichier ZIP (*.zip)</translation>
+    </message>
+    <message>
+        <source>Add the files to {name:kept}?</source>
+        <translation>Ajouter les fichiers à {name} ?</translation>
+    </message>
+    <message>
+        <source>Lines are added to the open project and checked against its trajectory; what has been picked stays. Files of another survey make a new project.</source>
+        <translation>Les lignes sont ajoutées au projet ouvert et contrôlées par rapport à sa trajectoire ; ce qui a été désigné reste. Les fichiers d&apos;un autre levé font un nouveau projet.</translation>
+    </message>
+    <message>
+        <source>Add to {name:kept}</source>
+        <translation>Ajouter à {name}</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>Nouveau projet…</translation>
+    </message>
+    <message>
+        <source>LISPAC project (project.json)</source>
+        <translation>Projet LISPAC (project.json)</translation>
+    </message>
+    <message>
+        <source>Save project as: name of its new folder</source>
+        <translation>Enregistrer le projet sous : nom de son nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Folder with the projects of all calibrations</source>
+        <translation>Dossier des projets de tous les étalonnages</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Exporter le rapport</translation>
+    </message>
+    <message>
+        <source>Save the report as PDF</source>
+        <translation>Enregistrer le rapport en PDF</translation>
+    </message>
+    <message>
+        <source>Template of the report</source>
+        <translation>Modèle du rapport</translation>
+    </message>
+    <message>
+        <source>Report template (*.toml)</source>
+        <translation>Modèle de rapport (*.toml)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l&apos;image</translation>
+    </message>
+    <message>
+        <source>Save the changes to {name:kept}?</source>
+        <translation>Enregistrer les modifications de {name} ?</translation>
+    </message>
+    <message>
+        <source>Without saving, what was picked and computed since is lost.</source>
+        <translation>Sans enregistrement, ce qui a été désigné et calculé depuis est perdu.</translation>
+    </message>
+    <message>
+        <source>{name:kept} was found and is not accepted yet.</source>
+        <translation>{name} a été trouvée et n&apos;est pas encore acceptée.</translation>
+    </message>
+    <message>
+        <source>Only accepted targets take part in the adjustment.</source>
+        <translation>Seules les cibles acceptées prennent part à la compensation.</translation>
+    </message>
+    <message>
+        <source>Accept and estimate</source>
+        <translation>Accepter et estimer</translation>
+    </message>
+    <message>
+        <source>Estimate without it</source>
+        <translation>Estimer sans elle</translation>
+    </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Copier les nombres</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Copier le tableau pour un tableur</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copier l&apos;image</translation>
+    </message>
+    <message>
+        <source>Copy the plot as it is shown</source>
+        <translation>Copier le graphique tel qu&apos;il est montré</translation>
+    </message>
+</context>
+<context>
+    <name>subsampling dialog</name>
+    <message>
+        <source>Between points (m)</source>
+        <translation>Entre points (m)</translation>
+    </message>
+    <message>
+        <source>Points of a sighting nearer together are averaged</source>
+        <translation>Les points d&apos;une vue plus rapprochés sont moyennés</translation>
+    </message>
+    <message>
+        <source>That took part; averaged ones count once</source>
+        <translation>Qui ont pris part ; les points moyennés comptent une fois</translation>
+    </message>
+    <message>
+        <source>Of the adjustment, without the selection of the points</source>
+        <translation>De la compensation, sans le choix des points</translation>
+    </message>
+    <message>
+        <source>Subsampling study</source>
+        <translation>Étude du sous-échantillonnage</translation>
+    </message>
+    <message>
+        <source>The same sightings adjusted with points nearer together and farther apart. Points of one sighting share the errors of the POS: where the sigmas no longer shrink, more points only take time. The project stays as it is.</source>
+        <translation>Les mêmes vues compensées avec des points plus rapprochés et plus espacés. Les points d&apos;une vue partagent les erreurs du POS : là où les écarts-types ne diminuent plus, davantage de points ne font que prendre du temps. Le projet reste tel quel.</translation>
+    </message>
+    <message>
+        <source>In orange: the {n:n} m of the project&apos;s settings.</source>
+        <translation>En orange : les {n} m des réglages du projet.</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>tous les points</translation>
+    </message>
+</context>
+<context>
+    <name>systems</name>
+    <message>
+        <source>Local frame – North, West, Up</source>
+        <translation>Repère local – nord, ouest, haut</translation>
+    </message>
+    <message>
+        <source>Choose, or type an EPSG code: EPSG:2959, EPSG:6347+5703</source>
+        <translation>Choisir, ou saisir un code EPSG : EPSG:2959, EPSG:6347+5703</translation>
+    </message>
+    <message>
+        <source>{zone:kept} – UTM zone of the trajectory (WGS 84)</source>
+        <translation>{zone} – zone UTM de la trajectoire (WGS 84)</translation>
+    </message>
+    <message>
+        <source>As the lines&apos; files – {system:kept}</source>
+        <translation>Comme les fichiers des lignes – {system}</translation>
+    </message>
+    <message>
+        <source>Choose a coordinate system, or type its EPSG code.</source>
+        <translation>Choisissez un système de coordonnées, ou saisissez son code EPSG.</translation>
+    </message>
+</context>
+<context>
+    <name>visibility dialog</name>
+    <message>
+        <source>With its size</source>
+        <translation>Avec sa grandeur</translation>
+    </message>
+    <message>
+        <source>Inclinations that Type I keeps</source>
+        <translation>Inclinaisons que retient le type I</translation>
+    </message>
+    <message>
+        <source>By its appendix C and section 3.9</source>
+        <translation>D&apos;après son annexe C et sa section 3.9</translation>
+    </message>
+    <message>
+        <source>Inclination at which the lines differ most</source>
+        <translation>Inclinaison à laquelle les lignes diffèrent le plus</translation>
+    </message>
+    <message>
+        <source>Thesis&apos;s best</source>
+        <translation>Meilleure, thèse</translation>
+    </message>
+    <message>
+        <source>By its table 3.2 and section 3.9</source>
+        <translation>D&apos;après son tableau 3.2 et sa section 3.9</translation>
+    </message>
+    <message>
+        <source>Headings; lines joined by / show the same, one of them is enough</source>
+        <translation>Caps ; les lignes jointes par / montrent la même chose, une seule suffit</translation>
+    </message>
+    <message>
+        <source>Thesis&apos;s lines</source>
+        <translation>Lignes, thèse</translation>
+    </message>
+    <message>
+        <source>By its table 3.2 and section 4.4.1.1</source>
+        <translation>D&apos;après son tableau 3.2 et sa section 4.4.1.1</translation>
+    </message>
+    <message>
+        <source>Beside the thesis; the row&apos;s tip says why it differs</source>
+        <translation>Par rapport à la thèse ; l&apos;infobulle de la rangée dit pourquoi elle diffère</translation>
+    </message>
+    <message>
+        <source>Beside the thesis</source>
+        <translation>Par rapport à la thèse</translation>
+    </message>
+    <message>
+        <source>Move the mouse over the chart to read values off</source>
+        <translation>Passez la souris sur le graphique pour lire des valeurs</translation>
+    </message>
+    <message>
+        <source>Best configurations</source>
+        <translation>Meilleures configurations</translation>
+    </message>
+    <message>
+        <source>Visibility of errors</source>
+        <translation>Visibilité des erreurs</translation>
+    </message>
+    <message>
+        <source>One board on six lines, with one systematic error at a time and no noise: at which inclination and on which lines is the error seen? Shaded is what Type I keeps, dashed the best.</source>
+        <translation>Un panneau sur six lignes, avec une erreur systématique à la fois et sans bruit : à quelle inclinaison et sur quelles lignes l&apos;erreur est-elle vue ? En ombré, ce que retient le type I ; en tirets, le meilleur.</translation>
+    </message>
+    <message>
+        <source>A vehicle 2.5 m above a board on the ground, or a vessel 15 m from a quay 5 m high</source>
+        <translation>Un véhicule à 2,5 m au-dessus d&apos;un panneau au sol, ou un navire à 15 m d&apos;un quai haut de 5 m</translation>
+    </message>
+    <message>
+        <source>Which systematic error is there</source>
+        <translation>Quelle erreur systématique est présente</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>Ce qui est dessiné</translation>
+    </message>
+    <message>
+        <source>Copy what the chart is drawn from as a table for a spreadsheet</source>
+        <translation>Copier les données du graphique comme tableau pour un tableur</translation>
+    </message>
+    <message>
+        <source>{error} beside the thesis: {why}</source>
+        <translation>{error}, par rapport à la thèse : {why}</translation>
+    </message>
+</context>
+<context>
+    <name>step panels</name>
+    <message>
+        <source>{n:n}  {title}</source>
+        <translation>{n}  {title}</translation>
+    </message>
+    <message>
+        <source>{n:n}  {title}: {sentence}</source>
+        <translation>{n}  {title} : {sentence}</translation>
+    </message>
+    <message>
+        <source>{n:n}  {title}: {sentence} ({state})</source>
+        <translation>{n}  {title} : {sentence} ({state})</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Rétablir les valeurs</translation>
+    </message>
+    <message>
+        <source>typed sigmas, the same at all times</source>
+        <translation>écarts-types saisis, les mêmes à tout moment</translation>
+    </message>
+    <message>
+        <source>Tick to show the line in the view</source>
+        <translation>Cocher pour montrer la ligne dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>Lever arm, POS to LiDAR</source>
+        <translation>Bras de levier, du POS au LiDAR</translation>
+    </message>
+    <message>
+        <source>Place the lines with these numbers; results that rest on the old ones are dropped</source>
+        <translation>Placer les lignes avec ces nombres ; les résultats fondés sur les anciens sont abandonnés</translation>
+    </message>
+    <message>
+        <source>Back to the values in use</source>
+        <translation>Revenir aux valeurs en usage</translation>
+    </message>
+    <message>
+        <source>Surveyor, vessel, instruments, dates: what page one of the report says</source>
+        <translation>Hydrographe, navire, instruments, dates : ce que dit la page un du rapport</translation>
+    </message>
+    <message>
+        <source>Surveyor, vessel, instruments, dates: what page one says of who, when and with what</source>
+        <translation>Hydrographe, navire, instruments, dates : ce que dit la page un de qui, quand et avec quoi</translation>
+    </message>
+    <message>
+        <source>A project holds a trajectory (SBET), its accuracies, and one raw scan file for each pass of the vessel.</source>
+        <translation>Un projet contient une trajectoire (SBET), ses précisions et un fichier de balayage brut pour chaque passage du navire.</translation>
+    </message>
+    <message>
+        <source>Open the demo survey</source>
+        <translation>Ouvrir le levé de démonstration</translation>
+    </message>
+    <message>
+        <source>Lines of the survey</source>
+        <translation>Lignes du levé</translation>
+    </message>
+    <message>
+        <source>X forward</source>
+        <translation>X avant</translation>
+    </message>
+    <message>
+        <source>Y left</source>
+        <translation>Y gauche</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z haut</translation>
+    </message>
+    <message>
+        <source>Lever arm X: LiDAR optical centre from the POS centre, metres, positive forward</source>
+        <translation>Bras de levier X : centre optique du LiDAR depuis le centre du POS, en mètres, positif vers l&apos;avant</translation>
+    </message>
+    <message>
+        <source>Lever arm Y: LiDAR optical centre from the POS centre, metres, positive left</source>
+        <translation>Bras de levier Y : centre optique du LiDAR depuis le centre du POS, en mètres, positif vers la gauche (bâbord)</translation>
+    </message>
+    <message>
+        <source>Lever arm Z: LiDAR optical centre from the POS centre, metres, positive up</source>
+        <translation>Bras de levier Z : centre optique du LiDAR depuis le centre du POS, en mètres, positif vers le haut</translation>
+    </message>
+    <message>
+        <source>Prior roll of the LiDAR in the body frame, degrees, positive left side up</source>
+        <translation>Roulis a priori du LiDAR dans le repère du navire, en degrés, positif quand bâbord monte</translation>
+    </message>
+    <message>
+        <source>Prior pitch of the LiDAR in the body frame, degrees, positive bow down</source>
+        <translation>Tangage a priori du LiDAR dans le repère du navire, en degrés, positif quand l&apos;étrave descend</translation>
+    </message>
+    <message>
+        <source>Prior yaw of the LiDAR in the body frame, degrees, positive clockwise from above</source>
+        <translation>Lacet a priori du LiDAR dans le repère du navire, en degrés, positif dans le sens horaire vu d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>Hold &lt;b&gt;Ctrl&lt;/b&gt; and click a target in the view. The plane is sought on every line.</source>
+        <translation>Maintenez &lt;b&gt;Ctrl&lt;/b&gt; et cliquez une cible dans la vue 3D. Le plan est cherché sur toutes les lignes.</translation>
+    </message>
+    <message>
+        <source>Hold &lt;b&gt;Ctrl&lt;/b&gt; and click a target in the view. The sphere is sought on every line.</source>
+        <translation>Maintenez &lt;b&gt;Ctrl&lt;/b&gt; et cliquez une cible dans la vue 3D. La sphère est cherchée sur toutes les lignes.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl&lt;/b&gt;+click gives {name:kept} a sighting of its own on {line:kept}; its other lines stay as they are.</source>
+        <translation>&lt;b&gt;Ctrl&lt;/b&gt;+clic donne à {name} une vue à elle sur {line} ; ses autres lignes restent telles quelles.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl&lt;/b&gt;+click seeks a new plane on {line:kept} only. To add the line to a target, select the target in the list first.</source>
+        <translation>&lt;b&gt;Ctrl&lt;/b&gt;+clic cherche un nouveau plan sur {line} seulement. Pour ajouter la ligne à une cible, sélectionnez d&apos;abord la cible dans la liste.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl&lt;/b&gt;+click seeks a new sphere on {line:kept} only. To add the line to a target, select the target in the list first.</source>
+        <translation>&lt;b&gt;Ctrl&lt;/b&gt;+clic cherche une nouvelle sphère sur {line} seulement. Pour ajouter la ligne à une cible, sélectionnez d&apos;abord la cible dans la liste.</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>par défaut</translation>
+    </message>
+    <message>
+        <source>default ({n:n} mm)</source>
+        <translation>par défaut ({n} mm)</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>The plane or sphere takes part in the adjustment (F6)</source>
+        <translation>Le plan ou la sphère prend part à la compensation (F6)</translation>
+    </message>
+    <message>
+        <source>The plane takes no part; the lines are compared on it before and after (F7)</source>
+        <translation>Le plan n&apos;y prend pas part ; les lignes y sont comparées avant et après (F7)</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Shape of the target; lines are compared on planes only, so a validation target is one</source>
+        <translation>Forme de la cible ; les lignes ne sont comparées que sur des plans, une cible de validation en est donc un</translation>
+    </message>
+    <message>
+        <source>Radius of the ball, not its diameter; 0 where it is unknown: balls of 0.05 to 0.5 m are then sought and the radius is estimated</source>
+        <translation>Rayon de la boule, non son diamètre ; 0 s&apos;il est inconnu : des boules de 0,05 à 0,5 m sont alors cherchées et le rayon est estimé</translation>
+    </message>
+    <message>
+        <source>Choose one line to seed it alone, where the search from another line failed</source>
+        <translation>Choisir une ligne pour n&apos;y désigner qu&apos;elle, là où la recherche depuis une autre a échoué</translation>
+    </message>
+    <message>
+        <source>Only points this near to the seed can belong to the target; 0 leaves it to the program</source>
+        <translation>Seuls des points à cette distance du germe au plus peuvent appartenir à la cible ; 0 laisse le choix au programme</translation>
+    </message>
+    <message>
+        <source>Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the larger of 10 mm and 3 × the LiDAR noise, for spheres at least 30 mm (a small ball: 0.3 of its radius)</source>
+        <translation>Distance maximale d&apos;un point à son plan ou à sa sphère (seuil de RANSAC) ; 0 donne la plus grande de 10 mm et 3 × le bruit du LiDAR, pour les sphères au moins 30 mm (petite boule : 0,3 de son rayon)</translation>
+    </message>
+    <message>
+        <source>Ball radius</source>
+        <translation>Rayon de la boule</translation>
+    </message>
+    <message>
+        <source>Seek on</source>
+        <translation>Chercher sur</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Attendu</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Propose targets</source>
+        <translation>Proposer des cibles</translation>
+    </message>
+    <message>
+        <source>Coordinates…</source>
+        <translation>Coordonnées…</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>D&apos;un fichier…</translation>
+    </message>
+    <message>
+        <source>Type the coordinates of a seed, in the local frame or on the map (F3)</source>
+        <translation>Saisir les coordonnées d&apos;un germe, dans le repère local ou sur la carte (F3)</translation>
+    </message>
+    <message>
+        <source>Pick all targets of a list of coordinates (Shift+F3)</source>
+        <translation>Désigner toutes les cibles d&apos;une liste de coordonnées (Maj+F3)</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Targets and validation planes</source>
+        <translation>Cibles et plans de validation</translation>
+    </message>
+    <message>
+        <source>Tick to use it; double-click or F2 to rename</source>
+        <translation>Cocher pour l&apos;employer ; double-clic ou F2 pour renommer</translation>
+    </message>
+    <message>
+        <source>Radius {n:n} m (known)</source>
+        <translation>Rayon {n} m (connu)</translation>
+    </message>
+    <message>
+        <source>Radius {a:n} to {b:n} m</source>
+        <translation>Rayon de {a} à {b} m</translation>
+    </message>
+    <message>
+        <source>{radius}; {a:n} to {b:n} % of the surface seen.</source>
+        <translation>{radius} ; {a} à {b} % de la surface vus.</translation>
+    </message>
+    <message>
+        <source>Radius unknown</source>
+        <translation>Rayon inconnu</translation>
+    </message>
+    <message>
+        <source>Accept  ⏎</source>
+        <translation>Accepter  ⏎</translation>
+    </message>
+    <message>
+        <source>Reject  Esc</source>
+        <translation>Rejeter  Échap</translation>
+    </message>
+    <message>
+        <source>Target {name:kept}</source>
+        <translation>Cible {name}</translation>
+    </message>
+    <message>
+        <source>Target {name:kept} (in place of the present one)</source>
+        <translation>Cible {name} (à la place de l&apos;actuelle)</translation>
+    </message>
+    <message>
+        <source>Validation plane {name:kept}</source>
+        <translation>Plan de validation {name}</translation>
+    </message>
+    <message>
+        <source>Validation plane {name:kept} (in place of the present one)</source>
+        <translation>Plan de validation {name} (à la place de l&apos;actuel)</translation>
+    </message>
+    <message>
+        <source>Found on {some:n} of {all:n} lines: {points:n} points, within {rms:n} mm RMS of their planes.</source>
+        <translation>Trouvée sur {some} lignes sur {all} : {points} points, à {rms} mm RMS de leurs plans.</translation>
+    </message>
+    <message>
+        <source>Found on {some:n} of {all:n} lines: {points:n} points, within {rms:n} mm RMS of their spheres.</source>
+        <translation>Trouvée sur {some} lignes sur {all} : {points} points, à {rms} mm RMS de leurs sphères.</translation>
+    </message>
+    <message>
+        <source>Not found on {lines:kept}.</source>
+        <translation>Non trouvée sur {lines}.</translation>
+    </message>
+    <message>
+        <source>Size and inclination are as expected.</source>
+        <translation>Taille et inclinaison sont comme attendu.</translation>
+    </message>
+    <message>
+        <source>Not as expected on {line:name}: {words}</source>
+        <translation>Pas comme attendu sur {line} : {words}</translation>
+    </message>
+    <message>
+        <source>Not as expected on {line:name}: {words} ({n:n} more lines differ too)</source>
+        <translation>Pas comme attendu sur {line} : {words} ({n} autres lignes diffèrent aussi)</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Fewest points of the target in a line: less finds small or distant targets, more keeps scraps out (usually {n:n})</source>
+        <translation>Nombre minimal de points de la cible dans une ligne : moins trouve des cibles petites ou lointaines, plus écarte les débris (d&apos;ordinaire {n})</translation>
+    </message>
+    <message>
+        <source>Largest angle between the target in one line and in another: more where the prior boresight may be far off, less where surfaces of other slopes are near (usually {n:n}°)</source>
+        <translation>Plus grand angle entre la cible dans une ligne et dans une autre : plus si les angles de visée a priori peuvent être très faux, moins si des surfaces d&apos;autres pentes sont proches (d&apos;ordinaire {n}°)</translation>
+    </message>
+    <message>
+        <source>Fewest points</source>
+        <translation>Points au moins</translation>
+    </message>
+    <message>
+        <source>Largest tilt</source>
+        <translation>Angle maximal</translation>
+    </message>
+    <message>
+        <source>Width of the target, 0 where nothing is known; the planes found are compared with it. 1.23 × 1.22 m at 90° is the usual board</source>
+        <translation>Largeur de la cible, 0 si rien n&apos;est connu ; les plans trouvés lui sont comparés. 1,23 × 1,22 m à 90° est le panneau usuel</translation>
+    </message>
+    <message>
+        <source>Height of the target up its slope, 0 where nothing is known; the planes found are compared with it. 1.23 × 1.22 m at 90° is the usual board</source>
+        <translation>Hauteur de la cible le long de sa pente, 0 si rien n&apos;est connu ; les plans trouvés lui sont comparés. 1,23 × 1,22 m à 90° est le panneau usuel</translation>
+    </message>
+    <message>
+        <source>Angle from level: 0 lies flat, 90 stands upright; the planes found are compared with it. 1.23 × 1.22 m at 90° is the usual board</source>
+        <translation>Angle depuis l&apos;horizontale : 0 à plat, 90 debout ; les plans trouvés lui sont comparés. 1,23 × 1,22 m à 90° est le panneau usuel</translation>
+    </message>
+    <message>
+        <source>Being judged</source>
+        <translation>Évaluation en cours</translation>
+    </message>
+    <message>
+        <source>{line:kept}: Being judged</source>
+        <translation>{line} : évaluation en cours</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {points:n} points, {rms:n} mm RMS</source>
+        <translation>{line} : {points} points, {rms} mm RMS</translation>
+    </message>
+    <message>
+        <source>{line:kept}: Quality: {light}</source>
+        <translation>{line} : qualité {light}</translation>
+    </message>
+    <message>
+        <source>4  Validate</source>
+        <translation>4  Validation</translation>
+    </message>
+    <message>
+        <source>4  Validate: {sentence}</source>
+        <translation>4  Validation : {sentence}</translation>
+    </message>
+    <message>
+        <source>4  Validate: {sentence} ({state})</source>
+        <translation>4  Validation : {sentence} ({state})</translation>
+    </message>
+    <message>
+        <source>{a}; {b}; {c}.</source>
+        <translation>{a} ; {b} ; {c}.</translation>
+    </message>
+    <message>
+        <source>Boresight and lever arm in this program</source>
+        <translation>Angles et bras de levier de ce programme</translation>
+    </message>
+    <message>
+        <source>Accept targets that all face one way</source>
+        <translation>Accepter une orientation unique</translation>
+    </message>
+    <message>
+        <source>Metres North, West and Up from the project&apos;s origin</source>
+        <translation>Mètres vers le nord, l&apos;ouest et le haut depuis l&apos;origine du projet</translation>
+    </message>
+</context>
+<context>
+    <name>adjust panel</name>
+    <message>
+        <source>Correlated in time</source>
+        <translation>Corrélées dans le temps</translation>
+    </message>
+    <message>
+        <source>The POS error drifts slowly, so neighbouring points share it. Sigmas that hold.</source>
+        <translation>L&apos;erreur du POS dérive lentement : des points voisins la partagent. Des écarts-types qui tiennent.</translation>
+    </message>
+    <message>
+        <source>Independent for each point (thesis mode)</source>
+        <translation>Indépendantes par point (mode de la thèse)</translation>
+    </message>
+    <message>
+        <source>Every point has a POS error of its own. For comparison only: the sigmas come out several times too small.</source>
+        <translation>Chaque point a sa propre erreur du POS. Pour comparaison seulement : les écarts-types sont plusieurs fois trop petits.</translation>
+    </message>
+    <message>
+        <source>Estimate also</source>
+        <translation>Estimer aussi</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Avancé</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>{n:n} values</source>
+        <translation>{n} valeurs</translation>
+    </message>
+    <message>
+        <source>Cross-check with parts of the data</source>
+        <translation>Vérifier avec des parties des données</translation>
+    </message>
+    <message>
+        <source>Adjust again without each line and each target, and each half of the survey by itself</source>
+        <translation>Compenser de nouveau sans chaque ligne et chaque cible, et chaque moitié du levé séparément</translation>
+    </message>
+    <message>
+        <source>Estimate boresight</source>
+        <translation>Estimer les angles de visée</translation>
+    </message>
+    <message>
+        <source>Adjust boresight and targets together by least squares (F9)</source>
+        <translation>Compenser ensemble angles de visée et cibles par moindres carrés (F9)</translation>
+    </message>
+    <message>
+        <source>No target yet, so no points to thin.</source>
+        <translation>Pas encore de cible, donc pas de points à éclaircir.</translation>
+    </message>
+    <message>
+        <source>{points} in {sightings}: not enough to adjust.</source>
+        <translation>{points} en {sightings} : pas assez pour compenser.</translation>
+    </message>
+    <message>
+        <source>Counting … ({points} in {sightings})</source>
+        <translation>Comptage… ({points} en {sightings})</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;{points:n} points&lt;/b&gt; took part, in {sightings}.</source>
+        <translation>&lt;b&gt;{points} points&lt;/b&gt; ont pris part, en {sightings}.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;All {n:n}&lt;/b&gt; points take part, in {sightings}.</source>
+        <translation>&lt;b&gt;Les {n}&lt;/b&gt; points prennent tous part, en {sightings}.</translation>
+    </message>
+    <message>
+        <source>About &lt;b&gt;{n:n}&lt;/b&gt; of {all:n} points take part, in {sightings}.</source>
+        <translation>Environ &lt;b&gt;{n}&lt;/b&gt; points sur {all} prennent part, en {sightings}.</translation>
+    </message>
+    <message>
+        <source>Points of a sighting nearer to each other than this are thinned; 0 keeps all</source>
+        <translation>Les points d&apos;une vue plus proches entre eux sont éclaircis ; 0 les garde tous</translation>
+    </message>
+    <message>
+        <source>Unit of the distance</source>
+        <translation>Unité de la distance</translation>
+    </message>
+    <message>
+        <source>Point distance</source>
+        <translation>Distance des points</translation>
+    </message>
+    <message>
+        <source>How long the POS error stays like itself. Position drifts over minutes, attitude more slowly. Where the processing report states correlation times, use them; too short a time is safer than too long a one.</source>
+        <translation>Combien de temps l&apos;erreur du POS reste semblable à elle-même. La position dérive en quelques minutes, l&apos;attitude plus lentement. Si le rapport de traitement donne des temps de corrélation, prenez-les ; un temps trop court est plus sûr qu&apos;un temps trop long.</translation>
+    </message>
+    <message>
+        <source>As the model does</source>
+        <translation>Selon le modèle</translation>
+    </message>
+    <message>
+        <source>Tukey with correlated POS errors, none in thesis mode</source>
+        <translation>Tukey avec des erreurs du POS corrélées, aucune en mode de la thèse</translation>
+    </message>
+    <message>
+        <source>All points alike</source>
+        <translation>Tous les points autant</translation>
+    </message>
+    <message>
+        <source>No point loses weight, however far it lies off</source>
+        <translation>Aucun point ne perd de poids, si loin soit-il</translation>
+    </message>
+    <message>
+        <source>Far points count less (Huber)</source>
+        <translation>Les points éloignés comptent moins (Huber)</translation>
+    </message>
+    <message>
+        <source>The weight falls beyond 1.3 σ, never to zero</source>
+        <translation>Le poids baisse au-delà de 1,3 σ, jamais jusqu&apos;à zéro</translation>
+    </message>
+    <message>
+        <source>Stray points do not count (Tukey)</source>
+        <translation>Les aberrants ne comptent pas (Tukey)</translation>
+    </message>
+    <message>
+        <source>Points beyond 4.7 σ have no say</source>
+        <translation>Les points au-delà de 4,7 σ n&apos;ont aucun poids</translation>
+    </message>
+    <message>
+        <source>Same on all axes</source>
+        <translation>Égal sur tous les axes</translation>
+    </message>
+    <message>
+        <source>Along X, Y, Z</source>
+        <translation>Selon X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Range and angle</source>
+        <translation>Distance et angle</translation>
+    </message>
+    <message>
+        <source>LiDAR along X, Y, Z</source>
+        <translation>LiDAR selon X, Y, Z</translation>
+    </message>
+    <message>
+        <source>LiDAR along x, y, z</source>
+        <translation>LiDAR selon x, y, z</translation>
+    </message>
+    <message>
+        <source>surface σ typed</source>
+        <translation>σ de surface saisi</translation>
+    </message>
+    <message>
+        <source>variance components</source>
+        <translation>composantes de variance</translation>
+    </message>
+    <message>
+        <source>one facing accepted</source>
+        <translation>orientation unique acceptée</translation>
+    </message>
+    <message>
+        <source>huber</source>
+        <translation>Huber</translation>
+    </message>
+    <message>
+        <source>tukey</source>
+        <translation>Tukey</translation>
+    </message>
+    <message>
+        <source>Position time</source>
+        <translation>Temps, position</translation>
+    </message>
+    <message>
+        <source>Attitude time</source>
+        <translation>Temps, attitude</translation>
+    </message>
+    <message>
+        <source>How far what one line sees of a target may lie off the shape all lines share</source>
+        <translation>De combien ce qu&apos;une ligne voit d&apos;une cible peut s&apos;écarter de la forme commune à toutes les lignes</translation>
+    </message>
+    <message>
+        <source>Surface σ, mm</source>
+        <translation>σ de surface, mm</translation>
+    </message>
+    <message>
+        <source>from the data</source>
+        <translation>des données</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>What is done with points that lie far off their surface</source>
+        <translation>Ce qui est fait des points loin de leur surface</translation>
+    </message>
+    <message>
+        <source>How the noise of a LiDAR point is stated</source>
+        <translation>Comment le bruit d&apos;un point LiDAR est déclaré</translation>
+    </message>
+    <message>
+        <source>Noise along {axis:kept} of the LiDAR, one standard deviation</source>
+        <translation>Bruit selon {axis} du LiDAR, un écart-type</translation>
+    </message>
+    <message>
+        <source>LiDAR noise along {axis:kept}</source>
+        <translation>Bruit du LiDAR selon {axis}</translation>
+    </message>
+    <message>
+        <source>X, mm</source>
+        <translation>X, mm</translation>
+    </message>
+    <message>
+        <source>Y, mm</source>
+        <translation>Y, mm</translation>
+    </message>
+    <message>
+        <source>Z, mm</source>
+        <translation>Z, mm</translation>
+    </message>
+    <message>
+        <source>LiDAR range noise</source>
+        <translation>Bruit de distance du LiDAR</translation>
+    </message>
+    <message>
+        <source>Noise of the range, one standard deviation</source>
+        <translation>Bruit de la distance, un écart-type</translation>
+    </message>
+    <message>
+        <source>range, mm</source>
+        <translation>distance, mm</translation>
+    </message>
+    <message>
+        <source>LiDAR angle noise</source>
+        <translation>Bruit d&apos;angle du LiDAR</translation>
+    </message>
+    <message>
+        <source>Noise of the beam&apos;s direction, one standard deviation</source>
+        <translation>Bruit de la direction du faisceau, un écart-type</translation>
+    </message>
+    <message>
+        <source>angle, °</source>
+        <translation>angle, °</translation>
+    </message>
+    <message>
+        <source>Find how large the errors are</source>
+        <translation>Chercher la grandeur des erreurs</translation>
+    </message>
+    <message>
+        <source>Variance components: the sigmas of LiDAR, POS position and POS attitude are scaled by what the data say. With few sightings the data say little of the POS.</source>
+        <translation>Composantes de variance : les écarts-types du LiDAR, de la position et de l&apos;attitude du POS sont mis à l&apos;échelle d&apos;après les données. Avec peu de vues, les données disent peu du POS.</translation>
+    </message>
+    <message>
+        <source>For boards that all hang on one wall, or a single one. Only the headings of the lines tell the angles apart then, and nothing shows whether a board is bent or moved. A target of another inclination, or a sphere, is better.</source>
+        <translation>Pour des panneaux tous accrochés à un même mur, ou un seul panneau. Seuls les caps des lignes distinguent alors les angles, et rien ne montre si un panneau est déformé ou a bougé. Une cible d&apos;une autre inclinaison, ou une sphère, vaut mieux.</translation>
+    </message>
+    <message>
+        <source>{n:n} mm, as typed in step 1</source>
+        <translation>{n} mm, comme saisi à l&apos;étape 1</translation>
+    </message>
+    <message>
+        <source>The LiDAR sigma along X, Y and Z is not complete; fill in every field.</source>
+        <translation>L&apos;écart-type du LiDAR selon X, Y et Z n&apos;est pas complet ; remplissez tous les champs.</translation>
+    </message>
+    <message>
+        <source>The LiDAR sigma of range and angle is not complete; fill in every field.</source>
+        <translation>L&apos;écart-type du LiDAR en distance et en angle n&apos;est pas complet ; remplissez tous les champs.</translation>
+    </message>
+    <message>
+        <source>Correlation time of the position error of the POS, seconds</source>
+        <translation>Temps de corrélation de l&apos;erreur de position du POS, en secondes</translation>
+    </message>
+    <message>
+        <source>Correlation time of the attitude error of the POS, seconds</source>
+        <translation>Temps de corrélation de l&apos;erreur d&apos;attitude du POS, en secondes</translation>
+    </message>
+    <message>
+        <source>{tip}, in {unit}</source>
+        <translation>{tip}, en {unit}</translation>
+    </message>
+    <message>
+        <source>{tip}, in {unit}. Empty: {empty}.</source>
+        <translation>{tip}, en {unit}. Vide : {empty}.</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>The value it starts from</source>
+        <translation>La valeur de départ</translation>
+    </message>
+    <message>
+        <source>How well that value is known</source>
+        <translation>Avec quelle précision cette valeur est connue</translation>
+    </message>
+    <message>
+        <source>Scan angle</source>
+        <translation>Angle de balayage</translation>
+    </message>
+    <message>
+        <source>scan angle</source>
+        <translation>angle de balayage</translation>
+    </message>
+    <message>
+        <source>added to every range</source>
+        <translation>ajouté à chaque distance</translation>
+    </message>
+    <message>
+        <source>turns every beam about the scanner&apos;s X axis</source>
+        <translation>tourne chaque faisceau autour de l&apos;axe X du scanneur</translation>
+    </message>
+    <message>
+        <source>added to the time of every point before the trajectory is asked</source>
+        <translation>ajoutée au temps de chaque point avant de consulter la trajectoire</translation>
+    </message>
+    <message>
+        <source>Estimate the {name} too ({tip})</source>
+        <translation>Estimer aussi : {name} ({tip})</translation>
+    </message>
+    <message>
+        <source>Prior sigma of the {name}</source>
+        <translation>Écart-type a priori : {name}</translation>
+    </message>
+    <message>
+        <source>How well the prior {name} is known, one standard deviation</source>
+        <translation>Avec quelle précision la valeur a priori est connue ({name}), un écart-type</translation>
+    </message>
+    <message>
+        <source>Lever arm X as typed in step 1</source>
+        <translation>Bras de levier X tel que saisi à l&apos;étape 1</translation>
+    </message>
+    <message>
+        <source>Lever arm Y as typed in step 1</source>
+        <translation>Bras de levier Y tel que saisi à l&apos;étape 1</translation>
+    </message>
+    <message>
+        <source>Lever arm Z as typed in step 1</source>
+        <translation>Bras de levier Z tel que saisi à l&apos;étape 1</translation>
+    </message>
+    <message>
+        <source>{name} as it is known: {tip}; used where not estimated too</source>
+        <translation>{name}, valeur connue : {tip} ; employée aussi sans estimation</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>{what}: “{text:kept}” is not a number; give {unit}.</source>
+        <translation>{what} : « {text} » n&apos;est pas un nombre ; donnez des {unit}.</translation>
+    </message>
+</context>
+<context>
+    <name>validate panel</name>
+    <message>
+        <source>Local plane</source>
+        <translation>Plan local</translation>
+    </message>
+    <message>
+        <source>Local quadric</source>
+        <translation>Quadrique locale</translation>
+    </message>
+    <message>
+        <source>Nearest point</source>
+        <translation>Point le plus proche</translation>
+    </message>
+    <message>
+        <source>The lines are compared with each other, cloud to cloud, on planes that took no part in the adjustment.</source>
+        <translation>Les lignes sont comparées entre elles, nuage à nuage, sur des plans qui n&apos;ont pas servi à la compensation.</translation>
+    </message>
+    <message>
+        <source>What stands for the surface between the points of a line. A plane suits walls and boards, a quadric what bends; to the nearest point the spacing of the points counts as distance</source>
+        <translation>Ce qui représente la surface entre les points d&apos;une ligne. Un plan convient aux murs et aux panneaux, une quadrique à ce qui est courbe ; au point le plus proche, l&apos;espacement des points compte comme distance</translation>
+    </message>
+    <message>
+        <source>Points the plane or quadric is fitted to: more smooth the noise, fewer follow the surface (usually 6, 12 for a quadric)</source>
+        <translation>Points auxquels le plan ou la quadrique est ajusté : plus lissent le bruit, moins suivent la surface (d&apos;ordinaire 6, 12 pour une quadrique)</translation>
+    </message>
+    <message>
+        <source>Distance to</source>
+        <translation>Distance à</translation>
+    </message>
+    <message>
+        <source>Through points</source>
+        <translation>Par points</translation>
+    </message>
+    <message>
+        <source>Compare the lines on every validation plane, before and after (F10)</source>
+        <translation>Comparer les lignes sur chaque plan de validation, avant et après (F10)</translation>
+    </message>
+    <message>
+        <source>Lines in the view</source>
+        <translation>Lignes dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>Lines placed with the prior boresight</source>
+        <translation>Lignes placées avec les angles de visée a priori</translation>
+    </message>
+    <message>
+        <source>Lines placed with the estimated boresight</source>
+        <translation>Lignes placées avec les angles de visée estimés</translation>
+    </message>
+</context>
+<context>
+    <name>report panel</name>
+    <message>
+        <source>Export report…</source>
+        <translation>Exporter le rapport…</translation>
+    </message>
+    <message>
+        <source>PDF, HTML or JSON; pictures of the view before and after go into it (Ctrl+E)</source>
+        <translation>PDF, HTML ou JSON ; des images de la vue 3D avant et après y sont incluses (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>Look at the pages as they will be printed, and save them as PDF</source>
+        <translation>Regarder les pages telles qu&apos;elles seront imprimées, et les enregistrer en PDF</translation>
+    </message>
+    <message>
+        <source>Export georeferenced lines…</source>
+        <translation>Exporter les lignes géoréférencées…</translation>
+    </message>
+    <message>
+        <source>Every line as LAZ or LAS in a coordinate system of your choice (Ctrl+Shift+E)</source>
+        <translation>Chaque ligne en LAZ ou LAS dans le système de coordonnées de votre choix (Ctrl+Maj+E)</translation>
+    </message>
+    <message>
+        <source>Size of the paper</source>
+        <translation>Format du papier</translation>
+    </message>
+    <message>
+        <source>Language of the report; numbers keep their decimal point, JSON stays English</source>
+        <translation>Langue du rapport ; les nombres gardent le point décimal, le JSON reste en anglais</translation>
+    </message>
+    <message>
+        <source>This program alone</source>
+        <translation>Ce programme seul</translation>
+    </message>
+    <message>
+        <source>Also state the boresight as another program has it</source>
+        <translation>Donner aussi les angles de visée tels que les veut un autre logiciel</translation>
+    </message>
+    <message>
+        <source>TOML file with logo, company, own texts, page, convention and language</source>
+        <translation>Fichier TOML avec logo, entreprise, textes propres, page, convention et langue</translation>
+    </message>
+    <message>
+        <source>Use no template</source>
+        <translation>N&apos;employer aucun modèle</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
+    <message>
+        <source>Values also for</source>
+        <translation>Valeurs aussi pour</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Without</source>
+        <translation>Sans</translation>
+    </message>
+</context>
+<context>
+    <name>results</name>
+    <message>
+        <source>The boresight turns the LiDAR frame into the body frame (forward, left, up):</source>
+        <translation>Les angles de visée font passer du repère du LiDAR à celui du navire (avant, gauche, haut) :</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;R = R&lt;sub&gt;z&lt;/sub&gt;(−yaw) · R&lt;sub&gt;y&lt;/sub&gt;(pitch) · R&lt;sub&gt;x&lt;/sub&gt;(roll)&lt;/b&gt;</source>
+        <translation>&lt;b&gt;R = R&lt;sub&gt;z&lt;/sub&gt;(−lacet) · R&lt;sub&gt;y&lt;/sub&gt;(tangage) · R&lt;sub&gt;x&lt;/sub&gt;(roulis)&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Roll is positive left side up, pitch positive bow down, yaw positive clockwise seen from above.</source>
+        <translation>Le roulis est positif quand bâbord monte, le tangage quand l&apos;étrave descend, le lacet dans le sens horaire vu d&apos;en haut.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet. Pick at least two targets that face different ways, then press Estimate in step 3. Roll, pitch and yaw appear here with their uncertainties.</source>
+        <translation>Rien n&apos;est encore estimé. Désignez au moins deux cibles d&apos;orientations différentes, puis cliquez sur Estimer à l&apos;étape 3. Roulis, tangage et lacet apparaissent ici avec leurs incertitudes.</translation>
+    </message>
+    <message>
+        <source>Estimating again; the figures below are those from before the change.</source>
+        <translation>Nouvelle estimation en cours ; les chiffres ci-dessous sont ceux d&apos;avant la modification.</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Estimation en cours…</translation>
+    </message>
+    <message>
+        <source>Boresight, degrees</source>
+        <translation>Angles de visée, degrés</translation>
+    </message>
+    <message>
+        <source>Simulated survey: the truth is known. Green lies within the 95 % interval.</source>
+        <translation>Levé simulé : la vérité est connue. En vert, ce qui est dans l&apos;intervalle à 95 %.</translation>
+    </message>
+    <message>
+        <source>Also estimated</source>
+        <translation>Estimé aussi</translation>
+    </message>
+    <message>
+        <source>Weakest direction</source>
+        <translation>Direction la moins bien déterminée</translation>
+    </message>
+    <message>
+        <source>Not worked out.</source>
+        <translation>Non calculé.</translation>
+    </message>
+    <message>
+        <source>RMS of distances</source>
+        <translation>RMS des distances</translation>
+    </message>
+    <message>
+        <source>Chi-square test</source>
+        <translation>Test du khi-deux</translation>
+    </message>
+    <message>
+        <source>Points, sightings</source>
+        <translation>Points, vues</translation>
+    </message>
+    <message>
+        <source>Iterations, time</source>
+        <translation>Itérations, temps</translation>
+    </message>
+    <message>
+        <source>Convention</source>
+        <translation>Convention</translation>
+    </message>
+    <message>
+        <source>{before:n} → &lt;b&gt;{after:n} mm&lt;/b&gt;</source>
+        <translation>{before} → &lt;b&gt;{after} mm&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>{iterations:n}, {time:n} s</source>
+        <translation>{iterations}, {time} s</translation>
+    </message>
+    <message>
+        <source>independent (thesis mode)</source>
+        <translation>indépendantes (mode de la thèse)</translation>
+    </message>
+    <message>
+        <source>correlated, {a:n} s and {b:n} s</source>
+        <translation>corrélées, {a} s et {b} s</translation>
+    </message>
+    <message>
+        <source>Where the adjustment started</source>
+        <translation>D&apos;où la compensation est partie</translation>
+    </message>
+    <message>
+        <source>The adjusted boresight</source>
+        <translation>Les angles de visée compensés</translation>
+    </message>
+    <message>
+        <source>One standard deviation</source>
+        <translation>Un écart-type</translation>
+    </message>
+    <message>
+        <source>Half width of the 95 % interval: 1.96 σ</source>
+        <translation>Demi-largeur de l&apos;intervalle à 95 % : 1,96 σ</translation>
+    </message>
+    <message>
+        <source>What the simulator put in</source>
+        <translation>Ce que le simulateur a mis</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Vérité</translation>
+    </message>
+    <message>
+        <source>± 1 σ</source>
+        <translation>± 1 σ</translation>
+    </message>
+    <message>
+        <source>Estimated minus truth: {n:n}°, inside the 95 % interval</source>
+        <translation>Estimé moins vérité : {n}°, dans l&apos;intervalle à 95 %</translation>
+    </message>
+    <message>
+        <source>Estimated minus truth: {n:n}°, outside the 95 % interval</source>
+        <translation>Estimé moins vérité : {n}°, hors de l&apos;intervalle à 95 %</translation>
+    </message>
+    <message>
+        <source>These two angles are hardly told apart: add a target that faces elsewhere</source>
+        <translation>Ces deux angles se distinguent à peine : ajoutez une cible orientée autrement</translation>
+    </message>
+    <message>
+        <source>angles table</source>
+        <translation>tableau des angles</translation>
+    </message>
+    <message>
+        <source>correlation table</source>
+        <translation>tableau des corrélations</translation>
+    </message>
+    <message>
+        <source>Leave a sighting out if its points are of another surface.</source>
+        <translation>Écartez une vue si ses points sont d&apos;une autre surface.</translation>
+    </message>
+    <message>
+        <source>See the cross-checks under Diagnostics.</source>
+        <translation>Voyez les vérifications croisées sous Diagnostics.</translation>
+    </message>
+    <message>
+        <source>none seen</source>
+        <translation>aucun constaté</translation>
+    </message>
+    <message>
+        <source>held at 0</source>
+        <translation>fixé à 0</translation>
+    </message>
+    <message>
+        <source>1 stray</source>
+        <translation>1 aberrant</translation>
+    </message>
+    <message>
+        <source>{n:n} strays</source>
+        <translation>{n} aberrants</translation>
+    </message>
+    <message>
+        <source>The residuals are as large as the stated sigmas say.</source>
+        <translation>Les résidus sont aussi grands que le disent les écarts-types déclarés.</translation>
+    </message>
+    <message>
+        <source>The residuals are as large as the stated sigmas say: the uncertainties can be used.</source>
+        <translation>Les résidus sont aussi grands que le disent les écarts-types déclarés : les incertitudes peuvent être employées.</translation>
+    </message>
+    <message>
+        <source>The residuals are as large as the stated sigmas say, once the targets may differ by {n:n} mm from line to line.</source>
+        <translation>Les résidus sont aussi grands que le disent les écarts-types déclarés, dès lors que les cibles peuvent différer de {n} mm d&apos;une ligne à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>The residuals are as large as the stated sigmas say, once the targets may differ by {n:n} mm from line to line: the uncertainties can be used.</source>
+        <translation>Les résidus sont aussi grands que le disent les écarts-types déclarés, dès lors que les cibles peuvent différer de {n} mm d&apos;une ligne à l&apos;autre : les incertitudes peuvent être employées.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the stated sigmas say. Look for a target that is not flat or a sighting that holds other points, or state larger sigmas.</source>
+        <translation>Les résidus sont plus grands que ne le disent les écarts-types déclarés. Cherchez une cible qui n&apos;est pas plane ou une vue contenant d&apos;autres points, ou déclarez des écarts-types plus grands.</translation>
+    </message>
+    <message>
+        <source>The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are stated too large.</source>
+        <translation>Les résidus sont plus petits que ne le disent les écarts-types déclarés : ceux du LiDAR ou du POS sont déclarés trop grands.</translation>
+    </message>
+    <message>
+        <source>The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are stated too large, so the uncertainties are on the safe side.</source>
+        <translation>Les résidus sont plus petits que ne le disent les écarts-types déclarés : ceux du LiDAR ou du POS sont déclarés trop grands, les incertitudes sont donc du côté de la sécurité.</translation>
+    </message>
+    <message>
+        <source>{words} Errors by the data: {components}.</source>
+        <translation>{words} Erreurs d&apos;après les données : {components}.</translation>
+    </message>
+    <message>
+        <source>&lt;b style=&quot;{style:kept}&quot;&gt;passed&lt;/b&gt;: {n:n} in [{a:n}, {b:n}]</source>
+        <translation>&lt;b style=&quot;{style}&quot;&gt;réussi&lt;/b&gt; : {n} dans [{a} ; {b}]</translation>
+    </message>
+    <message>
+        <source>&lt;b style=&quot;{style:kept}&quot;&gt;failed&lt;/b&gt;: {n:n} not in [{a:n}, {b:n}]</source>
+        <translation>&lt;b style=&quot;{style}&quot;&gt;échoué&lt;/b&gt; : {n} hors de [{a} ; {b}]</translation>
+    </message>
+</context>
+<context>
+    <name>diagnostics</name>
+    <message>
+        <source>Pages of the diagnostics</source>
+        <translation>Pages des diagnostics</translation>
+    </message>
+    <message>
+        <source>Estimating again; these are the figures from before the change.</source>
+        <translation>Nouvelle estimation en cours ; ces chiffres sont ceux d&apos;avant la modification.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet: press Estimate in step 3, and the way of each angle to its last value appears here.</source>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et le chemin de chaque angle vers sa dernière valeur apparaîtra ici.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet: press Estimate in step 3, and the correlations between all estimated values appear here.</source>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et les corrélations entre toutes les valeurs estimées apparaîtront ici.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet: press Estimate in step 3, and the estimated POS error of each sighting appears, against its prior sigma, here.</source>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et l&apos;erreur du POS estimée pour chaque vue apparaîtra ici, face à son écart-type a priori.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet: press Estimate in step 3, and how well lines and targets see the angles appears here.</source>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et vous verrez ici combien les lignes et les cibles voient les angles.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet: press Estimate in step 3, and the residuals and tests of every sighting appear here.</source>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et les résidus et tests de chaque vue apparaîtront ici.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet: press Estimate in step 3, and the residuals of every target appear here.</source>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et les résidus de chaque cible apparaîtront ici.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet: press Estimate in step 3, and every estimated value appears with its prior and its significance here.</source>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et chaque valeur estimée apparaîtra ici avec sa valeur a priori et sa signification.</translation>
+    </message>
+    <message>
+        <source>Nothing estimated yet: press Estimate in step 3, and what parts of the data say by themselves appears here.</source>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et ce que disent séparément des parties des données apparaîtra ici.</translation>
+    </message>
+    <message>
+        <source>Thesis mode does not work this out: choose “Correlated in time” in step 3 and estimate.</source>
+        <translation>Le mode de la thèse ne calcule pas cela : choisissez « Corrélées dans le temps » à l&apos;étape 3 et estimez.</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Convergence</translation>
+    </message>
+    <message>
+        <source>POS error</source>
+        <translation>Erreur du POS</translation>
+    </message>
+    <message>
+        <source>Observability</source>
+        <translation>Observabilité</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>The adjustment took one iteration: nothing to plot.</source>
+        <translation>La compensation a pris une seule itération : rien à tracer.</translation>
+    </message>
+    <message>
+        <source>Not worked out: press Estimate for it.</source>
+        <translation>Non calculé : cliquez sur Estimer pour l&apos;avoir.</translation>
+    </message>
+    <message>
+        <source>Condition number {n:n}: the strongest direction is known {times:n} times as well as the weakest.</source>
+        <translation>Conditionnement {n} : la direction la mieux déterminée est connue {times} fois mieux que la moins bien déterminée.</translation>
+    </message>
+    <message>
+        <source>The formal sigma, and the spread of the answers when one line, or one target, at a time is left out; it needs three parts at least that each give an answer</source>
+        <translation>L&apos;écart-type formel, et la dispersion des réponses quand une ligne, ou une cible, est écartée à la fois ; il faut au moins trois parties qui donnent chacune une réponse</translation>
+    </message>
+    <message>
+        <source>Not cross-checked. Tick “Cross-check” in step 3 and press Estimate; after that it follows each tick in the table by itself, a moment after the angles.</source>
+        <translation>Sans vérifications croisées. Cochez « Vérifier avec des parties des données » à l&apos;étape 3 et cliquez sur Estimer ; elles suivent ensuite d&apos;elles-mêmes chaque coche du tableau, un instant après les angles.</translation>
+    </message>
+    <message>
+        <source>Click to sort</source>
+        <translation>Cliquer pour trier</translation>
+    </message>
+    <message>
+        <source>Double click, or Enter, goes to its points in the view</source>
+        <translation>Double-clic, ou Entrée, mène à ses points dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>Points that took part, after averaging or thinning</source>
+        <translation>Points qui ont pris part, après moyenne ou éclaircissement</translation>
+    </message>
+    <message>
+        <source>RMS distance to the surface with the prior boresight, mm</source>
+        <translation>Distance RMS à la surface avec les angles de visée a priori, mm</translation>
+    </message>
+    <message>
+        <source>RMS distance to the adjusted surface, mm; no POS error is taken off</source>
+        <translation>Distance RMS à la surface compensée, mm ; aucune erreur du POS n&apos;est retirée</translation>
+    </message>
+    <message>
+        <source>RMS distance to its best surface with the prior boresight, mm</source>
+        <translation>Distance RMS à sa meilleure surface avec les angles de visée a priori, mm</translation>
+    </message>
+    <message>
+        <source>RMS distance to the adjusted surface, mm</source>
+        <translation>Distance RMS à la surface compensée, mm</translation>
+    </message>
+    <message>
+        <source>By how much the sighting as a whole lies off what all others say, mm</source>
+        <translation>De combien la vue entière s&apos;écarte de ce que disent toutes les autres, mm</translation>
+    </message>
+    <message>
+        <source>The shift over its standard deviation (Baarda&apos;s test)</source>
+        <translation>L&apos;écart rapporté à son écart-type (test de Baarda)</translation>
+    </message>
+    <message>
+        <source>Smallest shift the test finds with 80 % power, mm</source>
+        <translation>Plus petit écart que le test trouve avec une puissance de 80 %, mm</translation>
+    </message>
+    <message>
+        <source>Largest change of an angle by a shift of that size that stays unfound, 0.001°</source>
+        <translation>Plus grande variation d&apos;un angle par un écart de cette taille resté inaperçu, 0,001°</translation>
+    </message>
+    <message>
+        <source>Points whose own test is beyond 3.29</source>
+        <translation>Points dont le propre test dépasse 3,29</translation>
+    </message>
+    <message>
+        <source>Test value of the point farthest off, by its sigma, and its time in the line, s; of an average of points, the mean of their times</source>
+        <translation>Valeur de test du point le plus écarté, selon son sigma, et son temps dans la ligne, s ; pour une moyenne de points, la moyenne de leurs temps</translation>
+    </message>
+    <message>
+        <source>Mean of the points&apos; redundancy numbers, 0 (unchecked) to 1</source>
+        <translation>Moyenne des redondances des points, de 0 (non contrôlé) à 1</translation>
+    </message>
+    <message>
+        <source>Estimated position error and its prior sigma, mm (3D length)</source>
+        <translation>Erreur de position estimée et son écart-type a priori, mm (longueur 3D)</translation>
+    </message>
+    <message>
+        <source>Estimated attitude error and its prior sigma, 0.001° (3D length)</source>
+        <translation>Erreur d&apos;attitude estimée et son écart-type a priori, 0,001° (longueur 3D)</translation>
+    </message>
+    <message>
+        <source>What to look at</source>
+        <translation>Ce qu&apos;il faut regarder</translation>
+    </message>
+    <message>
+        <source>Plane or sphere</source>
+        <translation>Plan ou sphère</translation>
+    </message>
+    <message>
+        <source>Lines it was seen on</source>
+        <translation>Lignes où elle a été vue</translation>
+    </message>
+    <message>
+        <source>Noise found in the residuals over the stated one, at least 1</source>
+        <translation>Bruit trouvé dans les résidus rapporté au bruit déclaré, au moins 1</translation>
+    </message>
+    <message>
+        <source>Largest test value of its sightings</source>
+        <translation>Plus grande valeur de test de ses vues</translation>
+    </message>
+    <message>
+        <source>Detectable</source>
+        <translation>Décelable</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Effet</translation>
+    </message>
+    <message>
+        <source>(mm)</source>
+        <translation>(mm)</translation>
+    </message>
+    <message>
+        <source>(0.001°)</source>
+        <translation>(0,001°)</translation>
+    </message>
+    <message>
+        <source>(deg)</source>
+        <translation>(°)</translation>
+    </message>
+    <message>
+        <source>(cm)</source>
+        <translation>(cm)</translation>
+    </message>
+    <message>
+        <source>(m)</source>
+        <translation>(m)</translation>
+    </message>
+    <message>
+        <source>(s)</source>
+        <translation>(s)</translation>
+    </message>
+    <message>
+        <source>(sigmas)</source>
+        <translation>(sigmas)</translation>
+    </message>
+    <message>
+        <source>Largest point w</source>
+        <translation>Plus grand w d&apos;un point</translation>
+    </message>
+    <message>
+        <source>Noise factor</source>
+        <translation>Facteur de bruit</translation>
+    </message>
+    <message>
+        <source>Difference from the answer of all points, or between the halves, degrees</source>
+        <translation>Différence avec la réponse de tous les points, ou entre les moitiés, en degrés</translation>
+    </message>
+    <message>
+        <source>Part of the data</source>
+        <translation>Partie des données</translation>
+    </message>
+    <message>
+        <source>What was left out, or which halves were compared</source>
+        <translation>Ce qui a été écarté, ou quelles moitiés ont été comparées</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>différence</translation>
+    </message>
+    <message>
+        <source>in σ</source>
+        <translation>en σ</translation>
+    </message>
+    <message>
+        <source>Roll difference (deg)</source>
+        <translation>Différence de roulis (°)</translation>
+    </message>
+    <message>
+        <source>Pitch difference (deg)</source>
+        <translation>Différence de tangage (°)</translation>
+    </message>
+    <message>
+        <source>Yaw difference (deg)</source>
+        <translation>Différence de lacet (°)</translation>
+    </message>
+    <message>
+        <source>The difference over the standard deviation it should have</source>
+        <translation>La différence rapportée à l&apos;écart-type qu&apos;elle devrait avoir</translation>
+    </message>
+    <message>
+        <source>Whether it agrees, or why there is no answer</source>
+        <translation>Si elle concorde, ou pourquoi il n&apos;y a pas de réponse</translation>
+    </message>
+    <message>
+        <source>Why there is no answer, or what disagrees</source>
+        <translation>Pourquoi il n&apos;y a pas de réponse, ou ce qui est en désaccord</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <source>Value of the mounting</source>
+        <translation>Grandeur du montage</translation>
+    </message>
+    <message>
+        <source>As estimated</source>
+        <translation>Valeur estimée</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the value</source>
+        <translation>Écart-type de la valeur</translation>
+    </message>
+    <message>
+        <source>What went in</source>
+        <translation>Ce qui est entré</translation>
+    </message>
+    <message>
+        <source>Prior σ</source>
+        <translation>σ a priori</translation>
+    </message>
+    <message>
+        <source>How well that was said to be known</source>
+        <translation>Avec quelle précision elle était dite connue</translation>
+    </message>
+    <message>
+        <source>Change from the prior over its standard deviation; significant beyond {n:n}, which chance exceeds one time in twenty</source>
+        <translation>Variation depuis la valeur a priori, rapportée à son écart-type ; significative au-delà de {n}, ce que le hasard dépasse une fois sur vingt</translation>
+    </message>
+    <message>
+        <source>Whether it earns its place, or why there is no number</source>
+        <translation>Si elle est justifiée, ou pourquoi il n&apos;y a pas de nombre</translation>
+    </message>
+    <message>
+        <source>no test</source>
+        <translation>sans test</translation>
+    </message>
+    <message>
+        <source>released: disagrees</source>
+        <translation>écartée : en désaccord</translation>
+    </message>
+    <message>
+        <source>w beyond {n:n}</source>
+        <translation>w au-delà de {n}</translation>
+    </message>
+    <message>
+        <source>many stray points</source>
+        <translation>beaucoup de points aberrants</translation>
+    </message>
+    <message>
+        <source>{w:n} at {time:n} s</source>
+        <translation>{w} à {time} s</translation>
+    </message>
+    <message>
+        <source>{n:n} (σ {prior:n})</source>
+        <translation>{n} (σ {prior})</translation>
+    </message>
+    <message>
+        <source>rougher than stated</source>
+        <translation>plus rugueuse que déclaré</translation>
+    </message>
+    <message>
+        <source>released on {lines:list}</source>
+        <translation>écartée sur {lines}</translation>
+    </message>
+    <message>
+        <source>An angle differs by more than chance explains</source>
+        <translation>Un angle diffère plus que le hasard ne l&apos;explique</translation>
+    </message>
+    <message>
+        <source>1 σ, degrees</source>
+        <translation>1 σ, degrés</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;1 σ, degrees&lt;/b&gt;</source>
+        <translation>&lt;b&gt;1 σ, degrés&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Roll&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Roulis&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pitch&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Tangage&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Yaw&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Lacet&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Formal sigma</source>
+        <translation>Écart-type formel</translation>
+    </message>
+    <message>
+        <source>Spread,</source>
+        <translation>Dispersion,</translation>
+    </message>
+    <message>
+        <source>one line left out</source>
+        <translation>une ligne écartée</translation>
+    </message>
+    <message>
+        <source>one target left out</source>
+        <translation>une cible écartée</translation>
+    </message>
+    <message>
+        <source>always estimated</source>
+        <translation>toujours estimé</translation>
+    </message>
+    <message>
+        <source>significant: keep it</source>
+        <translation>significatif : à garder</translation>
+    </message>
+    <message>
+        <source>not significant: can be left out</source>
+        <translation>non significatif : peut être omis</translation>
+    </message>
+    <message>
+        <source>smallest sigma</source>
+        <translation>plus petit sigma</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>Itération</translation>
+    </message>
+    <message>
+        <source>From last value, °</source>
+        <translation>Depuis la dernière valeur, °</translation>
+    </message>
+    <message>
+        <source>Position, mm</source>
+        <translation>Position, mm</translation>
+    </message>
+    <message>
+        <source>Attitude, 0.001°</source>
+        <translation>Attitude, 0,001°</translation>
+    </message>
+    <message>
+        <source>prior ± 2 σ</source>
+        <translation>a priori ± 2 σ</translation>
+    </message>
+    <message>
+        <source>weakest</source>
+        <translation>la moins bonne</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>strongest</source>
+        <translation>la meilleure</translation>
+    </message>
+    <message>
+        <source>Share of each angle in the direction, %</source>
+        <translation>Part de chaque angle dans la direction, %</translation>
+    </message>
+    <message>
+        <source>{angle}  {n:n}°</source>
+        <translation>{angle}  {n}°</translation>
+    </message>
+    <message>
+        <source>σ {n:n}°</source>
+        <translation>σ {n}°</translation>
+    </message>
+    <message>
+        <source>Shift (mm)</source>
+        <translation>Écart (mm)</translation>
+    </message>
+    <message>
+        <source>Detectable (mm)</source>
+        <translation>Décelable (mm)</translation>
+    </message>
+    <message>
+        <source>Effect (0.001°)</source>
+        <translation>Effet (0,001°)</translation>
+    </message>
+    <message>
+        <source>POS position (mm)</source>
+        <translation>Position du POS (mm)</translation>
+    </message>
+    <message>
+        <source>POS attitude (0.001°)</source>
+        <translation>Attitude du POS (0,001°)</translation>
+    </message>
+    <message>
+        <source>Roll
+difference (deg)</source>
+        <translation>Différence
+de roulis (°)</translation>
+    </message>
+    <message>
+        <source>Pitch
+difference (deg)</source>
+        <translation>Différence
+de tangage (°)</translation>
+    </message>
+    <message>
+        <source>Yaw
+difference (deg)</source>
+        <translation>Différence
+de lacet (°)</translation>
+    </message>
+    <message>
+        <source>Position
+σ, m</source>
+        <translation>Position
+σ, m</translation>
+    </message>
+    <message>
+        <source>Attitude
+σ, °</source>
+        <translation>Attitude
+σ, °</translation>
+    </message>
+    <message>
+        <source>Speed
+m/s</source>
+        <translation>Vitesse
+m/s</translation>
+    </message>
+    <message>
+        <source>Roll, pitch
+°</source>
+        <translation>Roulis, tangage
+°</translation>
+    </message>
+    <message>
+        <source>Heading
+°</source>
+        <translation>Cap
+°</translation>
+    </message>
+</context>
+<context>
+    <name>histograms and pairs</name>
+    <message>
+        <source>Distances between points of one line and the surface of another</source>
+        <translation>Distances entre les points d&apos;une ligne et la surface d&apos;une autre</translation>
+    </message>
+    <message>
+        <source>Median distance, millimetres, before → after</source>
+        <translation>Distance médiane, en millimètres, avant → après</translation>
+    </message>
+    <message>
+        <source>Root mean square distance, millimetres, before → after</source>
+        <translation>Distance quadratique moyenne, en millimètres, avant → après</translation>
+    </message>
+    <message>
+        <source>95 % of the distances are smaller, millimetres, before → after</source>
+        <translation>95 % des distances sont plus petites, en millimètres, avant → après</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95e centile</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>{a:n} → {b:n} mm</source>
+        <translation>{a} → {b} mm</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramme</translation>
+    </message>
+    <message>
+        <source>Histogram, shares</source>
+        <translation>Histogramme, parts</translation>
+    </message>
+    <message>
+        <source>Against height and range</source>
+        <translation>Selon la hauteur et la distance</translation>
+    </message>
+    <message>
+        <source>Wheel: closer or farther; drag: move; double click: all of it</source>
+        <translation>Molette : plus près ou plus loin ; glisser : déplacer ; double-clic : tout montrer</translation>
+    </message>
+    <message>
+        <source>No comparison yet. Pick validation planes, estimate, then press Validate in step 4: the distances between the lines before and after appear here.</source>
+        <translation>Pas encore de comparaison. Désignez des plans de validation, estimez, puis cliquez sur Valider à l&apos;étape 4 : les distances entre les lignes avant et après apparaissent ici.</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Plans</translation>
+    </message>
+    <message>
+        <source>Pairs of lines</source>
+        <translation>Paires de lignes</translation>
+    </message>
+    <message>
+        <source>What is drawn of the plane: how often each distance occurs, which share of the points has it, or how the distances grow with height and range (before a calibration they do, after it they should not)</source>
+        <translation>Ce qui est dessiné du plan : combien de fois chaque distance se présente, quelle part des points l&apos;a, ou comment les distances croissent avec la hauteur et la distance au scanneur (avant un étalonnage elles croissent, après elles ne devraient pas)</translation>
+    </message>
+    <message>
+        <source>Copy the plot as it is shown to the clipboard</source>
+        <translation>Copier le graphique tel qu&apos;il est montré dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Copy what the plot is drawn from to the clipboard, as a table for a spreadsheet</source>
+        <translation>Copier les données du graphique dans le presse-papiers, comme tableau pour un tableur</translation>
+    </message>
+    <message>
+        <source>{plane:name}: all pairs of lines, {model}</source>
+        <translation>{plane} : toutes les paires de lignes, {model}</translation>
+    </message>
+    <message>
+        <source>Pairs of lines on {plane:kept}</source>
+        <translation>Paires de lignes sur {plane}</translation>
+    </message>
+    <message>
+        <source>Distances on {plane:kept}, {plot}, before in blue and after in brown</source>
+        <translation>Distances sur {plane}, {plot}, avant en bleu et après en brun</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>histogramme</translation>
+    </message>
+    <message>
+        <source>histogram, shares</source>
+        <translation>histogramme, parts</translation>
+    </message>
+    <message>
+        <source>against height and range</source>
+        <translation>selon la hauteur et la distance</translation>
+    </message>
+    <message>
+        <source>The picture is in the clipboard</source>
+        <translation>L&apos;image est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>The numbers are in the clipboard, ready for a spreadsheet</source>
+        <translation>Les nombres sont dans le presse-papiers, prêts pour un tableur</translation>
+    </message>
+    <message>
+        <source>Validation planes before and after</source>
+        <translation>Plans de validation avant et après</translation>
+    </message>
+    <message>
+        <source>{reach}: before {a:n} points ({b:n} % up to here), after {c:n} points ({d:n} % up to here)</source>
+        <translation>{reach} : avant {a} points ({b} % jusqu&apos;ici), après {c} points ({d} % jusqu&apos;ici)</translation>
+    </message>
+    <message>
+        <source>{a:n} mm and beyond</source>
+        <translation>{a} mm et au-delà</translation>
+    </message>
+    <message>
+        <source>{a:n}–{b:n} mm</source>
+        <translation>{a}–{b} mm</translation>
+    </message>
+    <message>
+        <source>height {a:n}–{b:n} m</source>
+        <translation>hauteur {a}–{b} m</translation>
+    </message>
+    <message>
+        <source>range {a:n}–{b:n} m</source>
+        <translation>distance au scanneur {a}–{b} m</translation>
+    </message>
+    <message>
+        <source>{reach}: {n:n} distances, too few</source>
+        <translation>{reach} : {n} distances, trop peu</translation>
+    </message>
+    <message>
+        <source>{reach}: median {a:n} → {b:n} mm, 95 % {c:n} → {d:n} mm, {n:n} distances</source>
+        <translation>{reach} : médiane {a} → {b} mm, 95 % {c} → {d} mm, {n} distances</translation>
+    </message>
+    <message>
+        <source>The two lines; ⇄ where they were run in opposite directions</source>
+        <translation>Les deux lignes ; ⇄ si elles ont été parcourues en sens opposés</translation>
+    </message>
+    <message>
+        <source>Distances, both directions together</source>
+        <translation>Distances, les deux sens ensemble</translation>
+    </message>
+    <message>
+        <source>Off before (mm)</source>
+        <translation>Écart avant (mm)</translation>
+    </message>
+    <message>
+        <source>Off after (mm)</source>
+        <translation>Écart après (mm)</translation>
+    </message>
+    <message>
+        <source>Off before</source>
+        <translation>Écart avant</translation>
+    </message>
+    <message>
+        <source>Off after</source>
+        <translation>Écart après</translation>
+    </message>
+    <message>
+        <source>Plane off before (mm)</source>
+        <translation>Écart du plan avant (mm)</translation>
+    </message>
+    <message>
+        <source>Plane off after (mm)</source>
+        <translation>Écart du plan après (mm)</translation>
+    </message>
+    <message>
+        <source>Plane off before</source>
+        <translation>Écart du plan avant</translation>
+    </message>
+    <message>
+        <source>Plane off after</source>
+        <translation>Écart du plan après</translation>
+    </message>
+    <message>
+        <source>Turned before (deg)</source>
+        <translation>Tourné avant (°)</translation>
+    </message>
+    <message>
+        <source>Turned after (deg)</source>
+        <translation>Tourné après (°)</translation>
+    </message>
+    <message>
+        <source>Turned before</source>
+        <translation>Tourné avant</translation>
+    </message>
+    <message>
+        <source>Turned after</source>
+        <translation>Tourné après</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between the lines, before the calibration</source>
+        <translation>Distance quadratique moyenne entre les lignes, avant l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between the lines, after the calibration</source>
+        <translation>Distance quadratique moyenne entre les lignes, après l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>How far the first line lies off the second along the normal, in the median of places (M3C2), positive towards the vessel, before the calibration</source>
+        <translation>De combien la première ligne s&apos;écarte de la seconde le long de la normale, en médiane des endroits (M3C2), positif vers le navire, avant l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>How far the first line lies off the second along the normal, in the median of places (M3C2), positive towards the vessel, after the calibration</source>
+        <translation>De combien la première ligne s&apos;écarte de la seconde le long de la normale, en médiane des endroits (M3C2), positif vers le navire, après l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>The first line&apos;s plane off the second&apos;s, positive towards the vessel, before the calibration</source>
+        <translation>Écart du plan de la première ligne à celui de la seconde, positif vers le navire, avant l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>The first line&apos;s plane off the second&apos;s, positive towards the vessel, after the calibration</source>
+        <translation>Écart du plan de la première ligne à celui de la seconde, positif vers le navire, après l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>Angle between the planes of the two lines, before the calibration</source>
+        <translation>Angle entre les plans des deux lignes, avant l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>Angle between the planes of the two lines, after the calibration</source>
+        <translation>Angle entre les plans des deux lignes, après l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>Pairs of lines before and after</source>
+        <translation>Paires de lignes avant et après</translation>
+    </message>
+    <message>
+        <source>After: at {n:n} places the 95 % interval of one is ± {a:n} mm; {b:n} % of them differ from zero.</source>
+        <translation>Après : à {n} endroits, l&apos;intervalle à 95 % de l&apos;un est de ± {a} mm ; {b} % d&apos;entre eux diffèrent de zéro.</translation>
+    </message>
+    <message>
+        <source>Planes after: {a:n} ± {b:n} mm (95 %).</source>
+        <translation>Plans après : {a} ± {b} mm (95 %).</translation>
+    </message>
+</context>
+<context>
+    <name>section panel</name>
+    <message>
+        <source>Select a target to see all lines side by side in a strip across it, or cut from one point to another. Where the lines stand apart or lean, the boresight is wrong.</source>
+        <translation>Sélectionnez une cible pour voir toutes les lignes côte à côte dans une bande en travers, ou coupez d&apos;un point à un autre. Là où les lignes s&apos;écartent ou penchent, les angles de visée sont faux.</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move. Double click: all of it.</source>
+        <translation>Molette : zoom. Glisser : déplacer. Double-clic : tout montrer.</translation>
+    </message>
+    <message>
+        <source>Away from the vessel, m</source>
+        <translation>En s&apos;éloignant du navire, m</translation>
+    </message>
+    <message>
+        <source>To the right, m</source>
+        <translation>Vers la droite, m</translation>
+    </message>
+    <message>
+        <source>From the first point to the second, m</source>
+        <translation>Du premier point au second, m</translation>
+    </message>
+    <message>
+        <source>Height, m</source>
+        <translation>Hauteur, m</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Verticale</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Horizontale</translation>
+    </message>
+    <message>
+        <source>Upright shows height against distance: roll and pitch. Level looks down: yaw.</source>
+        <translation>Verticale montre la hauteur selon la distance : roulis et tangage. Horizontale regarde d&apos;en haut : lacet.</translation>
+    </message>
+    <message>
+        <source>Thickness of the strip</source>
+        <translation>Épaisseur de la bande</translation>
+    </message>
+    <message>
+        <source>Height of the picture, and its width across a target</source>
+        <translation>Hauteur de l&apos;image, et sa largeur en travers d&apos;une cible</translation>
+    </message>
+    <message>
+        <source>Cut from one clicked point to another</source>
+        <translation>Couper d&apos;un point cliqué à un autre</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>Bande</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Section of the lines: {what}</source>
+        <translation>Coupe des lignes : {what}</translation>
+    </message>
+    <message>
+        <source>Before: up to {n:n} mm apart</source>
+        <translation>Avant : jusqu&apos;à {n} mm d&apos;écart</translation>
+    </message>
+    <message>
+        <source>After: up to {n:n} mm apart</source>
+        <translation>Après : jusqu&apos;à {n} mm d&apos;écart</translation>
+    </message>
+    <message>
+        <source>No points here</source>
+        <translation>Aucun point ici</translation>
+    </message>
+    <message>
+        <source>{n:n} km</source>
+        <translation>{n} km</translation>
+    </message>
+</context>
+<context>
+    <name>sightings table</name>
+    <message>
+        <source>No targets yet. Hold Ctrl and click a target in the view: one row for each appears here.</source>
+        <translation>Pas encore de cible. Maintenez Ctrl et cliquez une cible dans la vue 3D : une rangée pour chacune apparaît ici.</translation>
+    </message>
+    <message>
+        <source>Tick to let the whole target take part</source>
+        <translation>Cocher pour que la cible entière prenne part</translation>
+    </message>
+    <message>
+        <source>{line:name}  {n:n}°</source>
+        <translation>{line}  {n}°</translation>
+    </message>
+    <message>
+        <source>{line:name}: points and RMS about the sighting&apos;s own plane, in millimetres</source>
+        <translation>{line} : points et RMS par rapport au plan propre de la vue, en millimètres</translation>
+    </message>
+    <message>
+        <source>Whole line</source>
+        <translation>Ligne entière</translation>
+    </message>
+    <message>
+        <source>Untick a line to leave out all targets on it</source>
+        <translation>Décocher une ligne pour y écarter toutes les cibles</translation>
+    </message>
+    <message>
+        <source>{n:n} of {all:n} used</source>
+        <translation>{n} sur {all} employées</translation>
+    </message>
+    <message>
+        <source>{line:name}: untick to leave out every target on it, tick to use them all</source>
+        <translation>{line} : décocher pour y écarter toutes les cibles, cocher pour les employer toutes</translation>
+    </message>
+    <message>
+        <source>{n:n}   {rms:n} mm</source>
+        <translation>{n}   {rms} mm</translation>
+    </message>
+    <message>
+        <source>{n:n}   {rms:n} mm   poor</source>
+        <translation>{n}   {rms} mm   mauvaise</translation>
+    </message>
+    <message>
+        <source>{n:n}   {rms:n} mm 🖎</source>
+        <translation>{n}   {rms} mm 🖎</translation>
+    </message>
+    <message>
+        <source>{target:name} on {line:name}: {n:n} points, {rms:n} mm RMS about their own plane</source>
+        <translation>{target} sur {line} : {n} points, {rms} mm RMS par rapport à leur propre plan</translation>
+    </message>
+    <message>
+        <source>Points edited with the lasso; they stay as they were chosen</source>
+        <translation>Points modifiés au lasso ; ils restent tels qu&apos;ils ont été choisis</translation>
+    </message>
+    <message>
+        <source>Drawn from one in {n:n} of the many points about the seed</source>
+        <translation>Tiré d&apos;un point sur {n} parmi les nombreux points autour du germe</translation>
+    </message>
+    <message>
+        <source>Distance to the adjusted plane: {a:n} mm RMS before, {b:n} mm after</source>
+        <translation>Distance au plan compensé : {a} mm RMS avant, {b} mm après</translation>
+    </message>
+    <message>
+        <source>Untick to leave this sighting out</source>
+        <translation>Décocher pour écarter cette vue</translation>
+    </message>
+    <message>
+        <source>{n:n} points per m²</source>
+        <translation>{n} points par m²</translation>
+    </message>
+    <message>
+        <source>{n:n}° from the normal</source>
+        <translation>à {n}° de la normale</translation>
+    </message>
+    <message>
+        <source>{a:n} × {b:n} m</source>
+        <translation>{a} × {b} m</translation>
+    </message>
+    <message>
+        <source>{n:n} % of what the other lines show</source>
+        <translation>{n} % de ce que montrent les autres lignes</translation>
+    </message>
+    <message>
+        <source>Quality: {light}</source>
+        <translation>Qualité : {light}</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bonne</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteuse</translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <translation>mauvaise</translation>
+    </message>
+    <message>
+        <source>Up to {n:n} mm (RMS) may be the error of the rough boresight; it does not count before the calibration</source>
+        <translation>Jusqu&apos;à {n} mm (RMS) peuvent venir de l&apos;erreur des angles de visée approchés ; cela ne compte pas avant l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>Judged with the estimated boresight, from {n:n} points with an RMS of {rms:n} mm</source>
+        <translation>Évaluée avec les angles de visée estimés, d&apos;après {n} points de RMS {rms} mm</translation>
+    </message>
+    <message>
+        <source>{name:name}: takes part in the adjustment</source>
+        <translation>{name} : prend part à la compensation</translation>
+    </message>
+    <message>
+        <source>{name:name}: validation plane, takes no part</source>
+        <translation>{name} : plan de validation, n&apos;y prend pas part</translation>
+    </message>
+    <message>
+        <source>{name:name} on {line:name}: {reason}</source>
+        <translation>{name} sur {line} : {reason}</translation>
+    </message>
+    <message>
+        <source>not sought on this line</source>
+        <translation>non cherchée sur cette ligne</translation>
+    </message>
+    <message>
+        <source>To seed this line alone, choose it under “Seek on” in step 2 and Ctrl+click.</source>
+        <translation>Pour ne désigner que cette ligne, choisissez-la sous « Chercher sur » à l&apos;étape 2 et faites Ctrl+clic.</translation>
+    </message>
+</context>
+<context>
+    <name>clipping panel</name>
+    <message>
+        <source>Only what lies in the box is drawn, picked and measured. Drag the dots on its sides, or type its lengths.</source>
+        <translation>Seul ce qui est dans la boîte est dessiné, désigné et mesuré. Glissez les points de ses côtés, ou saisissez ses longueurs.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Length of the box across the target, metres</source>
+        <translation>Longueur de la boîte en travers de la cible, en mètres</translation>
+    </message>
+    <message>
+        <source>Length of the box along the target, metres</source>
+        <translation>Longueur de la boîte le long de la cible, en mètres</translation>
+    </message>
+    <message>
+        <source>Height of the box, metres</source>
+        <translation>Hauteur de la boîte, en mètres</translation>
+    </message>
+    <message>
+        <source>About the selection</source>
+        <translation>Autour de la sélection</translation>
+    </message>
+    <message>
+        <source>Lay the box about the selected target</source>
+        <translation>Poser la boîte autour de la cible sélectionnée</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Draw everything again</source>
+        <translation>Tout dessiner de nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>convention panel</name>
+    <message>
+        <source>Angles in another program</source>
+        <translation>Angles dans un autre logiciel</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Logiciel</translation>
+    </message>
+    <message>
+        <source>Program the angles are for</source>
+        <translation>Logiciel auquel sont destinés les angles</translation>
+    </message>
+    <message>
+        <source>like the body axes</source>
+        <translation>comme les axes du navire</translation>
+    </message>
+    <message>
+        <source>as in the raw points</source>
+        <translation>comme dans les points bruts</translation>
+    </message>
+    <message>
+        <source>laid on them by a mounting</source>
+        <translation>posés dessus par un montage</translation>
+    </message>
+    <message>
+        <source>like the body axes (usual)</source>
+        <translation>comme les axes du navire (usuel)</translation>
+    </message>
+    <message>
+        <source>as in the raw points (usual)</source>
+        <translation>comme dans les points bruts (usuel)</translation>
+    </message>
+    <message>
+        <source>laid on them by a mounting (usual)</source>
+        <translation>posés dessus par un montage (usuel)</translation>
+    </message>
+    <message>
+        <source>How that program&apos;s scanner axes lie to those of the raw points</source>
+        <translation>Comment les axes du scanneur de ce logiciel se placent par rapport à ceux des points bruts</translation>
+    </message>
+    <message>
+        <source>Scanner axes there</source>
+        <translation>Axes du scanneur là-bas</translation>
+    </message>
+    <message>
+        <source>Matrix from scanner to body</source>
+        <translation>Matrice du scanneur au navire</translation>
+    </message>
+    <message>
+        <source>Copy matrix</source>
+        <translation>Copier la matrice</translation>
+    </message>
+    <message>
+        <source>Copy the sixteen numbers, row by row, to the clipboard</source>
+        <translation>Copier les seize nombres, rangée par rangée, dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Copy angles</source>
+        <translation>Copier les angles</translation>
+    </message>
+    <message>
+        <source>Copy the angles to type in, one a line with its name, to the clipboard</source>
+        <translation>Copier les angles à saisir, un par ligne avec son nom, dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>No values</source>
+        <translation>Pas de valeurs</translation>
+    </message>
+    <message>
+        <source>&lt;b style=&quot;{style:kept}&quot;&gt;{word}&lt;/b&gt;: {source}.</source>
+        <translation>&lt;b style=&quot;{style}&quot;&gt;{word}&lt;/b&gt; : {source}.</translation>
+    </message>
+    <message>
+        <source>Verified</source>
+        <translation>Vérifiée</translation>
+    </message>
+    <message>
+        <source>Partly verified</source>
+        <translation>Partiellement vérifiée</translation>
+    </message>
+    <message>
+        <source>Not verified</source>
+        <translation>Non vérifiée</translation>
+    </message>
+    <message>
+        <source>Body axes there: X {x}, Y {y}, Z {z}.</source>
+        <translation>Axes du navire là-bas : X {x}, Y {y}, Z {z}.</translation>
+    </message>
+    <message>
+        <source>{formula}, LiDAR to body.</source>
+        <translation>{formula}, du LiDAR au navire.</translation>
+    </message>
+    <message>
+        <source>{formula}, body to LiDAR.</source>
+        <translation>{formula}, du navire au LiDAR.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Assumed:&lt;/b&gt; {what}</source>
+        <translation>&lt;b&gt;Supposé :&lt;/b&gt; {what}</translation>
+    </message>
+    <message>
+        <source>Taken as a matrix only: see below</source>
+        <translation>Donnée comme matrice seulement : voir ci-dessous</translation>
+    </message>
+    <message>
+        <source>Type in there, degrees</source>
+        <translation>À saisir là-bas, en degrés</translation>
+    </message>
+    <message>
+        <source>If the assumption holds, degrees</source>
+        <translation>Si la supposition est juste, en degrés</translation>
+    </message>
+    <message>
+        <source>Type in</source>
+        <translation>À saisir</translation>
+    </message>
+    <message>
+        <source>If so</source>
+        <translation>Si oui</translation>
+    </message>
+    <message>
+        <source>Now set</source>
+        <translation>Réglé</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Correction</translation>
+    </message>
+    <message>
+        <source>The matrix of the correction stands on the left: new = correction · present.</source>
+        <translation>La matrice de la correction est à gauche : nouveau = correction · actuel.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Do not add the angles:&lt;/b&gt; the sum would be {n:n}° off, {mm:n} mm at 100 m.</source>
+        <translation>&lt;b&gt;N&apos;additionnez pas les angles :&lt;/b&gt; la somme serait fausse de {n}°, {mm} mm à 100 m.</translation>
+    </message>
+    <message>
+        <source>The correction of the 4x4 matrix:</source>
+        <translation>La correction de la matrice 4x4 :</translation>
+    </message>
+    <message>
+        <source>The matrix below replaces the present one: new = correction · present. The correction:</source>
+        <translation>La matrice ci-dessous remplace l&apos;actuelle : nouveau = correction · actuel. La correction :</translation>
+    </message>
+    <message>
+        <source>Typed by hand.</source>
+        <translation>Saisi à la main.</translation>
+    </message>
+    <message>
+        <source>Degrees, positive left side up</source>
+        <translation>Degrés, positif quand bâbord monte</translation>
+    </message>
+    <message>
+        <source>Degrees, positive bow down</source>
+        <translation>Degrés, positif quand l&apos;étrave descend</translation>
+    </message>
+    <message>
+        <source>Degrees, positive clockwise from above</source>
+        <translation>Degrés, positif dans le sens horaire vu d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>Take from the project</source>
+        <translation>Reprendre du projet</translation>
+    </message>
+    <message>
+        <source>The estimated boresight of the project, or its prior where none is estimated</source>
+        <translation>Les angles de visée estimés du projet, ou a priori si aucun n&apos;est estimé</translation>
+    </message>
+    <message>
+        <source>Correct what is set there now</source>
+        <translation>Corriger ce qui y est réglé</translation>
+    </message>
+    <message>
+        <source>Give the present settings of that program to see the correction</source>
+        <translation>Donner les réglages actuels de ce logiciel pour voir la correction</translation>
+    </message>
+    <message>
+        <source>Give them as a matrix</source>
+        <translation>Les donner comme matrice</translation>
+    </message>
+    <message>
+        <source>Paste the present matrix of that program instead of its angles</source>
+        <translation>Coller la matrice actuelle de ce logiciel au lieu de ses angles</translation>
+    </message>
+    <message>
+        <source>Present matrix from scanner to body</source>
+        <translation>Matrice actuelle du scanneur au navire</translation>
+    </message>
+    <message>
+        <source>Present matrix from scanner to body in that program, row by row: 3x3 numbers, or 4x4 with the lever arm in metres</source>
+        <translation>Matrice actuelle du scanneur au navire dans ce logiciel, rangée par rangée : 3x3 nombres, ou 4x4 avec le bras de levier en mètres</translation>
+    </message>
+    <message>
+        <source>The lines were already turned by them</source>
+        <translation>Les lignes ont déjà été tournées par eux</translation>
+    </message>
+    <message>
+        <source>Tick where that program had applied these angles before it wrote the lines: the boresight found is then what comes on top</source>
+        <translation>Cocher si ce logiciel avait appliqué ces angles avant d&apos;écrire les lignes : les angles de visée trouvés s&apos;y ajoutent alors</translation>
+    </message>
+    <message>
+        <source>Present matrix</source>
+        <translation>Matrice actuelle</translation>
+    </message>
+    <message>
+        <source>Present {turn}</source>
+        <translation>{turn} actuel</translation>
+    </message>
+    <message>
+        <source>Where the X axis of the IMU points on the vessel</source>
+        <translation>Vers où pointe l&apos;axe X de l&apos;IMU sur le navire</translation>
+    </message>
+    <message>
+        <source>Where the Y axis of the IMU points on the vessel</source>
+        <translation>Vers où pointe l&apos;axe Y de l&apos;IMU sur le navire</translation>
+    </message>
+    <message>
+        <source>IMU X axis</source>
+        <translation>Axe X de l&apos;IMU</translation>
+    </message>
+    <message>
+        <source>IMU Y axis</source>
+        <translation>Axe Y de l&apos;IMU</translation>
+    </message>
+    <message>
+        <source>IMU X</source>
+        <translation>IMU X</translation>
+    </message>
+    <message>
+        <source>IMU Y</source>
+        <translation>IMU Y</translation>
+    </message>
+    <message>
+        <source>Z {direction}</source>
+        <translation>Z {direction}</translation>
+    </message>
+    <message>
+        <source>Prior boresight of {name:kept}: nothing has been estimated yet.</source>
+        <translation>Angles de visée a priori de {name} : rien n&apos;a encore été estimé.</translation>
+    </message>
+    <message>
+        <source>Thesis mode: these sigmas are several times too small.</source>
+        <translation>Mode de la thèse : ces écarts-types sont plusieurs fois trop petits.</translation>
+    </message>
+    <message>
+        <source>Estimated boresight of {name:kept}.</source>
+        <translation>Angles de visée estimés de {name}.</translation>
+    </message>
+    <message>
+        <source>Angles in the other program</source>
+        <translation>Angles dans l&apos;autre logiciel</translation>
+    </message>
+    <message>
+        <source>Scanner axes in the body axes</source>
+        <translation>Axes du scanneur dans les axes du navire</translation>
+    </message>
+    <message>
+        <source>Grey: axes of the vessel. Coloured: axes of the scanner, the turn exaggerated by the factor shown. Drag or use the arrow keys to turn, double-click to reset.</source>
+        <translation>En gris : axes du navire. En couleur : axes du scanneur, la rotation exagérée du facteur indiqué. Glissez ou prenez les flèches pour tourner, double-clic pour revenir.</translation>
+    </message>
+    <message>
+        <source>Scanner X, Y, Z: turn shown as it is</source>
+        <translation>Scanneur X, Y, Z : rotation telle quelle</translation>
+    </message>
+    <message>
+        <source>Scanner X, Y, Z: turn shown × {n:n}</source>
+        <translation>Scanneur X, Y, Z : rotation × {n}</translation>
+    </message>
+</context>
+<context>
+    <name>more of the view</name>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>{path:kept}: the picture cannot be written there; choose another folder.</source>
+        <translation>{path} : l&apos;image ne peut y être écrite ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>aucun choisi</translation>
+    </message>
+    <message>
+        <source>range {n:n} m, {rest:list}</source>
+        <translation>distance {n} m, {rest}</translation>
+    </message>
+    <message>
+        <source>range {n:n} m</source>
+        <translation>distance {n} m</translation>
+    </message>
+    <message>
+        <source>{n:n} points, {k:n} sightings</source>
+        <translation>{n} points, {k} vues</translation>
+    </message>
+    <message>
+        <source>{n:n} points, 1 sighting</source>
+        <translation>{n} points, 1 vue</translation>
+    </message>
+    <message>
+        <source>{n:n} points, {k:n} sightings; {strays} left out</source>
+        <translation>{n} points, {k} vues ; {strays} hors calcul</translation>
+    </message>
+    <message>
+        <source>{n:n} points, 1 sighting; {strays} left out</source>
+        <translation>{n} points, 1 vue ; {strays} hors calcul</translation>
+    </message>
+    <message>
+        <source>Lever arm X: {reason}</source>
+        <translation>Bras de levier X : {reason}</translation>
+    </message>
+    <message>
+        <source>Lever arm Y: {reason}</source>
+        <translation>Bras de levier Y : {reason}</translation>
+    </message>
+    <message>
+        <source>Lever arm Z: {reason}</source>
+        <translation>Bras de levier Z : {reason}</translation>
+    </message>
+    <message>
+        <source>Range offset: {reason}</source>
+        <translation>Décalage de distance : {reason}</translation>
+    </message>
+    <message>
+        <source>Scan-angle offset: {reason}</source>
+        <translation>Décalage d&apos;angle de balayage : {reason}</translation>
+    </message>
+    <message>
+        <source>Latency: {reason}</source>
+        <translation>Latence : {reason}</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;{value}&lt;/b&gt; ± {sigma}</source>
+        <translation>&lt;b&gt;{value}&lt;/b&gt; ± {sigma}</translation>
+    </message>
+    <message>
+        <source>{n:n} °</source>
+        <translation>{n} °</translation>
+    </message>
+    <message>
+        <source>prior {value}, significant</source>
+        <translation>a priori {value}, significatif</translation>
+    </message>
+    <message>
+        <source>prior {value}, not significant</source>
+        <translation>a priori {value}, non significatif</translation>
+    </message>
+    <message>
+        <source>prior {value}, not tested: the sigmas of thesis mode are too small</source>
+        <translation>a priori {value}, non testé : les écarts-types du mode de la thèse sont trop petits</translation>
+    </message>
+    <message>
+        <source>Lever arm there, from the POS centre: {arm:kept}</source>
+        <translation>Bras de levier là-bas, depuis le centre du POS : {arm}</translation>
+    </message>
+    <message>
+        <source>Present: {arm:kept}</source>
+        <translation>Actuel : {arm}</translation>
+    </message>
+    <message>
+        <source>LiDAR range and angle</source>
+        <translation>LiDAR distance et angle</translation>
+    </message>
+</context>
+<context>
+    <name>charts</name>
+    <message>
+        <source>Type I</source>
+        <translation>Type I</translation>
+    </message>
+</context>
+<context>
+    <name>progress</name>
+    <message>
+        <source>Reading {file:kept}</source>
+        <translation>Lecture de {file}</translation>
+    </message>
+    <message>
+        <source>Reading {file:kept}, {n:n} points</source>
+        <translation>Lecture de {file}, {n} points</translation>
+    </message>
+    <message>
+        <source>Reading {file:kept} for its digest</source>
+        <translation>Lecture de {file} pour son empreinte</translation>
+    </message>
+    <message>
+        <source>Georeferencing {line:kept}</source>
+        <translation>Géoréférencement de {line}</translation>
+    </message>
+    <message>
+        <source>Placing {line:kept}</source>
+        <translation>Placement de {line}</translation>
+    </message>
+    <message>
+        <source>Cutting {line:kept}</source>
+        <translation>Coupe de {line}</translation>
+    </message>
+    <message>
+        <source>Cross-checking: line {name:kept}</source>
+        <translation>Vérification croisée : ligne {name}</translation>
+    </message>
+    <message>
+        <source>Cross-checking: target {name:kept}</source>
+        <translation>Vérification croisée : cible {name}</translation>
+    </message>
+    <message>
+        <source>Cross-checking: {what:kept}</source>
+        <translation>Vérification croisée : {what}</translation>
+    </message>
+    <message>
+        <source>Found {n:n} planes</source>
+        <translation>{n} plans trouvés</translation>
+    </message>
+    <message>
+        <source>Looked for the target in {line:kept}</source>
+        <translation>Cible cherchée dans {line}</translation>
+    </message>
+    <message>
+        <source>Compared {n:n} pairs of lines on {name:kept}</source>
+        <translation>{n} paires de lignes comparées sur {name}</translation>
+    </message>
+    <message>
+        <source>Compared {n:n} lines with {name:kept}</source>
+        <translation>{n} lignes comparées avec {name}</translation>
+    </message>
+    <message>
+        <source>Adjusted {n:n} times</source>
+        <translation>Compensé {n} fois</translation>
+    </message>
+    <message>
+        <source>Proposed {n:n} targets and {k:n} validation planes</source>
+        <translation>{n} cibles et {k} plans de validation proposés</translation>
+    </message>
+    <message>
+        <source>{file:kept}: {n:n} points looked at</source>
+        <translation>{file} : {n} points examinés</translation>
+    </message>
+    <message>
+        <source>{file:kept}: {n:n} of {all:n} places looked at</source>
+        <translation>{file} : {n} endroits examinés sur {all}</translation>
+    </message>
+    <message>
+        <source>{n:n} calibrations of {k:n} systems</source>
+        <translation>{n} étalonnages de {k} systèmes</translation>
+    </message>
+    <message>
+        <source>Scanned line {n:n} of {all:n}</source>
+        <translation>Ligne {n} sur {all} balayée</translation>
+    </message>
+</context>
+<context>
+    <name>words of the core</name>
+    <message>
+        <source>Roll, pitch, yaw</source>
+        <translation>Roulis, tangage, lacet</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter (US)</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>English</translation>
+    </message>
+    <message>
+        <source>Français</source>
+        <translation>Français</translation>
+    </message>
+    <message>
+        <source>{a} · {b} · {c}</source>
+        <translation>{a} · {b} · {c}</translation>
+    </message>
+    <message>
+        <source>Assumed:</source>
+        <translation>Supposé :</translation>
+    </message>
+    <message>
+        <source>Positive left side up</source>
+        <translation>Positif quand bâbord monte</translation>
+    </message>
+    <message>
+        <source>Positive port side up</source>
+        <translation>Positif quand bâbord monte</translation>
+    </message>
+    <message>
+        <source>Positive starboard side down</source>
+        <translation>Positif quand tribord descend</translation>
+    </message>
+    <message>
+        <source>Positive bow down</source>
+        <translation>Positif quand l&apos;étrave descend</translation>
+    </message>
+    <message>
+        <source>Positive bow up</source>
+        <translation>Positif quand l&apos;étrave monte</translation>
+    </message>
+    <message>
+        <source>Positive clockwise seen from above</source>
+        <translation>Positif dans le sens horaire vu d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>Positive counter-clockwise seen from above</source>
+        <translation>Positif dans le sens antihoraire vu d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>Right-handed</source>
+        <translation>Sens direct</translation>
+    </message>
+    <message>
+        <source>Right-handed, {meaning}</source>
+        <translation>Sens direct, {meaning}</translation>
+    </message>
+    <message>
+        <source>The scanner {parts:list}.</source>
+        <translation>Le scanneur {parts}.</translation>
+    </message>
+    <message>
+        <source>The scanner {parts:list} (first turned, then pitched, then rolled).</source>
+        <translation>Le scanneur {parts} (d&apos;abord tourné, puis tangué, puis roulé).</translation>
+    </message>
+    <message>
+        <source>looks {n:n} deg bow up</source>
+        <translation>regarde {n}° vers le haut</translation>
+    </message>
+    <message>
+        <source>looks {n:n} deg bow down</source>
+        <translation>regarde {n}° vers le bas</translation>
+    </message>
+    <message>
+        <source>is turned {n:n} deg to starboard</source>
+        <translation>est tourné de {n}° vers tribord</translation>
+    </message>
+    <message>
+        <source>is turned {n:n} deg to port</source>
+        <translation>est tourné de {n}° vers bâbord</translation>
+    </message>
+    <message>
+        <source>The scanner&apos;s optical centre is {parts:list} the POS centre.</source>
+        <translation>Le centre optique du scanneur est à {parts} du centre du POS.</translation>
+    </message>
+    <message>
+        <source>{a:name} ⇄ {b:name}</source>
+        <translation>{a} ⇄ {b}</translation>
+    </message>
+    <message>
+        <source>{plane:name}: reciprocal pairs of lines, {model}</source>
+        <translation>{plane} : paires réciproques de lignes, {model}</translation>
+    </message>
+    <message>
+        <source>{angle} positive left side up</source>
+        <translation>{angle} positif quand bâbord monte</translation>
+    </message>
+    <message>
+        <source>{angle} positive port side up</source>
+        <translation>{angle} positif quand bâbord monte</translation>
+    </message>
+    <message>
+        <source>{angle} positive starboard side down</source>
+        <translation>{angle} positif quand tribord descend</translation>
+    </message>
+    <message>
+        <source>{angle} positive bow down</source>
+        <translation>{angle} positif quand l&apos;étrave descend</translation>
+    </message>
+    <message>
+        <source>{angle} positive bow up</source>
+        <translation>{angle} positif quand l&apos;étrave monte</translation>
+    </message>
+    <message>
+        <source>{angle} positive clockwise seen from above</source>
+        <translation>{angle} positif dans le sens horaire vu d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>{angle} positive counter-clockwise seen from above</source>
+        <translation>{angle} positif dans le sens antihoraire vu d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>{angle} right-handed</source>
+        <translation>{angle} en sens direct</translation>
+    </message>
+    <message>
+        <source>{angle} right-handed, {meaning}</source>
+        <translation>{angle} en sens direct, {meaning}</translation>
+    </message>
+</context>
+<context>
+    <name>pace</name>
+    <message>
+        <source>{what}: {a:n} points</source>
+        <translation>{what} : {a} points</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} M points</source>
+        <translation>{what} : {a} M points</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} of {b:n} points</source>
+        <translation>{what} : {a} points sur {b}</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} of {b:n} M points</source>
+        <translation>{what} : {a} points sur {b} M</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} M of {b:n} M points</source>
+        <translation>{what} : {a} M points sur {b} M</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} of {b:n} M points, {r:n} M points/s</source>
+        <translation>{what} : {a} points sur {b} M, {r} M points/s</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} M of {b:n} M points, {r:n} M points/s</source>
+        <translation>{what} : {a} M points sur {b} M, {r} M points/s</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} of {b:n} points, {r:n} M points/s</source>
+        <translation>{what} : {a} points sur {b}, {r} M points/s</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} points, {r:n} M points/s</source>
+        <translation>{what} : {a} points, {r} M points/s</translation>
+    </message>
+    <message>
+        <source>{what}: {a:n} M points, {r:n} M points/s</source>
+        <translation>{what} : {a} M points, {r} M points/s</translation>
+    </message>
+    <message>
+        <source>at least {n:n} points</source>
+        <translation>au moins {n} points</translation>
+    </message>
+    <message>
+        <source>at most {n:n}° of tilt</source>
+        <translation>au plus {n}° d&apos;écart d&apos;inclinaison</translation>
+    </message>
+    <message>
+        <source>stop criterion {n:n}</source>
+        <translation>critère d&apos;arrêt {n}</translation>
+    </message>
+    <message>
+        <source>random seed {n:n}</source>
+        <translation>germe aléatoire {n}</translation>
+    </message>
+</context>
+<context>
+    <name>options of files</name>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Decimal</source>
+        <translation>Décimale</translation>
+    </message>
+    <message>
+        <source>Epoch</source>
+        <translation>Époque</translation>
+    </message>
+    <message>
+        <source>Grid unit</source>
+        <translation>Unité de la grille</translation>
+    </message>
+    <message>
+        <source>Height unit</source>
+        <translation>Unité des hauteurs</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Attitude</source>
+        <translation>Attitude</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Séparateur</translation>
+    </message>
+    <message>
+        <source>Time base</source>
+        <translation>Base de temps</translation>
+    </message>
+    <message>
+        <source>Time field</source>
+        <translation>Champ du temps</translation>
+    </message>
+    <message>
+        <source>Time from</source>
+        <translation>Temps depuis</translation>
+    </message>
+    <message>
+        <source>Time unit</source>
+        <translation>Unité de temps</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>as is</source>
+        <translation>tel quel</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatique</translation>
+    </message>
+    <message>
+        <source>big endian</source>
+        <translation>gros-boutistes (big-endian)</translation>
+    </message>
+    <message>
+        <source>little endian</source>
+        <translation>petit-boutistes (little-endian)</translation>
+    </message>
+    <message>
+        <source>dms</source>
+        <translation>degrés, minutes, secondes</translation>
+    </message>
+    <message>
+        <source>enu</source>
+        <translation>est, nord, haut (enu)</translation>
+    </message>
+    <message>
+        <source>ned</source>
+        <translation>nord, est, bas (ned)</translation>
+    </message>
+    <message>
+        <source>neu</source>
+        <translation>nord, est, haut (neu)</translation>
+    </message>
+    <message>
+        <source>nwu</source>
+        <translation>nord, ouest, haut (nwu)</translation>
+    </message>
+    <message>
+        <source>wander-ned</source>
+        <translation>wander, ned</translation>
+    </message>
+    <message>
+        <source>wander-nwu</source>
+        <translation>wander, nwu</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>grille</translation>
+    </message>
+    <message>
+        <source>international feet</source>
+        <translation>pieds internationaux</translation>
+    </message>
+    <message>
+        <source>us survey feet</source>
+        <translation>pieds d&apos;arpentage américains</translation>
+    </message>
+    <message>
+        <source>us survey foot</source>
+        <translation>pied d&apos;arpentage américain</translation>
+    </message>
+    <message>
+        <source>latitude longitude</source>
+        <translation>latitude, longitude</translation>
+    </message>
+    <message>
+        <source>longitude latitude</source>
+        <translation>longitude, latitude</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>seconde</translation>
+    </message>
+    <message>
+        <source>millisecond</source>
+        <translation>milliseconde</translation>
+    </message>
+    <message>
+        <source>microsecond</source>
+        <translation>microseconde</translation>
+    </message>
+    <message>
+        <source>nanosecond</source>
+        <translation>nanoseconde</translation>
+    </message>
+    <message>
+        <source>minus wander</source>
+        <translation>moins l&apos;angle de dérive (wander)</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>début</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>vrai</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>zéro</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>comme dans le fichier</translation>
+    </message>
+    <message>
+        <source>X from, to</source>
+        <translation>X de, à</translation>
+    </message>
+    <message>
+        <source>Y from, to</source>
+        <translation>Y de, à</translation>
+    </message>
+    <message>
+        <source>Z from, to</source>
+        <translation>Z de, à</translation>
+    </message>
+    <message>
+        <source>Time from, to</source>
+        <translation>Temps de, à</translation>
+    </message>
+    <message>
+        <source>Written by</source>
+        <translation>Écrit par</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Attributs</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Champs</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Commentaires</translation>
+    </message>
+    <message>
+        <source>Viewpoint</source>
+        <translation>Point de vue</translation>
+    </message>
+    <message>
+        <source>{n:n} per second</source>
+        <translation>{n} par seconde</translation>
+    </message>
+    <message>
+        <source>{a:n} to {b:n} deg</source>
+        <translation>de {a} à {b}°</translation>
+    </message>
+    <message>
+        <source>{a:n}, {b:n} s (first {n:n} points)</source>
+        <translation>{a}, {b} s ({n} premiers points)</translation>
+    </message>
+    <message>
+        <source>{n:n} in {k:n} scans</source>
+        <translation>{n} en {k} balayages</translation>
+    </message>
+    <message>
+        <source>La fenêtre en français</source>
+        <translation>La fenêtre en français</translation>
+    </message>
+    <message>
+        <source>&amp;Français</source>
+        <translation>&amp;Français</translation>
+    </message>
+    <message>
+        <source>&amp;English</source>
+        <translation>&amp;English</translation>
+    </message>
+    <message>
+        <source>Language · &amp;Langue</source>
+        <translation>Langue · &amp;Language</translation>
+    </message>
+    <message>
+        <source>The window in English</source>
+        <translation>La fenêtre en anglais (English)</translation>
+    </message>
+    <message>
+        <source>The trajectory covers the line.</source>
+        <translation>La trajectoire couvre la ligne.</translation>
+    </message>
+    <message>
+        <source>The trajectory covers every line.</source>
+        <translation>La trajectoire couvre toutes les lignes.</translation>
+    </message>
+    <message>
+        <source>Expected sigmas of the boresight from all targets proposed: {sigmas:list}.</source>
+        <translation>Écarts-types attendus des angles de visée, avec toutes les cibles proposées : {sigmas}.</translation>
+    </message>
+    <message>
+        <source>Expected sigmas of the boresight from all targets proposed and of {picked:kept}, picked already: {sigmas:list}.</source>
+        <translation>Écarts-types attendus des angles de visée, avec toutes les cibles proposées et celles déjà désignées ({picked}) : {sigmas}.</translation>
+    </message>
+</context>
+<context>
+    <name>script</name>
+    <message>
+        <source>S&amp;cript of this project…</source>
+        <translation>S&amp;cript de ce projet…</translation>
+    </message>
+    <message>
+        <source>Script</source>
+        <translation>Script</translation>
+    </message>
+    <message>
+        <source>Show the Python that makes this project again from its raw files</source>
+        <translation>Montrer le Python qui refait ce projet à partir de ses fichiers bruts</translation>
+    </message>
+    <message>
+        <source>These steps make the project as it stands again from its raw files, in Python, with the same numbers. They can be edited and run without the window.</source>
+        <translation>Ces étapes refont le projet tel qu&apos;il est à partir de ses fichiers bruts, en Python, avec les mêmes nombres. Elles peuvent être modifiées et exécutées sans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>Script of this project</source>
+        <translation>Script de ce projet</translation>
+    </message>
+    <message>
+        <source>Copy the script</source>
+        <translation>Copier le script</translation>
+    </message>
+    <message>
+        <source>The script is copied</source>
+        <translation>Le script est copié</translation>
+    </message>
+    <message>
+        <source>Save the script</source>
+        <translation>Enregistrer le script</translation>
+    </message>
+    <message>
+        <source>Python (*.py)</source>
+        <translation>Python (*.py)</translation>
+    </message>
+    <message>
+        <source>wander</source>
+        <translation>dérive (wander)</translation>
+    </message>
+    <message>
+        <source>velocity x</source>
+        <translation>vitesse x</translation>
+    </message>
+    <message>
+        <source>velocity y</source>
+        <translation>vitesse y</translation>
+    </message>
+    <message>
+        <source>velocity z</source>
+        <translation>vitesse z</translation>
+    </message>
+    <message>
+        <source>acceleration x</source>
+        <translation>accélération x</translation>
+    </message>
+    <message>
+        <source>acceleration y</source>
+        <translation>accélération y</translation>
+    </message>
+    <message>
+        <source>acceleration z</source>
+        <translation>accélération z</translation>
+    </message>
+    <message>
+        <source>gps_time</source>
+        <translation>gps_time</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>intensité</translation>
+    </message>
+    <message>
+        <source>return_number</source>
+        <translation>return_number</translation>
+    </message>
+    <message>
+        <source>number_of_returns</source>
+        <translation>number_of_returns</translation>
+    </message>
+    <message>
+        <source>rate x</source>
+        <translation>rotation x</translation>
+    </message>
+    <message>
+        <source>rate y</source>
+        <translation>rotation y</translation>
+    </message>
+    <message>
+        <source>rate z</source>
+        <translation>rotation z</translation>
+    </message>
+    <message>
+        <source>classification</source>
+        <translation>classification</translation>
     </message>
 </context>
 </TS>

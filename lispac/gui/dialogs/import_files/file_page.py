@@ -16,13 +16,20 @@ from lispac.gui.dialogs.import_files import words
 from lispac.gui.dialogs.import_files.options_form import OptionsForm
 from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.import_files.remarks_view import RemarksView
-from lispac.gui.language import say
+from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
 
 ASSUMED = "assumed"
 """A fact of readers of points that is an assumption."""
+
+OF_THE_FILE = {
+    "attributes", "columns", "comments", "coordinate system", "fields", "folder", "header",
+    "written by",
+}  # fmt: skip
+"""Facts that are told in the words of the file."""
+NOTHING = ("none", "not known", "not named", "not stated")
 
 
 class FilePage(QWidget):
@@ -133,11 +140,12 @@ class FilePage(QWidget):
         for name, value in facts.items():
             head = widgets.label(words.option_name(name), "muted")
             head.setAlignment(Qt.AlignmentFlag.AlignTop)
-            said = widgets.label(value, wrap=True)
+            said = widgets.label(wrap=True)
+            own = name.lower() in OF_THE_FILE and value not in NOTHING
+            said.setText(value if own else say(value))
             said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-            self.facts.addRow(say(head), said)
-        sentences = [text[:1].upper() + text[1:].rstrip(".") + "." for text in assumed]
-        self.assumptions.setText(say("\n".join(sentences)))
+            self.facts.addRow(head, said)
+        self.assumptions.setText("\n".join(say_sentences(assumed)))
         self._assumed_head.setVisible(bool(assumed))
         self.assumptions.setVisible(bool(assumed))
 

@@ -190,9 +190,10 @@ def _fill(combo: QComboBox, items: Sequence[tuple[str, object]], chosen: object)
     """Fill a list without telling anyone."""
     now = [(combo.itemText(k), combo.itemData(k)) for k in range(combo.count())]
     combo.blockSignals(True)
-    if now != list(items):
+    wanted = [(say(text), data) for text, data in items]
+    if now != wanted:
         combo.clear()
-        for text, data in items:
-            combo.addItem(say(text), data)
+        for text, data in wanted:
+            combo.addItem(text, data)
     combo.setCurrentIndex(next((k for k, (_, data) in enumerate(items) if data == chosen), 0))
     combo.blockSignals(False)

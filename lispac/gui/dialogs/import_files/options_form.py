@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say
+from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
 from lispac.io.registry import Format, Option
 from lispac.workflow.intake_entry import Entry
@@ -54,7 +54,8 @@ class OptionsForm(QWidget):
             self._labels[option.name].setProperty("role", "heading" if own else "")
             self._labels[option.name].style().polish(self._labels[option.name])
             origin = "Stated by you." if own else "As found in the file, or by default."
-            field.setToolTip(say(f"{option.meaning.rstrip('.')}.\n{origin}"))
+            (meaning,) = say_sentences([option.meaning])
+            field.setToolTip(f"{meaning}\n{say(origin)}")
         self._show_system(entry)
 
     def ask(self, name: str) -> None:
@@ -73,7 +74,7 @@ class OptionsForm(QWidget):
             label.setBuddy(field)
             field.setAccessibleName(say(words.option_name(option.name)))
             self.fields[option.name], self._labels[option.name] = field, label
-            self._form.addRow(say(label), field)
+            self._form.addRow(label, field)
             if option.name == "crs":
                 self._form.addRow("", self.system)
 

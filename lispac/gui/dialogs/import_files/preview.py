@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
 from lispac.gui import theme
-from lispac.gui.language import say
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.workflow.intake_columns import PASSED_OVER, has_columns, meanings, word_of
 from lispac.workflow.intake_entry import Entry
@@ -57,7 +57,7 @@ class Preview(QTableWidget):
         self.setRowCount(first + max(len(rows) - 1, 0))
         self.setColumnCount(columns)
         names = list(rows[0][:columns]) if rows else []
-        heads = [f"Column {k + 1}" for k in range(columns)] if mapped else names
+        heads = [say(f"Column {k + 1}") for k in range(columns)] if mapped else say_all(names)
         self.setHorizontalHeaderLabels(heads + [""] * (columns - len(heads)))
         for k in range(columns if mapped else 0):
             self._add_combo(entry, k)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.envelope import envelope
+from lispac.gui.language import say
 from lispac.io.line_times import LineTimes
 from lispac.io.trajectory_facts import motion_of
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
@@ -83,8 +84,8 @@ def accuracies(quality: Quality, figure: Figure) -> None:
     for k, name in enumerate(("Roll", "Pitch", "Heading")):
         values = np.degrees(sigmas.attitude[:, k])
         _draw(lower, quality, sigmas.time, values, k, name)
-    upper.set_ylabel("Position\nσ, m", fontsize=TEXT)
-    lower.set_ylabel("Attitude\nσ, °", fontsize=TEXT)
+    upper.set_ylabel(say("Position\nσ, m"), fontsize=TEXT)
+    lower.set_ylabel(say("Attitude\nσ, °"), fontsize=TEXT)
     for axes in (upper, lower):
         axes.set_ylim(0, 1.15 * axes.dataLim.y1 or 1.0)
         _legend(axes)
@@ -108,7 +109,7 @@ def track(quality: Quality, figure: Figure) -> None:
     gap = 2.0 * step * float(np.median(np.diff(path.time[:1000])))
     wide = np.flatnonzero(np.diff(path.time) > quality.longest_gap) + 1
     every = np.unique(np.concatenate([np.arange(0, len(path.time), step), wide, wide - 1]))
-    plotted(every, color="#9aa5b0", linewidth=1.2, label="Trajectory")
+    plotted(every, color="#9aa5b0", linewidth=1.2, label=say("Trajectory"))
     for k, (name, start, end, colour) in enumerate(quality.lines):
         # Lines of one course lie over each other: the earlier ones are wider and show beside.
         width = min(3 + 1.8 * (len(quality.lines) - 1 - k), 12)
@@ -118,10 +119,10 @@ def track(quality: Quality, figure: Figure) -> None:
             plotted(states, color=colour, linewidth=width, solid_capstyle="butt",
                     label=_plain(name))  # fmt: skip
     plotted(np.zeros(1, dtype=np.int64), marker="o", color=theme.TEXT, markersize=5,
-            linestyle="none", label="Start")  # fmt: skip
+            linestyle="none", label=say("Start"))  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
-    axes.set_xlabel("East, m", fontsize=TEXT)
-    axes.set_ylabel("North, m", fontsize=TEXT)
+    axes.set_xlabel(say("East, m"), fontsize=TEXT)
+    axes.set_ylabel(say("North, m"), fontsize=TEXT)
     axes.grid(color="#e6eaee", linewidth=0.8)
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="center left",
                 bbox_to_anchor=(1.01, 0.5))  # fmt: skip
@@ -141,12 +142,12 @@ def motion(quality: Quality, figure: Figure) -> None:
     reach = float(np.ptp(heading))
     step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if reach / s <= 5), 360)
     bottom.yaxis.set_major_locator(MultipleLocator(step))
-    bottom.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value % 360:.3g}"))
-    top.set_ylabel("Speed\nm/s", fontsize=TEXT)
+    bottom.yaxis.set_major_formatter(FuncFormatter(lambda value, _: say(f"{value % 360:.3g}")))
+    top.set_ylabel(say("Speed\nm/s"), fontsize=TEXT)
     top.set_ylim(bottom=0)
-    middle.set_ylabel("Roll, pitch\n°", fontsize=TEXT)
+    middle.set_ylabel(say("Roll, pitch\n°"), fontsize=TEXT)
     _legend(middle)
-    bottom.set_ylabel("Heading\n°", fontsize=TEXT)
+    bottom.set_ylabel(say("Heading\n°"), fontsize=TEXT)
 
 
 PAGES: dict[str, Callable[[Quality, Figure], None]] = {
@@ -165,8 +166,8 @@ def _axes(quality: Quality, figure: Figure, count: int) -> Sequence[Axes]:
     start, end = float(quality.track.time[0]), float(quality.track.time[-1])
     last = all_axes[-1]
     last.set_xlim(start, end)
-    last.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}"))
-    last.set_xlabel(quality.axis, fontsize=TEXT)
+    last.xaxis.set_major_formatter(FuncFormatter(lambda value, _: say(f"{value:,.10g}")))
+    last.set_xlabel(say(quality.axis), fontsize=TEXT)
     first, free = all_axes[0], -np.inf
     for name, begin, finish, _ in sorted(quality.lines, key=lambda line: line[1]):
         middle = (begin + finish) / 2
@@ -186,7 +187,7 @@ def _draw(axes: Axes, quality: Quality, time: Array, values: Array, k: int, name
     shown = envelope(time, values, longest_gap=max(quality.longest_gap, _usual_step(time)))
     # Dashes mean nothing, and take long to draw, where a line runs up and down in each column.
     style = STYLES[k] if len(shown[0]) >= len(time) else "-"
-    axes.plot(*shown, color=COLOURS[k], linestyle=style, linewidth=1.2, label=name)
+    axes.plot(*shown, color=COLOURS[k], linestyle=style, linewidth=1.2, label=say(name))
 
 
 def _usual_step(time: Array) -> float:
@@ -196,7 +197,7 @@ def _usual_step(time: Array) -> float:
 
 def _say(figure: Figure, text: str) -> None:
     figure.clear()
-    figure.text(0.5, 0.5, text, ha="center", va="center", fontsize=TEXT + 1, color=theme.MUTED)
+    figure.text(0.5, 0.5, say(text), ha="center", va="center", fontsize=TEXT + 1, color=theme.MUTED)
 
 
 def _plain(name: str) -> str:

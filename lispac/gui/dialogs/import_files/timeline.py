@@ -132,10 +132,8 @@ class TimelineView(QWidget):
         self._axis = "Time, s" if base is None else f"{base.name[:1].upper()}{base.name[1:]}"
         self._current = current
         self.setAccessibleDescription(
-            say(
-                "; ".join(
-                    f"{b.name} {b.start:,.1f} to {b.end:,.1f} s, {b.words}" for b in self.bars
-                )
+            "; ".join(
+                say(f"{b.name} {b.start:,.1f} to {b.end:,.1f} s, {b.words}") for b in self.bars
             )
         )
         self.setToolTip(say("" if self.bars else "No file with times yet"))
@@ -216,12 +214,14 @@ class TimelineView(QWidget):
         if bar.path == self._current:
             painter.fillRect(QRectF(0, top, self.width(), ROW), QColor("#e3edf8"))
         painter.setPen(QColor(theme.TEXT))
-        name = self.fontMetrics().elidedText(bar.name, Qt.TextElideMode.ElideMiddle, NAMES - 24)
-        painter.drawText(QRectF(12, top, NAMES - 20, ROW), middle, say(name))
+        name = self.fontMetrics().elidedText(
+            say(bar.name), Qt.TextElideMode.ElideMiddle, NAMES - 24
+        )
+        painter.drawText(QRectF(12, top, NAMES - 20, ROW), middle, name)
         painter.setPen(QColor(theme.MUTED if bar.sound else theme.ERROR))
         box = QRectF(NAMES + width + 12, top, WORDS - 16, ROW)
-        painter.drawText(box, middle, say(self.fontMetrics().elidedText(
-            bar.words, Qt.TextElideMode.ElideRight, WORDS - 16)))  # fmt: skip
+        painter.drawText(box, middle, self.fontMetrics().elidedText(
+            say(bar.words), Qt.TextElideMode.ElideRight, WORDS - 16))  # fmt: skip
         left, right = x(bar.start), x(bar.end)
         if right < NAMES or left > NAMES + width:
             self._draw_far(painter, bar, top, NAMES if right < NAMES else NAMES + width)
@@ -239,10 +239,10 @@ class TimelineView(QWidget):
             painter.setPen(QPen(QColor(theme.ERROR), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(hole)
-            text = f"gap {last - first:,.1f} s"
+            text = say(f"gap {last - first:,.1f} s")
             if not bar.is_line and self.fontMetrics().horizontalAdvance(text) + 8 < b - a:
                 painter.fillRect(hole.adjusted(2, 2, -2, -2), QColor("white"))
-                painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, say(text))
+                painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, text)
 
     def _draw_far(self, painter: QPainter, bar: Bar, top: int, edge: float) -> None:
         """An arrow for a line that lies beyond the axis, and how far."""

@@ -1,0 +1,166 @@
+"""The window in French: nothing that it shows stays English."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.dialogs.about import about_box, shortcuts_box
+from lispac.gui.dialogs.budget import BudgetDialog
+from lispac.gui.dialogs.check import CheckDialog
+from lispac.gui.dialogs.error import error_box
+from lispac.gui.dialogs.export import ExportDialog
+from lispac.gui.dialogs.find_again import FindAgainDialog
+from lispac.gui.dialogs.identity import IdentityDialog
+from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.language import speak, unsaid
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.io.project_file import write_project
+from lispac.project import Project
+from lispac.report.budget_values import Budget
+from lispac.workflow.budget import budget_of
+from lispac.workflow.validation import validate
+from tests.gui.french_support import english
+from tests.gui.import_support import drop, raw, rest
+from tests.gui.support import Demo, Driver, open_step, seed, type_into
+
+
+@pytest.fixture
+def french(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
+    """An empty window in French."""
+    theme.apply_theme(qapp)
+    speak("fr")
+    try:
+        made = Driver(qtbot, RecordingViewport(), tmp_path)
+        yield made
+        made.leave()
+    finally:
+        speak("en")
+
+
+def all_french(*shown: QWidget) -> None:
+    """Nothing of these is English, and nothing that was to be said stayed so."""
+    for each in shown:
+        assert english(each) == set()
+    assert unsaid() == ()
+
+
+def test_the_empty_window(french: Driver) -> None:
+    all_french(french.window)
+    assert french.window.windowTitle() == "LISPAC"
+    assert french.window.actions_["open"].text() == "&Ouvrir un projet…"
+    assert french.window.adjust.estimate.text() == "Estimer les angles de visée"
+
+
+def test_the_window_with_an_answer(french: Driver, demo: Demo, estimated: Project) -> None:
+    window = french.window
+    window.document.open(validate(estimated, demo.survey), demo.survey)
+    french.rest()
+    for step in range(5):
+        open_step(french, step)
+    for dock in window.docks.values():
+        dock.raise_()
+        french.rest()
+    for page in range(window.diagnostics.list.count()):
+        window.docks["Diagnostics"].raise_()
+        window.diagnostics.list.setCurrentRow(page)
+    window.targets.select("T1")
+    for switch in window.adjust.parameters.switches.values():
+        switch.setChecked(True)
+    for noise in range(3):
+        window.adjust.model.noise.setCurrentIndex(noise)
+    for tool in ("measure_distance", "measure_angle", "section", "clip", "lasso_add"):
+        window.actions_[tool].trigger()
+        french.rest()
+        window.actions_["end_tool"].trigger()
+    all_french(window)
+
+
+def test_what_a_click_finds_and_an_edit_does(french: Driver, demo: Demo) -> None:
+    window = french.window
+    window.document.open(demo.project, demo.survey)
+    seed(french, "T1")
+    assert window.targets.candidate.accept.isVisible()
+    assert window.targets.candidate.title.text() == "Cible T1"
+    all_french(window)
+    window.controller.accept()
+    french.rest()
+    assert window.actions_["undo"].text() == "&Annuler\u00a0: désignation de T1"
+    all_french(window)
+
+
+def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
+    window, track = french.window, demo.survey.trajectory
+    window.document.open(estimated, demo.survey)
+    french.rest()
+    made: list[QDialog] = [
+        about_box(window),
+        shortcuts_box(window),
+        error_box(window, ZeroDivisionError("by zero")),
+        BudgetDialog(Budget.of(budget_of(estimated, demo.survey)), window),
+        CheckDialog(estimated, track, window),
+        FindAgainDialog(estimated.target("T1"), window),
+        IdentityDialog(estimated.identity, str, window),
+        SeedDialog(estimated, track, window.targets.wishes, "T9", window),
+        *(
+            ExportDialog(what, "estimated", estimated, track, window)
+            for what in ("lines", "targets", "planes", "trajectory")
+        ),
+    ]
+    try:
+        all_french(*made)
+    finally:
+        for each in made:
+            each.close()
+            each.deleteLater()
+
+
+def test_files_that_are_looked_into(french: Driver, demo: Demo, tmp_path: Path) -> None:
+    settings = AppSettings(tmp_path / "other.ini")
+    dialog = ImportDialog(settings, french.window)
+    more = AddLinesDialog(settings, demo.project, french.window)
+    for each in (more, dialog):
+        each.show()
+    drop(dialog, raw(demo))
+    rest(french.bot, dialog)
+    for tab in range(dialog.tabs.count()):
+        dialog.tabs.setCurrentIndex(tab)
+    for row in range(dialog.table.rowCount()):
+        dialog.table.selectRow(row)
+    try:
+        all_french(dialog, more)
+    finally:
+        for each in (dialog, more):
+            each.close()
+            each.deleteLater()
+
+
+def test_numbers_are_typed_with_comma_or_point(french: Driver, demo: Demo) -> None:
+    french.window.document.open(demo.project, demo.survey)
+    french.rest()
+    field = french.window.data.lever_arm.fields[0]
+    open_step(french, 0)
+    for typed in ("-0,1234", "-0.1234"):
+        type_into(french, field, typed)
+        assert field.value() == -0.1234
+        assert field.text() == "-0,1234 m"
+
+
+def test_files_are_written_alike_in_both_languages(
+    french: Driver, estimated: Project, tmp_path: Path
+) -> None:
+    written = []
+    for code in ("fr", "en"):
+        speak(code)
+        folder = tmp_path / code
+        folder.mkdir()
+        write_project(replace(estimated, folder=folder))
+        written.append((folder / "project.json").read_bytes())
+    assert written[0] == written[1]
