@@ -89,6 +89,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
     "english": ("&English", "English", "", "", "The window in English"),
     "french": ("&Français", "Français", "", "", "La fenêtre en français"),
+    "tour": ("Three-minute &tour", "Tour", "compass-outline", "",
+             "Calibrate the built-in survey, led step by step"),
     "log_file": ("Open the &log file", "Log file", "", "",
                  "What happened and when, with the details of every error"),
     "about": ("&About LISPAC", "About", "information-outline", "", "Version and conventions"),
@@ -141,7 +143,7 @@ _MENUS: dict[str, Menu] = {
     ),
     "&Adjust": ("estimate", "", "subsampling", "visibility", "design", "", "cancel"),
     "Va&lidate": ("validate", "check", "", "budget", "history"),
-    "&Help": ("keys", "", "log_file", "about"),
+    "&Help": ("tour", "keys", "", "log_file", "about"),
 }
 _TOOLBAR = (
     "new", "open", "save", "", "undo", "redo", "", "seed_target", "seed_validation", "", "estimate",

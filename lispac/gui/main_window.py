@@ -43,12 +43,14 @@ from lispac.gui.scripting import Scripting
 from lispac.gui.seeding import Seeding
 from lispac.gui.settings import AppSettings
 from lispac.gui.showing import Showing
+from lispac.gui.stage import Stage
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.studies import Studies
 from lispac.gui.target_work import TargetWork
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import undressed
 from lispac.gui.tools import Tools
+from lispac.gui.tour import Tour
 from lispac.gui.viewport.base import PickedPoint, Viewport
 
 Area = Qt.DockWidgetArea
@@ -116,6 +118,7 @@ class MainWindow(QMainWindow):
         self.designing = Designing(self)
         self.safekeeping = Safekeeping(self)
         self.notifying = Notifying(self, self.runner)
+        self.tour = Tour(self, self.stage.card)
         FileDrops(self).dropped.connect(self.life.take_in)
         if document is None:
             self.showing.refresh()
@@ -134,8 +137,8 @@ class MainWindow(QMainWindow):
         self.convention = ConventionPanel()
         self.table, self.histograms = SightingsTable(), HistogramsPanel()
         self.diagnostics = DiagnosticsPanel()
-        self.setCentralWidget(self.viewport.widget)
-        self.centralWidget().setMinimumSize(240, 180)
+        self.stage = Stage(self.viewport)
+        self.setCentralWidget(self.stage)
         self.task_bar = TaskBar()
         self.setStatusBar(self.task_bar)
         self.addToolBar(self.actions_.fill_toolbar())
@@ -204,6 +207,8 @@ class MainWindow(QMainWindow):
         self.validate.shown_changed.connect(self.computing.show)
         self.validate.model_changed.connect(self.computing.measure_to)
         self.report.lines_asked.connect(self.life.export)
+        self.stage.start.chosen.connect(lambda name: self.actions_[name].trigger())
+        self.stage.start.project_chosen.connect(self.open_project)
         self.workflow.step_opened.connect(lambda _step: self.showing.refresh())
 
     def _join_actions(self) -> None:
@@ -230,6 +235,7 @@ class MainWindow(QMainWindow):
             "english": lambda: self._speak("en"),
             "french": lambda: self._speak("fr"),
             "keys": self.dialogs.shortcuts,
+            "tour": lambda: self.tour.start(),
             "log_file": self._open_log_file,
             "about": self.dialogs.about,
         }.items():

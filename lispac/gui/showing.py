@@ -40,6 +40,9 @@ class Showing(QObject):
         leave_alone(project)
         waiting = window.document.awaits_result
         busy = window.runner.busy
+        window.stage.show_view(project is not None)
+        if project is None:
+            window.stage.start.show_recent(window.settings.recent())
         window.workflow.show_status(statuses)
         window.data.show_project(project, survey)
         window.targets.show_project(project, survey)
@@ -73,6 +76,7 @@ class Showing(QObject):
             "new": not busy,
             "open": not busy,
             "demo": not busy,
+            "tour": not busy,
             **dict.fromkeys(("add_lines", "save_as"), statuses[DATA].ready and not busy),
             "report": statuses[REPORT].ready and not busy,
             **dict.fromkeys(window.life.exports, ready),

@@ -209,10 +209,6 @@
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
         <source>Report</source>
         <translation>Rapport</translation>
     </message>
@@ -6820,6 +6816,125 @@ m/s</translation>
     <message>
         <source>classification</source>
         <translation>classification</translation>
+    </message>
+</context>
+<context>
+    <name>start</name>
+    <message>
+        <source>Boresight calibration</source>
+        <translation>Étalonnage des angles de visée</translation>
+    </message>
+    <message>
+        <source>Drop raw lines and a trajectory anywhere on this window, or begin here.</source>
+        <translation>Déposez des lignes brutes et une trajectoire n&apos;importe où sur cette fenêtre, ou commencez ici.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Projets récents</translation>
+    </message>
+    <message>
+        <source>Three-minute tour</source>
+        <translation>Visite en trois minutes</translation>
+    </message>
+    <message>
+        <source>Three-minute &amp;tour</source>
+        <translation>&amp;Visite en trois minutes</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite</translation>
+    </message>
+    <message>
+        <source>Calibrate the built-in survey, led step by step</source>
+        <translation>Étalonner le levé intégré, guidé pas à pas</translation>
+    </message>
+    <message>
+        <source>From a trajectory and raw lines</source>
+        <translation>À partir d&apos;une trajectoire et de lignes brutes</translation>
+    </message>
+    <message>
+        <source>A folder with a project.json</source>
+        <translation>Un dossier avec un project.json</translation>
+    </message>
+    <message>
+        <source>Demo survey</source>
+        <translation>Levé de démonstration</translation>
+    </message>
+    <message>
+        <source>A quay with two boards, seen on six lines</source>
+        <translation>Un quai avec deux panneaux, vus sur six lignes</translation>
+    </message>
+    <message>
+        <source>Which boards and lines, before anything is surveyed</source>
+        <translation>Quels panneaux et quelles lignes, avant tout levé</translation>
+    </message>
+    <message>
+        <source>Not found: {folder:kept}</source>
+        <translation>Introuvable : {folder}</translation>
+    </message>
+    <message>
+        <source>Saved {when:kept}, in {folder:kept}</source>
+        <translation>Enregistré le {when}, dans {folder}</translation>
+    </message>
+    <message>
+        <source>Saved {when:kept}; has unsaved work, in {folder:kept}</source>
+        <translation>Enregistré le {when} ; contient du travail non enregistré, dans {folder}</translation>
+    </message>
+    <message>
+        <source>Projects appear here once you have opened one.</source>
+        <translation>Les projets apparaîtront ici dès que vous en aurez ouvert un.</translation>
+    </message>
+    <message>
+        <source>Tour, step {n:n} of {all:n}</source>
+        <translation>Visite, étape {n} sur {all}</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminer la visite</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>start of the tour</source>
+        <translation>début de la visite</translation>
+    </message>
+    <message>
+        <source>The vessel has passed this quay six times; each line has its colour. The scanner is not mounted as its drawing says, so the same wall stands in six places. Hold Ctrl and click the board in the middle of the view.</source>
+        <translation>Le navire est passé six fois devant ce quai ; chaque ligne a sa couleur. Le scanner n&apos;est pas monté comme son plan le dit : le même mur se trouve donc à six endroits. Maintenez Ctrl et cliquez sur le panneau au milieu de la vue.</translation>
+    </message>
+    <message>
+        <source>The plane of the board was found on every line. Press Return to accept it.</source>
+        <translation>Le plan du panneau a été trouvé sur chaque ligne. Appuyez sur Entrée pour l&apos;accepter.</translation>
+    </message>
+    <message>
+        <source>One board cannot tell all three angles. This second one leans back: Ctrl+click it and press Return.</source>
+        <translation>Un seul panneau ne donne pas les trois angles. Celui-ci est incliné vers l&apos;arrière : Ctrl+clic dessus, puis Entrée.</translation>
+    </message>
+    <message>
+        <source>Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with sigmas that count the errors of the trajectory.</source>
+        <translation>Appuyez sur F9 pour estimer les angles de visée. Roulis, tangage et lacet apparaissent à droite, avec des écarts-types qui tiennent compte des erreurs de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Do the lines agree now? Press F7 and Ctrl+click the plane in the middle: a validation plane takes no part in the adjustment. Accept it with Return.</source>
+        <translation>Les lignes s&apos;accordent-elles maintenant ? Appuyez sur F7, puis Ctrl+clic sur le plan au milieu : un plan de validation ne prend pas part à l&apos;ajustement. Acceptez-le avec Entrée.</translation>
+    </message>
+    <message>
+        <source>Press F10: the histograms below show how far the lines were from each other before, and are after. B switches the view between the two.</source>
+        <translation>Appuyez sur F10 : les histogrammes en bas montrent de combien les lignes différaient avant, et diffèrent après. B fait passer la vue de l&apos;un à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>That is all there is to it. Ctrl+E writes the report that you sign; each step on the left says what is missing and what comes next.</source>
+        <translation>C&apos;est tout. Ctrl+E écrit le rapport que vous signez ; chaque étape à gauche dit ce qui manque et ce qui vient ensuite.</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Page d&apos;accueil</translation>
     </message>
 </context>
 </TS>

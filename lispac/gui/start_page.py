@@ -1,0 +1,118 @@
+"""What stands where the lines will be, while no project is open: ways to begin."""
+
+from collections.abc import Iterable
+from datetime import datetime
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import (
+    QCommandLinkButton,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import theme
+from lispac.gui.language import say
+from lispac.gui.panels import widgets
+from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
+
+WAYS = (
+    ("tour", "compass-outline", "Three-minute tour",
+     "Calibrate the built-in survey, led step by step"),
+    ("new", "folder-plus-outline", "New project…", "From a trajectory and raw lines"),
+    ("open", "folder-open-outline", "Open project…", "A folder with a project.json"),
+    ("demo", "ferry", "Demo survey", "A quay with two boards, seen on six lines"),
+    ("design", "vector-square", "Design a site…",
+     "Which boards and lines, before anything is surveyed"),
+)  # fmt: skip
+"""Name of the action, icon, title, and what it leads to."""
+
+
+class StartPage(QScrollArea):
+    """Recent projects, and ways to begin."""
+
+    chosen = Signal(str)
+    """Name of one of the ways."""
+    project_chosen = Signal(object)
+    """Folder of a recent project."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("start_page")
+        self.setAccessibleName(say("Start page"))
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        body = QWidget()
+        outer = QVBoxLayout(body)
+        outer.setContentsMargins(40, 28, 40, 28)
+        title = widgets.label("Boresight calibration", "heading")
+        title.setStyleSheet("font-size: 22px;")
+        outer.addWidget(title)
+        outer.addWidget(
+            widgets.label(
+                "Drop raw lines and a trajectory anywhere on this window, or begin here.",
+                "muted", wrap=True,
+            )
+        )  # fmt: skip
+        outer.addSpacing(14)
+        sides = QHBoxLayout()
+        sides.setSpacing(36)
+        begin, self._recent = QVBoxLayout(), QVBoxLayout()
+        for side, head in ((begin, "Begin"), (self._recent, "Recent projects")):
+            side.setSpacing(4)
+            side.addWidget(widgets.label(head, "heading"))
+            sides.addLayout(side, 1)
+        self.ways = {name: _link(icon, title, told) for name, icon, title, told in WAYS}
+        for name, way in self.ways.items():
+            way.setObjectName(f"start_{name}")
+            way.clicked.connect(lambda _=False, name=name: self.chosen.emit(name))
+            begin.addWidget(way)
+        begin.addStretch(1)
+        self._projects: list[QWidget] = []
+        self._recent.addStretch(1)
+        outer.addLayout(sides)
+        outer.addStretch(1)
+        self.setWidget(body)
+
+    def show_recent(self, folders: Iterable[Path]) -> None:
+        """List projects, the one opened last first."""
+        for old in self._projects:
+            self._recent.removeWidget(old)
+            old.deleteLater()
+        self._projects = [self._project(folder) for folder in folders] or [_nothing()]
+        for k, each in enumerate(self._projects):
+            self._recent.insertWidget(k + 1, each)
+
+    def _project(self, folder: Path) -> QCommandLinkButton:
+        made = _link("folder-outline", folder.name, _state(folder), bare=True)
+        made.setObjectName("start_recent")
+        made.setToolTip(str(folder))
+        made.setEnabled((folder / FILE_NAME).is_file())
+        made.clicked.connect(lambda: self.project_chosen.emit(folder))
+        return made
+
+
+def _link(icon: str, title: str, told: str, *, bare: bool = False) -> QCommandLinkButton:
+    made = QCommandLinkButton(title if bare else say(title), say(told))
+    made.setIcon(theme.icon(icon, theme.ACCENT))
+    made.setIconSize(QSize(24, 24))
+    made.setCursor(Qt.CursorShape.PointingHandCursor)
+    return made
+
+
+def _state(folder: Path) -> str:
+    """When a project was saved last, and where it is."""
+    try:
+        saved = datetime.fromtimestamp((folder / FILE_NAME).stat().st_mtime)
+    except OSError:
+        return f"Not found: {folder}"
+    unsaved = "; has unsaved work" if (folder / UNSAVED_NAME).is_file() else ""
+    return f"Saved {saved:%Y-%m-%d %H:%M}{unsaved}, in {folder.parent}"
+
+
+def _nothing() -> QLabel:
+    return widgets.label("Projects appear here once you have opened one.", "muted", wrap=True)

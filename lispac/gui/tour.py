@@ -1,0 +1,163 @@
+"""The three-minute tour: the built-in survey calibrated, led step by step.
+
+Each step is done by the user with the real means of the window; the tour only says what to do,
+brings the place into view, and goes on when the project shows that it is done.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout
+
+from lispac.gui.language import say
+from lispac.gui.panels import widgets
+from lispac.gui.status import TARGETS
+from lispac.project import Project
+from lispac.workflow.demo import demo_seeds
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+AROUND = 2.5
+"""Metres about a board that are brought into view with it."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """What to do, where, and how one sees that it is done.
+
+    Attributes
+    ----------
+    place : name of a seed of the demo that is brought into view; "" for all of the survey
+    done : whether a project, and a plane that waits to be accepted, are beyond this step
+    """
+
+    text: str
+    place: str
+    done: Callable[[Project, bool], bool]
+
+
+def _targets(project: Project, role: str) -> int:
+    return len(project.of_role(role))
+
+
+STEPS = (
+    Step("The vessel has passed this quay six times; each line has its colour. The scanner is not "
+         "mounted as its drawing says, so the same wall stands in six places. Hold Ctrl and click "
+         "the board in the middle of the view.", "T1",
+         lambda project, waits: waits or _targets(project, "target") >= 1),
+    Step("The plane of the board was found on every line. Press Return to accept it.", "T1",
+         lambda project, _waits: _targets(project, "target") >= 1),
+    Step("One board cannot tell all three angles. This second one leans back: Ctrl+click it and "
+         "press Return.", "T2", lambda project, _waits: _targets(project, "target") >= 2),
+    Step("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with sigmas "
+         "that count the errors of the trajectory.", "",
+         lambda project, _waits: project.result is not None),
+    Step("Do the lines agree now? Press F7 and Ctrl+click the plane in the middle: a "
+         "validation plane takes no part in the adjustment. Accept it with Return.", "V1",
+         lambda project, _waits: _targets(project, "validation") >= 1),
+    Step("Press F10: the histograms below show how far the lines were from each other before, and "
+         "are after. B switches the view between the two.", "",
+         lambda project, _waits: bool(project.validation)),
+    Step("That is all there is to it. Ctrl+E writes the report that you sign; each step on the "
+         "left says what is missing and what comes next.", "", lambda _project, _waits: False),
+)  # fmt: skip
+
+
+class TourCard(QFrame):
+    """What to do now, above the view."""
+
+    ended = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("tour_card")
+        self.setProperty("role", "candidate")
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(14, 8, 10, 8)
+        words = QVBoxLayout()
+        self.head = widgets.label("", "heading", name="tour_head")
+        self.text = widgets.label("", wrap=True, name="tour_text")
+        words.addWidget(self.head)
+        words.addWidget(self.text)
+        layout.addLayout(words, 1)
+        self.end = widgets.button("End the tour", "tour_end")
+        self.end.clicked.connect(self.ended)
+        layout.addWidget(self.end)
+        self.hide()
+
+    def show_step(self, number: int, text: str) -> None:
+        """Say what to do; ``number`` counts from 0."""
+        self.head.setText(say(f"Tour, step {number + 1} of {len(STEPS)}"))
+        self.text.setText(say(text))
+        self.end.setText(say("End the tour" if number < len(STEPS) - 1 else "Close"))
+        self.show()
+
+
+class Tour(QObject):
+    """Leads through the demo; joined to the window's parts."""
+
+    def __init__(self, window: "MainWindow", card: TourCard) -> None:
+        super().__init__(window)
+        self._window, self._card = window, card
+        self._at: int | None = None
+        self._starting = False
+        card.ended.connect(self.end)
+        window.document.opened.connect(self._opened)
+        window.document.changed.connect(self._follow)
+        window.controller.candidate_changed.connect(self._follow)
+
+    @property
+    def on(self) -> bool:
+        """Whether it leads."""
+        return self._at is not None
+
+    def start(self) -> None:
+        """Open the demo without its targets, and lead through it."""
+        window = self._window
+        if window.life.may_leave():
+            self._starting = True
+            window.controller.open_demo()
+
+    def end(self) -> None:
+        """Leave the user alone."""
+        self._at = None
+        self._card.hide()
+
+    def _opened(self) -> None:
+        starting, self._starting = self._starting, False
+        if not starting:
+            self.end()
+            return
+        document = self._window.document
+        assert document.project is not None
+        if document.project.targets:  # of an earlier visit
+            project = document.project
+            for target in project.targets:
+                project = project.without_target(target.name)
+            document.edit("start of the tour", project)
+        self._at = -1
+        self._window.workflow.open(TARGETS)
+        self._follow()
+
+    def _follow(self) -> None:
+        project = self._window.document.project
+        if self._at is None or project is None:
+            return
+        waits = self._window.controller.candidate is not None
+        at = next(k for k, step in enumerate(STEPS) if not step.done(project, waits))
+        if at != self._at:
+            self._at = at
+            self._card.show_step(at, STEPS[at].text)
+            self._look(STEPS[at].place)
+
+    def _look(self, place: str) -> None:
+        if place:
+            centre = np.array(demo_seeds()[place][1])
+            corners = centre + AROUND * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
+            self._window.viewport.look_along(np.array([0.0, 1.0, 0.0]), corners)
+        else:
+            self._window.viewport.fit()

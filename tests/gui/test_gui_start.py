@@ -1,0 +1,100 @@
+"""The first minutes: the start page, and the tour followed to its end by mouse and keys."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QCommandLinkButton
+
+from lispac.gui.main_window import MainWindow
+from lispac.gui.tour import STEPS
+from tests.gui.support import WAIT_MS, Driver, press, seed
+
+
+def links(window: MainWindow, name: str) -> list[QCommandLinkButton]:
+    return window.stage.start.findChildren(QCommandLinkButton, name)
+
+
+def test_recent_projects_are_a_click_away(driver: Driver, demo_copy: Path, tmp_path: Path) -> None:
+    window = driver.window
+    window.settings.add_recent(tmp_path / "gone")
+    window.settings.add_recent(demo_copy)
+    window.showing.refresh()
+    driver.bot.waitUntil(lambda: len(links(window, "start_recent")) == 2, timeout=WAIT_MS)
+    known, gone = links(window, "start_recent")
+    assert (known.text(), known.isEnabled()) == (demo_copy.name, True)
+    assert (gone.text(), gone.isEnabled()) == ("gone", False)
+    assert "Not found" in gone.description()
+    driver.bot.mouseClick(known, Qt.MouseButton.LeftButton)
+    driver.bot.waitUntil(lambda: window.document.project is not None, timeout=WAIT_MS)
+    driver.rest()
+    assert driver.project.folder == demo_copy
+    assert not window.stage.start.isVisible()
+    assert window.viewport.widget.isVisible()
+
+
+def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
+    for name, way in driver.window.stage.start.ways.items():
+        assert driver.window.actions_[name].isEnabled(), name
+        assert way.isVisible()
+        assert way.description()
+
+
+@pytest.fixture
+def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
+    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    return demo_copy
+
+
+def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Path) -> None:
+    window = driver.window
+    driver.bot.mouseClick(window.stage.start.ways["tour"], Qt.MouseButton.LeftButton)
+    driver.bot.waitUntil(lambda: window.tour.on, timeout=WAIT_MS)
+    driver.rest()
+    card = window.stage.card
+    assert card.isVisible()
+
+    def at(step: int) -> None:
+        driver.bot.waitUntil(
+            lambda: card.head.text() == f"Tour, step {step} of {len(STEPS)}", timeout=WAIT_MS
+        )
+
+    at(1)
+    seed(driver, "T1")
+    at(2)
+    press(driver, Qt.Key.Key_Return)
+    at(3)
+    driver.rest()
+    seed(driver, "T2")
+    press(driver, Qt.Key.Key_Return)
+    at(4)
+    driver.rest()
+    press(driver, Qt.Key.Key_F9)
+    at(5)
+    driver.rest()
+    press(driver, Qt.Key.Key_F7)
+    seed(driver, "V1")
+    press(driver, Qt.Key.Key_Return)
+    at(6)
+    driver.rest()
+    press(driver, Qt.Key.Key_F10)
+    at(7)
+    driver.rest()
+    assert driver.project.validation
+    off = np.degrees(driver.project.result.boresight) - np.array(driver.project.truth_deg)
+    assert (
+        np.abs(off / np.degrees(np.sqrt(np.diag(driver.project.result.covariance)[:3]))).max() < 3
+    )
+    driver.bot.mouseClick(card.end, Qt.MouseButton.LeftButton, pos=QPoint(10, 10))
+    assert not card.isVisible()
+
+
+def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> None:
+    driver.window.tour.start()
+    driver.bot.waitUntil(lambda: driver.window.tour.on, timeout=WAIT_MS)
+    driver.rest()
+    driver.window.open_project(at_the_demo)
+    driver.bot.waitUntil(lambda: not driver.window.tour.on, timeout=WAIT_MS)
+    assert not driver.window.stage.card.isVisible()
+    driver.rest()
