@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import scipy.stats
 
+from lispac.adjustment.normal import FEW_SURFACES
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import PosErrors, StochasticModel
 from lispac.cli.campaign import table
@@ -104,6 +105,34 @@ def test_turned_about_the_vertical_it_is_the_same_site() -> None:
     lines = [replace(line, heading_deg=line.heading_deg + 37.0) for line in PLAN.lines]
     other = replace(PLAN, targets=tuple(boards), lines=tuple(lines), middle=turned(PLAN.middle))
     assert predict(other).sigma == pytest.approx(predict(PLAN).sigma, rel=1e-6)
+
+
+@pytest.mark.parametrize("lines", [1, 2])
+def test_many_sightings_are_eliminated_like_few(lines: int) -> None:
+    """All unknowns in one matrix, and its inverse: the order of elimination changes nothing."""
+    ball = Ball("S1", (0.0, -13.0, 6.0), 0.2, radius_known=False)
+    plan = PLAN.with_targets((*PLAN.targets, ball)).with_lines(PLAN.lines * lines)
+    normal = foretold(plan).normal
+    surfaces, knots = len(normal.layout.surfaces), len(normal.pull)
+    assert (len(normal.without_surfaces.matrix) < len(normal.matrix)) == (surfaces > FEW_SURFACES)
+    below = np.zeros((knots, knots))
+    for k, diagonal in enumerate(normal.band):
+        below += np.diag(diagonal[: knots - k], -k)
+    of_knots = below + below.T - np.diag(np.diag(below))
+    whole = np.block([[normal.matrix, normal.mixed], [normal.mixed.T, of_knots]])
+    scale = 1 / np.sqrt(np.diag(whole))
+    covariance = np.linalg.inv(whole * np.outer(scale, scale)) * np.outer(scale, scale)
+    expected = np.linalg.inv(covariance[:3, :3])
+    size = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
+    assert np.abs((normal.information(3) - expected) / size).max() < 1e-9
+    assert np.sqrt(np.diag(covariance)[:3]) == pytest.approx(predict(plan).sigma, rel=1e-9)
+    kept = len(normal.without_surfaces.matrix)
+    answer = np.linalg.solve(whole * np.outer(scale, scale), scale * np.append(
+        np.ones(len(normal.matrix)), np.arange(knots)
+    ))[:kept] * scale[:kept]  # fmt: skip
+    pushed = replace(normal, right=np.ones(len(normal.matrix)), pull=np.arange(knots) * 1.0)
+    correction, _ = pushed.without_surfaces.solve()
+    assert correction == pytest.approx(answer, rel=1e-6)
 
 
 def test_balls_tell_the_boresight_too() -> None:

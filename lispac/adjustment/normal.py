@@ -6,7 +6,7 @@ POS error is eliminated first: its normal matrix is banded, for a group of point
 neighbouring knots and so does the Gauss-Markov prior.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -75,6 +75,10 @@ class Layout:
 AT_ONCE = 32
 """Unknowns that are solved for together: SciPy keeps the interpreter meanwhile, and a window that
 works on the same plan would stand still."""
+
+
+FEW_SURFACES = 24
+"""Sightings up to which it is quicker to eliminate the POS error before the surfaces."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,12 +152,52 @@ class Normal:
         """
         return inverse(self.reduced)
 
+    @cached_property
+    def without_surfaces(self) -> "Normal":
+        """The same with the surfaces eliminated first, or as it is where that is no quicker.
+
+        A surface shares something with its own sighting's knots alone, so the POS error's matrix
+        stays banded, as wide as the longest sighting; otherwise each is solved for against all.
+        """
+        layout = self.layout
+        knots = [_span(self.mixed[place]) for place in layout.surfaces]
+        wide = max([len(self.band), *(own.stop - own.start for own in knots)])
+        if len(layout.surfaces) <= FEW_SURFACES or wide > len(self.matrix):
+            return self
+        first = layout.surfaces[0].start
+        matrix, right = self.matrix[:first, :first].copy(), self.right[:first].copy()
+        mixed, pull, quadratic = self.mixed[:first].copy(), self.pull.copy(), self.quadratic
+        band = np.zeros((wide, self.band.shape[1]))
+        band[: len(self.band)] = self.band
+        for place, own in zip(layout.surfaces, knots, strict=True):
+            rest, crossed = self.matrix[:first, place], self.mixed[place, own]
+            wanted = np.column_stack([rest.T, crossed, self.right[place]])
+            solved = np.linalg.solve(self.matrix[place, place], wanted)
+            by_rest, by_knots, alone = solved[:, :first], solved[:, first:-1], solved[:, -1]
+            matrix -= rest @ by_rest
+            mixed[:, own] -= rest @ by_knots
+            right -= rest @ alone
+            pull[own] -= crossed.T @ alone
+            quadratic -= float(self.right[place] @ alone)
+            square = crossed.T @ by_knots
+            lower, upper = np.tril_indices(len(square))
+            band[lower - upper, own.start + upper] -= square[lower, upper]
+        layout = replace(layout, surfaces=(), size=first, index=np.minimum(layout.index, first))
+        return Normal(layout, matrix, right, quadratic, band, mixed, pull)
+
     def information(self, count: int) -> Array:
-        """Normal matrix of the first ``count`` unknowns, all others eliminated."""
-        rest = self.reduced[count:, count:].copy()
+        """Normal matrix of the first ``count`` unknowns, all others eliminated.
+
+        Parameters
+        ----------
+        count : int
+            No surfaces among them.
+        """
+        reduced = self.without_surfaces.reduced
+        rest = reduced[count:, count:].copy()
         unseen = np.flatnonzero(np.diag(rest) <= 0)
         rest[unseen, unseen] = 1.0  # a target that no point is left of
-        mixed = self.reduced[:count, count:]
+        mixed = reduced[:count, count:]
         scale = 1 / np.sqrt(np.maximum(np.diag(rest), np.finfo(float).tiny))
         try:
             factor = scipy.linalg.cho_factor(rest * np.outer(scale, scale))
@@ -163,7 +207,7 @@ class Normal:
                 "it in two directions."
             ) from error
         solved = scipy.linalg.cho_solve(factor, (mixed * scale).T)
-        information = self.reduced[:count, :count] - (mixed * scale) @ solved
+        information = reduced[:count, :count] - (mixed * scale) @ solved
         return np.asarray((information + information.T) / 2)
 
     def solve(self) -> tuple[Array, Array]:
@@ -172,6 +216,12 @@ class Normal:
         if not len(self.pull):
             return correction, np.zeros((0, 6))
         return correction, (self.pulled - self.by_unknowns @ correction).reshape(-1, 6)
+
+
+def _span(rows: Array) -> slice:
+    """From the first to the last column that is not all zero."""
+    found = np.flatnonzero(np.any(rows, axis=0))
+    return slice(int(found[0]), int(found[-1]) + 1) if len(found) else slice(0, 0)
 
 
 def inverse(matrix: Array) -> Array:

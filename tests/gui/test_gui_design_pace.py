@@ -13,7 +13,7 @@ from tests.gui.design_support import NoModifier, followed, foretold, mouse_move,
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 
 WAITS_MS = 200
-"""What follows from 12 lines and 4 targets takes 3 seconds; the window waits for none of it."""
+"""What follows from 12 lines and 4 targets takes a second; the window waits for none of it."""
 
 
 class Heartbeat:
