@@ -44,11 +44,28 @@ class Canvas(QWidget):
         self.workspace, self._axes = workspace, axes
         self._frozen: tuple[float, Array] | None = None
         self._known: tuple[tuple[TitledPlan, int, int], tuple[float, Array]] | None = None
-        workspace.changed.connect(self.update)
+        workspace.changed.connect(self._follow)
         workspace.selected.connect(self.update)
 
     def sizeHint(self) -> QSize:
         return QSize(460, 340)
+
+    def _follow(self) -> None:
+        """Show the plan; a drag of what was in another one ends here."""
+        if self._frozen is not None and not self.workspace.dragging:
+            self._release()
+        self.update()
+
+    def _release(self) -> str:
+        """Let go; words of the undo step."""
+        self._frozen = None
+        return self.dropped()
+
+    def hideEvent(self, event) -> None:
+        if self._frozen is not None:
+            self._release()
+            self.workspace.give_up()
+        super().hideEvent(event)
 
     # -- scale -------------------------------------------------------------------------------
 
@@ -179,15 +196,13 @@ class Canvas(QWidget):
 
     def mouseReleaseEvent(self, event) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._frozen is not None:
-            self._frozen = None
-            self.workspace.drop(self.dropped())
+            self.workspace.drop(self._release())
             self.update()
 
     def keyPressEvent(self, event) -> None:
         free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if event.key() == Qt.Key.Key_Escape and self._frozen is not None:
-            self._frozen = None
-            self.dropped()
+            self._release()
             self.workspace.give_up()
         elif event.modifiers() & ~(
             Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier

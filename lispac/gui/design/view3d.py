@@ -36,13 +36,20 @@ class View3D(QObject):
         self._work, self.viewport = workspace, viewport
         self._names: set[str] = set()
         self._held: Hung | None = None
+        self._lost = False  # what is held was in another plan
         self._by = np.zeros(3)
         self._clouds: dict[str, Array] = {}
         viewport.signals.seed_clicked.connect(self._hang)
         viewport.signals.handle_moved.connect(self._drag)
         viewport.signals.handle_let_go.connect(self._let_go)
-        workspace.changed.connect(self.show)
+        workspace.changed.connect(self._follow)
         workspace.selected.connect(self.show)
+
+    def _follow(self) -> None:
+        """Show the plan; a drag of what was in another one ends here."""
+        if self._held is not None and not self._work.dragging:
+            self._held, self._lost = None, True
+        self.show()
 
     def show(self) -> None:
         """Draw what there is."""
@@ -73,7 +80,10 @@ class View3D(QObject):
         self.viewport.look_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
 
     def _hang(self, at: PickedPoint) -> None:
-        """A click on a target selects it; on the wall it hangs the selected one there."""
+        """A click on a target selects it; on the wall it hangs the selected one there.
+
+        Where none is selected, a new one.
+        """
         titled = self._work.titled
         if at.line == "targets":
             away = [
@@ -83,15 +93,14 @@ class View3D(QObject):
             ]
             self._work.select(target=int(np.argmin(away)))
             return
+        along, _, up = (round(metres, 1) for metres in titled.wall.seen(at.position))
         if self._work.target < 0:
-            self._work.add_target()
-        along, _, up = titled.wall.seen(at.position)
-        self._work.change_target(
-            "hang target", lambda each: replace(each, along=round(along, 1), up=round(up, 1))
-        )
+            self._work.add_target(place=(along, up))
+        else:
+            self._work.change_target("hang target", lambda each: replace(each, along=along, up=up))
 
     def _drag(self, name: str, handle: int, metres: float) -> None:
-        if name != f"target {self._work.target}":
+        if self._lost or name != f"target {self._work.target}":
             return
         if self._held is None:
             self._held, self._by = edits.hung(self._work.titled)[self._work.target], np.zeros(3)
@@ -102,6 +111,7 @@ class View3D(QObject):
         self._work.drag(edits.with_target(self._work.titled, self._work.target, to))
 
     def _let_go(self, _name: str) -> None:
+        self._lost = False
         if self._held is not None:
             name, self._held = self._held.name, None
             self._work.drop(f"move {name}")

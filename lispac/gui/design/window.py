@@ -196,8 +196,11 @@ class DesignWindow(QMainWindow):
         self.task_bar.showMessage(text, NOTE_MS)
 
     def show_pictures(self) -> None:
-        """Bring what long work found to the front."""
-        self.views.setCurrentWidget(self.pictures)
+        """Bring what long work found to the front, but for a drag it would take the view from."""
+        if self.workspace.dragging:
+            self.note("Done: the figures are beside the views")
+        else:
+            self.views.setCurrentWidget(self.pictures)
 
     def fit(self) -> None:
         """Look at all of it in 3D, which comes to the front."""

@@ -142,15 +142,22 @@ class Workspace(QObject):
             self.line = turn
             self.edit("order of lines", titled)
 
-    def add_target(self, *, ball: bool = False) -> None:
-        """One more board or ball, to the right of the selected target."""
+    def add_target(self, *, ball: bool = False, place: tuple[float, float] | None = None) -> None:
+        """One more board or ball, to the right of the selected target or at a place.
+
+        Parameters
+        ----------
+        place : tuple of float, metres
+            Along the wall and up.
+        """
         there = edits.hung(self.titled)
         if len(there) >= edits.MOST_TARGETS:
             self.refused.emit(f"A plan has at most {edits.MOST_TARGETS} targets; remove one first.")
             return
         last = there[self.target] if there else Hung("", -2.0, 0.0, 5.0)
+        along, up = place or (last.along + 2.0, last.up)
         new = Hung(
-            edits.free_name(self.titled, "B" if ball else "T"), last.along + 2.0, 0.0, last.up,
+            edits.free_name(self.titled, "B" if ball else "T"), along, 0.0, up,
             facing=self.titled.wall.facing_deg, ball=ball,
         )  # fmt: skip
         if ball:
