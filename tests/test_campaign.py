@@ -30,6 +30,7 @@ from lispac.simulation.scanner import Scanner
 from lispac.workflow import cluster as cluster_module
 from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
 from lispac.workflow.cluster import cluster_of
+from lispac.workflow.designing import headline
 from tests.prediction_study import PLAN
 from tests.test_cli import answer, refused, run
 
@@ -323,12 +324,48 @@ def test_balls_are_surveyed_too() -> None:
 
 def test_the_words_say_which_sigma_is_too_small() -> None:
     generator = np.random.default_rng(3)
-    sigmas = np.full((400, 3), 1e-4)
-    found = Scatter(generator.normal(0.0, 1e-4, (400, 3)) * [1, 1, 5], sigmas, sigmas[0], 2)
-    assert [said[:27] for said in found.words] == [
-        "The stated sigma of yaw is ", "2 surveys could not be adju",
-    ]  # fmt: skip
-    assert (
-        "as often as they should"
-        in Scatter(found.errors * [1, 1, 0.2], sigmas, sigmas[0], 0).words[0]
-    )
+    sigmas, alone = np.full((400, 3), 1e-4), np.eye(3)
+    found = Scatter(generator.normal(0.0, 1e-4, (400, 3)) * [1, 1, 5], sigmas, sigmas[0], alone, 2)
+    yaw, chi, failed = found.words
+    assert yaw.startswith("The stated sigma of yaw is too small")
+    assert "the errors are larger than foretold" in chi
+    assert failed.startswith("2 surveys could not be adjusted")
+    others = Scatter(found.errors * [1, 1, 0.2], sigmas, sigmas[0], alone, 0)
+    assert "as often as they should" in others.words[0]
+    assert "the errors are as large as foretold" in others.words[1]
+    off = replace(others, errors=others.errors + [0.0, 5e-5, 0.0])
+    assert any("mean error of pitch is +0.00" in said for said in off.words)
+    small = replace(others, errors=0.8 * others.errors)
+    assert any("are smaller than foretold" in said for said in small.words)
+
+
+def test_chi_square_knows_that_angles_go_together() -> None:
+    """Errors drawn with a covariance, against scipy's distribution of so many."""
+    covariance = 1e-8 * np.array([[4.0, -1.9, 0.3], [-1.9, 1.0, 0.2], [0.3, 0.2, 2.0]])
+    sigma = np.sqrt(np.diag(covariance))
+    correlation = covariance / np.outer(sigma, sigma)
+    errors = np.random.default_rng(8).multivariate_normal(np.zeros(3), covariance, 2000)
+    found = Scatter(errors, np.tile(sigma, (2000, 1)), sigma, correlation, 0)
+    low, high = found.chi_square_expected
+    assert low < 6000 < high
+    assert low < found.chi_square < high
+    each = [e @ np.linalg.solve(covariance, e) for e in errors]
+    assert found.chi_square == pytest.approx(sum(each), rel=1e-9)
+
+
+def test_a_cancelled_campaign_tells_of_what_was_finished_if_that_is_enough() -> None:
+    def cancelled_after(count: int) -> Callable[[float, str], None]:
+        def progress(fraction: float, message: str = "") -> None:
+            if fraction >= count / 50:
+                raise Cancelled
+
+        return progress
+
+    whole = surveyed(SMALL, 50)
+    part = surveyed(SMALL, 50, enough=20, progress=cancelled_after(24))
+    assert np.array_equal(part.errors, whole.errors[:24])
+    assert headline("Pier", part, 50) == ("Pier: cancelled after 24 of 50 surveys")
+    assert headline("Pier", whole, 50) == "Pier: 50 surveys simulated and adjusted"
+    for enough in (20, None):
+        with pytest.raises(Cancelled):
+            surveyed(SMALL, 50, enough=enough, progress=cancelled_after(19))

@@ -13,13 +13,16 @@ from lispac.design.plan import Plan
 from lispac.design.prediction import UNDETERMINED, predict
 from lispac.design.search import Mapper
 from lispac.design.simulated_plan import simulated
-from lispac.errors import AdjustmentError, LispacError, RankDeficient
+from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
 from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
 
 SURE = 3.0
 """Standard deviations of chance beyond which a share of intervals is not by chance."""
+
+ENOUGH = 20
+"""Surveys that tell a standard deviation to a sixth; of fewer nothing is said."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,6 +35,8 @@ class Scatter:
         Of roll, pitch, yaw; of the surveys that could be adjusted.
     foretold : ndarray of shape (3,), radians
         Sigmas from the plan alone.
+    correlation : ndarray of shape (3, 3)
+        Between the angles, from the plan alone.
     failed : int
         Surveys that could not be adjusted.
     """
@@ -39,6 +44,7 @@ class Scatter:
     errors: Array
     sigmas: Array
     foretold: Array
+    correlation: Array
     failed: int
 
     @property
@@ -57,9 +63,55 @@ class Scatter:
         return np.asarray((np.abs(self.errors) < 1.96 * self.sigmas).mean(axis=0))
 
     @property
+    def ratio(self) -> Array:
+        """``empirical`` over ``foretold``, shape (3,)."""
+        return self.empirical / self.foretold
+
+    @property
     def by_chance(self) -> float:
         """Standard deviation of ``empirical`` over its true value."""
         return float(1 / np.sqrt(2 * len(self.errors)))
+
+    @property
+    def bias(self) -> Array:
+        """Mean error, shape (3,), radians."""
+        return np.asarray(self.errors.mean(axis=0))
+
+    @property
+    def sigma_bias(self) -> Array:
+        """Standard deviation of ``bias`` by chance, shape (3,), radians."""
+        return self.empirical / np.sqrt(len(self.errors))
+
+    @property
+    def chi_square(self) -> float:
+        """Of all errors with the foretold covariance; as many as there are angles expected."""
+        unit, inverse = self.errors / self.foretold, np.linalg.inv(self.correlation)
+        return float(np.einsum("ni,ij,nj->", unit, inverse, unit))
+
+    @property
+    def chi_square_expected(self) -> tuple[float, float]:
+        """What ``chi_square`` is within in 95 of 100 campaigns."""
+        from scipy.stats import chi2
+
+        low, high = chi2.ppf((0.025, 0.975), self.errors.size)
+        return float(low), float(high)
+
+    @property
+    def rows(self) -> tuple[tuple[str, ...], ...]:
+        """What is shown of it: a name, and roll, pitch, yaw."""
+        return tuple(
+            (name, *(form.format(value) for value in values))
+            for name, form, values in (
+                ("scatter, deg", "{:.4f}", np.degrees(self.empirical)),
+                ("stated sigma, deg", "{:.4f}", np.degrees(self.stated)),
+                ("foretold sigma, deg", "{:.4f}", np.degrees(self.foretold)),
+                ("scatter / foretold", "{:.2f}", self.ratio),
+                ("its sigma", "{:.2f}", self.ratio * self.by_chance),
+                ("95 % intervals right", "{:.1%}", self.hits),
+                ("mean error, deg", "{:+.4f}", np.degrees(self.bias)),
+                ("its sigma, deg", "{:.4f}", np.degrees(self.sigma_bias)),
+            )
+        )
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -76,6 +128,21 @@ class Scatter:
                 f"As far as {len(self.errors):,} surveys can tell, the stated 95 % intervals hold "
                 "the truth as often as they should."
             ]
+        said += [
+            f"The mean error of {angle} is {np.degrees(mean):+.4f} deg, more than chance explains."
+            for angle, mean, sigma in zip(ANGLES, self.bias, self.sigma_bias, strict=True)
+            if abs(mean) > SURE * sigma
+        ]
+        low, high = self.chi_square_expected
+        verdict = "the errors are as large as foretold"
+        if self.chi_square > high:
+            verdict = "the errors are larger than foretold"
+        elif self.chi_square < low:
+            verdict = "the errors are smaller than foretold"
+        said.append(
+            f"Chi-square is {self.chi_square:,.0f}, where {low:,.0f} to {high:,.0f} is to be "
+            f"expected: {verdict}."
+        )
         if self.failed:
             said.append(f"{self.failed} surveys could not be adjusted and are left out.")
         return tuple(said)
@@ -87,6 +154,7 @@ def surveyed(
     *,
     seed: int = 2027,
     flatness_known: bool = False,
+    enough: int | None = None,
     mapper: Mapper = map,
     progress: Progress = no_progress,
 ) -> Scatter:
@@ -98,6 +166,8 @@ def surveyed(
         Every survey has its own stream of it: the same numbers with any mapper.
     flatness_known : bool
         Whether the adjustment is told how flat the targets are, and does not ask the data.
+    enough : int, optional
+        Surveys that are an answer where ``progress`` cancels the rest.
     mapper : callable
         As of `lispac.design.search.search`.
 
@@ -118,14 +188,20 @@ def surveyed(
         raise RankDeficient(UNDETERMINED)
     trial = _Trial(plan, plan.flatness if flatness_known else None, seed)
     found = []
-    for answer in mapper(trial, range(surveys)):
-        found.append(answer)
-        progress(len(found) / surveys, f"Adjusted {len(found):,} of {surveys:,} surveys")
+    try:
+        for answer in mapper(trial, range(surveys)):
+            found.append(answer)
+            progress(len(found) / surveys, f"Adjusted {len(found):,} of {surveys:,} surveys")
+    except Cancelled:
+        if enough is None or len(found) < enough:
+            raise
     table = np.array(found)
     table = table[np.isfinite(table).all(axis=(1, 2))]
     if not len(table):
         raise LispacError("None of the simulated surveys could be adjusted; add lines or targets.")
-    return Scatter(table[:, 0], table[:, 1], prediction.sigma, surveys - len(table))
+    return Scatter(
+        table[:, 0], table[:, 1], prediction.sigma, prediction.correlation, len(found) - len(table)
+    )
 
 
 @dataclass(frozen=True, eq=False)

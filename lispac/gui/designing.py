@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject
 
+from lispac.design.monte_carlo import Scatter
 from lispac.design.objective import CRITERIA
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Design
-from lispac.errors import LispacError
+from lispac.errors import LispacError, ProjectError
 from lispac.gui.design import edits
-from lispac.gui.design.campaigns import all_scenarios, best_plan
+from lispac.gui.design.campaigns import all_scenarios, best_plan, simulated_surveys
 from lispac.gui.design.search import found_in_words
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.design.workspace import Workspace
@@ -19,10 +20,16 @@ from lispac.gui.panels.histograms import preload
 from lispac.gui.tasks import TaskRunner
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.progress import Progress
-from lispac.workflow.designing import write_field_plan
+from lispac.workflow.designing import headline, write_field_plan
+from lispac.workflow.replay import Replay, replay
+from lispac.workflow.survey import load_survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
+
+NO_PROJECT = (
+    "No project is open: open the one that was surveyed by this plan in the main window first."
+)
 
 
 class Designing(QObject):
@@ -58,11 +65,13 @@ class Designing(QObject):
         for name, slot in {
             "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
             "page": self.write_page, "scenarios": self.scenarios, "cancel": self.runner.cancel,
-            "keys": self._dialogs.shortcuts,
+            "compare": self.compare, "keys": self._dialogs.shortcuts,
         }.items():  # fmt: skip
             window.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
         window.search.asked.connect(self.search)
         window.search.cancel_asked.connect(self.runner.cancel)
+        window.surveys.asked.connect(self.surveys)
+        window.surveys.cancel_asked.connect(self.runner.cancel)
         window.search.file_asked.connect(self.read_site)
         window.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
@@ -109,7 +118,7 @@ class Designing(QObject):
     def _write(self, path: Path) -> bool:
         try:
             self._whole()
-            write_plan(path, self.workspace.titled)
+            write_plan(path, self.workspace.history.now)  # not what a drag may still give up
         except (LispacError, OSError) as error:
             self._dialogs.show_error(error)
             return False
@@ -205,6 +214,52 @@ class Designing(QObject):
 
         panel.say("")
         self.runner.run("Finding the best plan", work, done)
+
+    def surveys(self) -> None:
+        """Simulate and adjust many surveys of the plan, in the background."""
+        assert self.window is not None
+        titled, window, asked = self.workspace.titled, self.window, self.window.surveys.wanted
+        try:
+            self._whole()
+        except LispacError as error:
+            self._note(str(error))
+            return
+
+        def work(progress: Progress) -> Scatter:
+            preload()
+            return simulated_surveys(titled.plan, asked, progress)
+
+        def done(found: Scatter) -> None:
+            head = headline(titled.title, found, asked.surveys)
+            window.surveys.answer.show_rows(head, found.rows, found.words, titled.plan)
+            window.surveys.answer.follow(self.workspace.titled.plan)
+            window.pictures.show_errors(found)
+            window.show_pictures()
+
+        # Cancelled, it still has an answer where enough surveys were finished.
+        self.runner.run("Simulating surveys", work, done, lasting=True)
+
+    def compare(self) -> None:
+        """Hold the survey of the main window against this plan."""
+        assert self.window is not None
+        project, survey = self._main.document.project, self._main.document.survey
+        titled, window = self.workspace.titled, self.window
+        try:
+            self._whole()
+            if project is None:
+                raise ProjectError(NO_PROJECT)
+        except LispacError as error:
+            self._dialogs.show_error(error)
+            return
+
+        def work(progress: Progress) -> Replay:
+            loaded = load_survey(project, progress=progress) if survey is None else survey
+            return replay(project, loaded, titled)
+
+        self.runner.run(
+            "Comparing with the survey", work,
+            lambda found: window.show_compared(found, project.name, titled),
+        )  # fmt: skip
 
     # -- the end -----------------------------------------------------------------------------
 

@@ -142,6 +142,8 @@ KEYS = (
         ("Ctrl + L, Ctrl + B", "add a line, a board"),
         ("Ctrl + Shift + B", "add a ball"),
         ("F9", "scenarios"),
+        ("F10", "simulate surveys: do the sigmas hold?"),
+        ("F11", "compare the plan with the open project"),
     )),
     ("Looking into it", (
         ("S, Shift + S", "section across the selected target, between two points"),

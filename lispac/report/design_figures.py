@@ -1,4 +1,4 @@
-"""Plots of a design: what one thing changes, and what less effort costs."""
+"""Plots of a design: what one thing changes, what less effort costs, and whether sigmas hold."""
 
 from collections.abc import Sequence
 
@@ -7,9 +7,15 @@ from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.stochastic import PosErrors
+from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Step
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress
+
+BEYOND = 4.0
+"""Foretold sigmas to either side that errors are drawn to; what is beyond counts at the border."""
+
+EXPECTED = "Scatter over foretold sigma; the curve is what is to be expected"
 
 COLOURS = (BEFORE, AFTER, "#228833")
 """Of roll, pitch and yaw; told apart with any colour vision."""
@@ -69,4 +75,24 @@ def front_figure(front: Sequence[Step], label: str, figure: Figure | None = None
                       color=INK)  # fmt: skip
     dress(axes, "Minutes on site (targets x lines beside each)", f"{label} (deg)")
     axes.set_ylim(0.0, 1.15 * values.max())
+    return figure
+
+
+def errors_figure(found: Scatter, figure: Figure | None = None) -> Figure:
+    """Errors of roll, pitch and yaw over their foretold sigmas, beside what is to be expected."""
+    figure = blank(figure, (6.3, 2.6))
+    panels = figure.subplots(1, len(ANGLES), sharex=True, sharey=True)
+    unit = np.clip(found.errors / found.foretold, -BEYOND, BEYOND)
+    count = len(unit)
+    edges = np.linspace(-BEYOND, BEYOND, int(np.clip(2 * round(np.sqrt(count)), 8, 40)) + 1)
+    at = np.linspace(-BEYOND, BEYOND, 161)
+    expected = np.exp(-(at**2) / 2) / np.sqrt(2 * np.pi) * count * (edges[1] - edges[0])
+    for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
+        axes.hist(unit[:, k], edges, color=COLOURS[k], alpha=0.75)
+        axes.plot(at, expected, color=INK, linewidth=1.0)
+        dress(axes, "error / foretold sigma", "surveys" if k == 0 else "")
+        ratio = found.ratio[k]
+        said = f"{angle}: {ratio:.2f} \u00b1 {ratio * found.by_chance:.2f}"
+        axes.set_title(said, fontsize=TEXT, color=INK, loc="left")
+    figure.suptitle(EXPECTED, fontsize=SMALL, color=INK)
     return figure

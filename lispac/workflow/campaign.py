@@ -46,7 +46,9 @@ def mapper_of(workers: int | None, cluster: str | None) -> AbstractContextManage
 
 
 @contextmanager
-def pool_of(workers: int, *, start_method: str | None = None) -> Iterator[Mapper]:
+def pool_of(
+    workers: int, *, start_method: str | None = None, at_once: int = CHUNK
+) -> Iterator[Mapper]:
     """A mapper over so many processes; one is this one.
 
     What is not done when the context is left is never begun.
@@ -56,6 +58,8 @@ def pool_of(workers: int, *, start_method: str | None = None) -> Iterator[Mapper
     start_method : str, optional
         Of `multiprocessing`, where the system's usual one will not do: a process with a window
         must not be forked.
+    at_once : int
+        Most values that a process is sent: what is begun is finished, also when it is cancelled.
 
     Raises
     ------
@@ -70,7 +74,8 @@ def pool_of(workers: int, *, start_method: str | None = None) -> Iterator[Mapper
     def spread(function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
         values = list(values)
         try:
-            yield from pool.map(function, values, chunksize=chunk_of(len(values), workers))
+            chunk = min(chunk_of(len(values), workers), at_once)
+            yield from pool.map(function, values, chunksize=chunk)
         except BrokenProcessPool as error:
             raise LispacError(
                 "A process of this run ended from outside, perhaps for want of memory; close other "

@@ -8,11 +8,12 @@ import numpy as np
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.observability import observability
 from lispac.design.choices import faces_one_way
+from lispac.design.monte_carlo import Scatter, surveyed
 from lispac.design.objective import CRITERIA, Objective
 from lispac.design.plan import Plan
 from lispac.design.prediction import UNDETERMINED, foretold, predict
 from lispac.design.scenarios import Outcome
-from lispac.design.search import Design
+from lispac.design.search import Design, Mapper
 from lispac.design.site import Site, least_off, overlapping
 from lispac.errors import LispacError, RankDeficient
 from lispac.io.files import written_whole
@@ -39,6 +40,39 @@ def words_of(plan: Plan, *, progress: Progress = no_progress) -> tuple[str, ...]
             return observability(foretold(plan), progress=progress).sentences
     except RankDeficient as error:
         return (str(error),)
+
+
+def many_surveys(
+    plan: Plan,
+    surveys: int,
+    *,
+    seed: int,
+    flatness_known: bool = False,
+    enough: int | None = None,
+    mapper: Mapper = map,
+    progress: Progress = no_progress,
+) -> Scatter:
+    """Simulate and adjust many surveys of a plan that can be adjusted; as `surveyed`.
+
+    Raises
+    ------
+    RankDeficient
+        Targets that all face one way, too.
+    """
+    if faces_one_way(plan):
+        raise RankDeficient(ONE_WAY)
+    return surveyed(
+        plan, surveys, seed=seed, flatness_known=flatness_known, enough=enough, mapper=mapper,
+        progress=progress,
+    )  # fmt: skip
+
+
+def headline(title: str, found: Scatter, asked: int) -> str:
+    """What was done of a campaign of so many surveys."""
+    done = len(found.errors) + found.failed
+    if done < asked:
+        return f"{title}: cancelled after {done:,} of {asked:,} surveys"
+    return f"{title}: {done:,} surveys simulated and adjusted"
 
 
 def cautions(titled: TitledPlan) -> tuple[str, ...]:

@@ -25,6 +25,9 @@ OFF_METRES, OFF_SHARE = 2.0, 0.2
 """A line that was sailed farther or nearer by more, metres and share of its distance, is named."""
 
 
+LEFT_OPEN = "What was sailed of the plan does not determine the boresight, as far as is foretold."
+
+
 @dataclass(frozen=True, eq=False)
 class Replay:
     """A survey against its plan.
@@ -58,6 +61,28 @@ class Replay:
     missing_lines: tuple[Line, ...]
     off_plan: tuple[str, ...]
     costs: tuple[str, ...]
+
+    @property
+    def rows(self) -> tuple[tuple[str, ...], ...]:
+        """What is shown of it: a name, and roll, pitch, yaw; 1 sigma, degrees, and their ratio."""
+        ratio = self.obtained / self.as_flat
+        return (
+            ("the plan, foretold", *_cells(np.degrees(self.planned), 4)),
+            ("what was sailed of it", *_cells(np.degrees(self.sailed), 4)),
+            ("with targets as flat as found", *_cells(np.degrees(self.as_flat), 4)),
+            ("stated by the adjustment", *_cells(np.degrees(self.obtained), 4)),
+            ("stated over foretold", *_cells(np.where(ratio > 0, ratio, np.inf), 2)),
+        )
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What was different from the plan, and what it cost, in sentences."""
+        planned, came = (1000 * value for value in self.flatness)
+        said = () if np.isfinite(self.sailed).all() else (LEFT_OPEN,)
+        flat = (
+            f"Targets were planned to be flat to {planned:.2f} mm; the survey found {came:.2f} mm."
+        )
+        return (*said, flat, *self.off_plan, *self.costs)
 
 
 def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
@@ -118,6 +143,12 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
         ),
         tuple(costs),
     )
+
+
+def _cells(values: Array, decimals: int) -> tuple[str, str, str]:
+    """Roll, pitch, yaw; a dash for what is not determined."""
+    a, b, c = (f"{v:.{decimals}f}" if np.isfinite(v) else "–" for v in values)
+    return a, b, c
 
 
 def _as_flat(plan: Plan, flatness: float) -> Plan:

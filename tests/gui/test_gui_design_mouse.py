@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
+from lispac.io.plan_file import read_plan
 from tests.gui.design_support import (
     NoModifier,
     middle_of,
@@ -68,6 +69,23 @@ def test_a_view_that_is_hidden_during_a_drag_lets_go(driver: Driver, design: Des
     design.views.setCurrentWidget(design.pictures)
     assert not design.workspace.dragging
     assert design.workspace.titled is before
+
+
+def test_what_is_saved_during_a_drag_is_the_plan_before_it(
+    driver: Driver, design: DesignWindow, tmp_path: Path
+) -> None:
+    view, before = design.wall_view, design.workspace.titled
+    spot = view._box(edits.hung(before)[0]).center()
+    driver.dialogs.path = tmp_path / "quay.toml"
+    driver.bot.mousePress(view, Left, pos=spot.toPoint())
+    QApplication.sendEvent(view, mouse_move(view, spot + QPointF(30, -40), NoModifier))
+    design.actions_["save_as"].trigger()
+    driver.bot.keyClick(view, Key.Key_Escape)
+    driver.bot.mouseRelease(view, Left, pos=spot.toPoint())
+    assert design.workspace.titled is before
+    saved = read_plan(driver.dialogs.path).plan
+    assert saved.targets[0].centre == pytest.approx(before.plan.targets[0].centre, abs=1e-6)
+    assert not design.isWindowModified()
 
 
 def in_3d(real: Driver) -> DesignWindow:

@@ -1,10 +1,11 @@
-"""Long work on a plan: the search and the scenarios, in the background."""
+"""Long work on a plan: search, scenarios and simulated surveys, in the background."""
 
 import os
 import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
+from lispac.design.monte_carlo import ENOUGH, Scatter
 from lispac.design.objective import Objective
 from lispac.design.plan import Plan
 from lispac.design.scenarios import (
@@ -14,8 +15,10 @@ from lispac.design.scenarios import (
 )
 from lispac.design.search import Design, Mapper, search
 from lispac.design.site import Site
+from lispac.gui.design.surveys import Asked
 from lispac.progress import Progress
 from lispac.workflow.campaign import pool_of
+from lispac.workflow.designing import many_surveys
 
 FEW = 600
 """Plans that are looked at sooner than other processes are started."""
@@ -24,8 +27,8 @@ FEW = 600
 class Rated:
     """A mapper that counts what comes back, and a progress that tells the rate."""
 
-    def __init__(self, mapper: Mapper, progress: Progress) -> None:
-        self._mapper, self._progress = mapper, progress
+    def __init__(self, mapper: Mapper, progress: Progress, rate: str = "{:,.0f} plans/s") -> None:
+        self._mapper, self._progress, self._rate = mapper, progress, rate
         self._count, self._began = 0, time.monotonic()
 
     def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
@@ -39,10 +42,11 @@ class Rated:
     _fraction = 0.0
 
     def progress(self, fraction: float, message: str = "") -> None:
-        """Tell how far it is, and how many plans a second."""
+        """Tell how far it is, and how many a second."""
         self._fraction = fraction
         elapsed = time.monotonic() - self._began
-        rate = f", {self._count / elapsed:,.0f} plans/s" if elapsed > 0.5 and self._count else ""
+        known = elapsed > 0.5 and self._count
+        rate = f", {self._rate.format(self._count / elapsed)}" if known else ""
         self._progress(fraction, f"{message}{rate}" if message else "")
 
 
@@ -62,3 +66,14 @@ def best_plan(
 def all_scenarios(plan: Plan, progress: Progress) -> tuple[Outcome, ...]:
     """What one thing changes, whichever it is."""
     return outcomes(plan, tuple(SCENARIOS), progress=progress)
+
+
+def simulated_surveys(plan: Plan, asked: Asked, progress: Progress) -> Scatter:
+    """Many surveys of a plan, on all cores; cancelled, those that are finished if enough are."""
+    progress(0.0, "Starting the surveys")
+    with pool_of(os.cpu_count() or 1, start_method="spawn", at_once=1) as mapper:
+        rated = Rated(mapper, progress, "{:.1f} surveys/s")
+        return many_surveys(
+            plan, asked.surveys, seed=asked.seed, flatness_known=asked.flatness_known,
+            enough=ENOUGH, mapper=rated.map, progress=rated.progress,
+        )  # fmt: skip

@@ -4,15 +4,18 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
+from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import OF_THE_THESIS, Outcome
 from lispac.design.search import Step
 from lispac.gui.panels import widgets
 
 NOTHING = (
     "Scenarios (F9) change one thing at a time: lines, inclination, size and combination of boards "
-    "as the thesis does, and with this plan distance, height, repeated lines, speed and POS."
+    "as the thesis does, and with this plan distance, height, repeated lines, speed and POS. "
+    "Simulated surveys (F10) show whether the sigmas hold."
 )
 LESS_TIME = "less time on site"
+ERRORS = "errors of simulated surveys"
 
 
 class PicturesPanel(QWidget):
@@ -51,6 +54,13 @@ class PicturesPanel(QWidget):
 
         self._put(LESS_TIME, lambda figure: front_figure(front, label, figure))
         self.which.setCurrentText(LESS_TIME)
+
+    def show_errors(self, found: Scatter) -> None:
+        """How the answers of simulated surveys scatter."""
+        from lispac.report.design_figures import errors_figure
+
+        self._put(ERRORS, lambda figure: errors_figure(found, figure))
+        self.which.setCurrentText(ERRORS)
 
     def _put(self, title: str, draw: Callable) -> None:
         from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg

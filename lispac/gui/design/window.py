@@ -4,14 +4,23 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMainWindow, QSplitter, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QMainWindow,
+    QScrollArea,
+    QSplitter,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from lispac.gui import theme
+from lispac.gui.design.angles_table import AnglesTable
 from lispac.gui.design.lists import LinesList, TargetsList
 from lispac.gui.design.pictures import PicturesPanel
 from lispac.gui.design.plan_view import PlanView
 from lispac.gui.design.results import ResultsPanel
 from lispac.gui.design.search import SearchPanel
+from lispac.gui.design.surveys import SurveysPanel
 from lispac.gui.design.system import SystemPanel
 from lispac.gui.design.view3d import View3D
 from lispac.gui.design.wall_view import WallView
@@ -19,7 +28,13 @@ from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.viewport.base import Viewport
+from lispac.io.plan_file import TitledPlan
+from lispac.workflow.replay import Replay
 
+COMPARE = (
+    "After the survey: open its project in the main window, and this plan here, and compare (F11). "
+    "Targets go by their names, lines by their headings."
+)
 NOTE_MS = 6000
 Keys = QKeySequence.StandardKey
 
@@ -46,6 +61,10 @@ ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
             "Look at all of the site in 3D again"),
     "scenarios": ("S&cenarios", "Scenarios", "chart-bar", "F9",
                   "Change one thing at a time, in both stochastic models"),
+    "surveys": ("Simulate &surveys…", "Surveys", "dice-multiple-outline", "F10",
+                "Sail this plan many times in the simulator: do the sigmas hold?"),
+    "compare": ("Compare with the &open project", "Compare", "compare-horizontal", "F11",
+                "Foretold and obtained sigmas of the survey in the main window"),
     "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
                "Stop; nothing is changed"),
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
@@ -57,7 +76,7 @@ MENUS = {
         "add_ball",
     ),
     "&View": ("fit",),
-    "&Work": ("scenarios", "", "cancel"),
+    "&Work": ("scenarios", "surveys", "compare", "", "cancel"),
     "&Help": ("keys",),
 }  # fmt: skip
 TOOLBAR = (
@@ -95,6 +114,7 @@ class DesignWindow(QMainWindow):
             "earlier": lambda: workspace.sail_line(True),
             "later": lambda: workspace.sail_line(False),
             "add_ball": lambda: workspace.add_target(ball=True), "fit": self.fit,
+            "surveys": self.ask_surveys,
         }.items():  # fmt: skip
             self.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
         self._show()
@@ -108,11 +128,13 @@ class DesignWindow(QMainWindow):
         self.lines, self.targets = LinesList(work), TargetsList(work)
         self.system, self.search = SystemPanel(work), SearchPanel(work)
         self.results, self.pictures = ResultsPanel(work), PicturesPanel()
+        self.surveys = SurveysPanel()
+        self.compared = AnglesTable("design_compared", COMPARE)
         self.views = _tabs("design_views", (("Wall from the water", self.wall_view),))
         self._stage = QWidget()
         QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
         self.views.addTab(self._stage, "3D")
-        self.views.addTab(self.pictures, "Scenarios")
+        self.views.addTab(self.pictures, "Figures")
         self.views.currentChanged.connect(self._view_chosen)
         above = QSplitter(Qt.Orientation.Horizontal)
         above.addWidget(_titled("From above", self.plan_view))
@@ -120,7 +142,8 @@ class DesignWindow(QMainWindow):
         above.setSizes([500, 500])
         self.tabs = _tabs("design_tabs", (
             ("Lines", self.lines), ("Targets", self.targets), ("POS and scanner", self.system),
-            ("Find the best plan", self.search),
+            ("Find the best plan", self.search), ("Simulate surveys", self.surveys),
+            ("Compare", _scrolled(self.compared)),
         ))  # fmt: skip
         left = QSplitter(Qt.Orientation.Vertical)
         left.addWidget(above)
@@ -181,6 +204,8 @@ class DesignWindow(QMainWindow):
             action.setEnabled(bool(words))
             action.setText(f"&{name.capitalize()} {words}".strip())
             action.setIconText(name.capitalize())
+        for answer in (self.surveys.answer, self.compared):
+            answer.follow(self.workspace.titled.plan)
         self.setWindowTitle(f"{self.workspace.titled.title}[*] – design of a site – LISPAC")
         self.setWindowModified(history.changed)
         self.actions_["save"].setEnabled(history.changed)
@@ -188,7 +213,9 @@ class DesignWindow(QMainWindow):
     def show_busy(self, busy: bool) -> None:
         """Whether long work runs."""
         self.search.show_busy(busy)
-        self.actions_["scenarios"].setEnabled(not busy)
+        self.surveys.show_busy(busy)
+        for name in ("scenarios", "compare"):
+            self.actions_[name].setEnabled(not busy)
         self.actions_["cancel"].setEnabled(busy)
 
     def note(self, text: str) -> None:
@@ -201,6 +228,19 @@ class DesignWindow(QMainWindow):
             self.note("Done: the figures are beside the views")
         else:
             self.views.setCurrentWidget(self.pictures)
+
+    def ask_surveys(self) -> None:
+        """Bring what asks for simulated surveys to the front."""
+        self.tabs.setCurrentWidget(self.surveys)
+        self.surveys.surveys.setFocus()
+        self.surveys.surveys.selectAll()
+
+    def show_compared(self, found: Replay, project: str, titled: TitledPlan) -> None:
+        """Show the survey of a project against a plan."""
+        head = f"{project} against {titled.title}: 1 sigma, deg"
+        self.compared.show_rows(head, found.rows, found.words, titled.plan)
+        self.compared.follow(self.workspace.titled.plan)
+        self.tabs.setCurrentIndex(self.tabs.count() - 1)
 
     def fit(self) -> None:
         """Look at all of it in 3D, which comes to the front."""
@@ -245,6 +285,14 @@ def _tabs(name: str, pages: Sequence[tuple[str, QWidget]]) -> QTabWidget:
     for title, page in pages:
         tabs.addTab(page, title)
     return tabs
+
+
+def _scrolled(page: QWidget) -> QScrollArea:
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    page.setContentsMargins(12, 12, 12, 12)
+    area.setWidget(page)
+    return area
 
 
 def _titled(title: str, view: QWidget) -> QTabWidget:

@@ -166,6 +166,66 @@
         <source>The stated sigma of {angle} is too small: its 95 % interval holds the truth in {share:n} of the surveys.</source>
         <translation>L&apos;écart-type annoncé est trop petit ({angle}) : son intervalle à 95 % contient la vérité dans {share} % des levés.</translation>
     </message>
+    <message>
+        <source>scatter, deg</source>
+        <translation>dispersion, °</translation>
+    </message>
+    <message>
+        <source>stated sigma, deg</source>
+        <translation>écart-type annoncé, °</translation>
+    </message>
+    <message>
+        <source>foretold sigma, deg</source>
+        <translation>écart-type prévu, °</translation>
+    </message>
+    <message>
+        <source>scatter / foretold</source>
+        <translation>dispersion / prévu</translation>
+    </message>
+    <message>
+        <source>its sigma</source>
+        <translation>son écart-type</translation>
+    </message>
+    <message>
+        <source>95 % intervals right</source>
+        <translation>intervalles à 95 % justes</translation>
+    </message>
+    <message>
+        <source>mean error, deg</source>
+        <translation>erreur moyenne, °</translation>
+    </message>
+    <message>
+        <source>its sigma, deg</source>
+        <translation>son écart-type, °</translation>
+    </message>
+    <message>
+        <source>The mean error of {angle} is {mean:n} deg, more than chance explains.</source>
+        <translation>L&apos;erreur moyenne ({angle}) est de {mean}°, plus que le hasard n&apos;explique.</translation>
+    </message>
+    <message>
+        <source>Chi-square is {chi:n}, where {low:n} to {high:n} is to be expected: {verdict}.</source>
+        <translation>Le khi-deux vaut {chi}, alors que {low} à {high} est attendu : {verdict}.</translation>
+    </message>
+    <message>
+        <source>the errors are as large as foretold</source>
+        <translation>les erreurs sont aussi grandes que prévu</translation>
+    </message>
+    <message>
+        <source>the errors are larger than foretold</source>
+        <translation>les erreurs sont plus grandes que prévu</translation>
+    </message>
+    <message>
+        <source>the errors are smaller than foretold</source>
+        <translation>les erreurs sont plus petites que prévu</translation>
+    </message>
+    <message>
+        <source>Scatter over foretold sigma; the curve is what is to be expected</source>
+        <translation>Dispersion sur écart-type prévu ; la courbe est ce qui est attendu</translation>
+    </message>
+    <message>
+        <source>error / foretold sigma</source>
+        <translation>erreur / écart-type prévu</translation>
+    </message>
 </context>
 <context>
     <name>project</name>
@@ -4871,6 +4931,42 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>The check against {name:kept} gives other numbers so: its coordinates were taken to be in {system:kept}. Put crs, sigma and what else was chosen then into the step project.check.</source>
         <translation>Le contrôle avec {name} donne ainsi d&apos;autres chiffres : ses coordonnées ont été supposées en {system}. Mettez crs, sigma et ce qui avait été choisi d&apos;autre dans l&apos;étape project.check.</translation>
+    </message>
+    <message>
+        <source>{title:kept}: {done:n} surveys simulated and adjusted</source>
+        <translation>{title} : {done} levés simulés et compensés</translation>
+    </message>
+    <message>
+        <source>{title:kept}: cancelled after {done:n} of {asked:n} surveys</source>
+        <translation>{title} : annulé après {done} levés sur {asked}</translation>
+    </message>
+    <message>
+        <source>What was sailed of the plan does not determine the boresight, as far as is foretold.</source>
+        <translation>Ce qui a été parcouru du plan ne détermine pas les angles de visée, d&apos;après la prévision.</translation>
+    </message>
+    <message>
+        <source>the plan, foretold</source>
+        <translation>le plan, prévu</translation>
+    </message>
+    <message>
+        <source>what was sailed of it</source>
+        <translation>ce qui en a été parcouru</translation>
+    </message>
+    <message>
+        <source>with targets as flat as found</source>
+        <translation>avec des cibles aussi planes que trouvées</translation>
+    </message>
+    <message>
+        <source>stated by the adjustment</source>
+        <translation>annoncé par la compensation</translation>
+    </message>
+    <message>
+        <source>stated over foretold</source>
+        <translation>annoncé sur prévu</translation>
+    </message>
+    <message>
+        <source>Targets were planned to be flat to {planned:n} mm; the survey found {came:n} mm.</source>
+        <translation>Les cibles étaient prévues planes à {planned} mm près ; le levé a trouvé {came} mm.</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,206 @@
+"""Simulated surveys of a plan, and the survey that was sailed by it, in the workspace of a site."""
+
+from multiprocessing import active_children
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF
+from PySide6.QtWidgets import QApplication
+
+from lispac.cli.campaign import table
+from lispac.design.monte_carlo import Scatter, surveyed
+from lispac.gui.design import edits
+from lispac.gui.design.window import DesignWindow
+from lispac.io.plan_file import read_plan
+from lispac.workflow.replay import replay
+from tests.gui.design_support import NoModifier, mouse_move, opened_by_keys, plan, settled
+from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
+from tests.test_campaign import PORT
+
+COARSE = 4000.0
+"""Pulses a second: a survey is adjusted in little time."""
+
+
+@pytest.fixture
+def coarse(driver: Driver, design: DesignWindow) -> DesignWindow:
+    """The thesis's plan with a slow scanner, and what asks for surveys of it."""
+    system = plan(design).system
+    scanner = type(system.scanner)(COARSE)
+    work = design.workspace
+    work.start(edits.with_system(work.titled, type(system)(scanner=scanner)))
+    driver.bot.keyClick(design, Key.Key_F10)
+    assert design.tabs.currentWidget() is design.surveys
+    assert design.surveys.surveys.hasFocus()
+    return design
+
+
+def surveyed_once() -> Scatter:
+    """Answers that scatter as foretold."""
+    errors = np.random.default_rng(4).normal(0.0, 1e-4, (40, 3))
+    return Scatter(errors, np.full((40, 3), 1e-4), np.full(3, 1e-4), np.eye(3), 0)
+
+
+def typed(driver: Driver, field, text: str) -> None:
+    field.setFocus()
+    field.selectAll()
+    driver.bot.keyClicks(field, text)
+
+
+def test_simulated_surveys_say_what_the_command_line_says(
+    driver: Driver, coarse: DesignWindow
+) -> None:
+    surveys, before = coarse.surveys, coarse.workspace.titled
+    assert (surveys.surveys.value(), surveys.surveys.minimum()) == (200, 20)
+    driver.bot.keyClicks(surveys.surveys, "32")  # in place of what is selected
+    typed(driver, surveys.seed, "7")
+    box = surveys.flatness
+    driver.bot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
+    assert box.isChecked()
+    click(driver, surveys.start)
+    assert surveys.cancel.isEnabled()
+    assert not surveys.start.isEnabled()
+    settled(driver)
+    assert driver.dialogs.errors == []
+    found = surveyed(before.plan, 32, seed=7, flatness_known=True)
+    shown = surveys.answer
+    assert shown.head.text() == "Site: 32 surveys simulated and adjusted"
+    rows = [[cell.replace("−", "-") for cell in row] for row in shown.cells]
+    assert [line.split()[-3:] for line in table(found).splitlines()] == [row[-3:] for row in rows]
+    assert tuple(shown.words.text().split("\n")) == found.words
+    assert not shown.stale.isVisible()
+    driver.bot.keyClick(coarse, Key.Key_L, Control)
+    assert shown.stale.isVisible(), "it is no answer about another plan"
+    driver.bot.keyClick(coarse, Key.Key_Z, Control)
+    assert not shown.stale.isVisible()
+    assert coarse.workspace.titled is before
+    assert coarse.views.currentWidget() is coarse.pictures
+    figure = coarse.pictures.pages.currentWidget().figure
+    assert len(figure.axes) == 3
+    for axes in figure.axes:
+        drawn = sum(bar.get_height() for bar in axes.patches)
+        width = axes.patches[0].get_width()
+        (curve,) = axes.lines
+        assert drawn == 32
+        assert np.trapezoid(curve.get_ydata(), curve.get_xdata()) == pytest.approx(
+            32 * width, rel=1e-3
+        ), "the curve holds as many surveys as the bars"
+
+
+def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
+    driver: Driver, coarse: DesignWindow
+) -> None:
+    surveys, runner = coarse.surveys, driver.window.designing.runner
+    driver.bot.keyClicks(surveys.surveys, "5000")
+    driver.bot.keyClick(surveys.start, Key.Key_Space)
+    driver.bot.waitUntil(lambda: runner.current.fraction * 5000 >= 40, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: "surveys/s" in runner.current.message, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: " left" in coarse.task_bar.text.text(), timeout=WAIT_MS)
+    click(driver, surveys.cancel)
+    settled(driver)
+    head = surveys.answer.head.text()
+    assert head.startswith("Site: cancelled after ")
+    assert head.endswith(" of 5,000 surveys")
+    finished = int(head.split()[3].replace(",", ""))
+    assert 40 <= finished < 5000
+    assert f"As far as {finished} surveys can tell" in surveys.answer.words.text()
+
+
+def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWindow) -> None:
+    surveys = coarse.surveys
+    driver.bot.keyClick(surveys.start, Key.Key_Space)
+    driver.bot.keyClick(coarse, Key.Key_Period, Control)
+    settled(driver)
+    assert surveys.answer.cells == []
+    assert coarse.task_bar.currentMessage() == "Simulating surveys: cancelled"
+    assert coarse.pictures.which.count() == 0
+    assert surveys.start.isEnabled()
+    assert driver.dialogs.errors == []
+
+
+def test_a_campaign_that_ends_during_a_drag_lets_it_go_on(
+    driver: Driver, coarse: DesignWindow
+) -> None:
+    view, surveys = coarse.wall_view, coarse.surveys
+    spot = view._box(edits.hung(coarse.workspace.titled)[0]).center()
+    driver.bot.keyClicks(surveys.surveys, "20")
+    driver.bot.keyClick(surveys.start, Key.Key_Space)
+    driver.bot.mousePress(view, Left, pos=spot.toPoint())
+    QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -30), NoModifier))
+    settled(driver)
+    assert "20 surveys" in surveys.answer.head.text()
+    assert coarse.views.currentWidget() is view
+    QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -60), NoModifier))
+    driver.bot.mouseRelease(view, Left, pos=(spot + QPointF(0, -60)).toPoint())
+    assert coarse.workspace.history.to_undo == "move T1"
+    assert plan(coarse).targets[0].centre[2] > 5.0
+
+
+def test_a_plan_that_cannot_be_adjusted_is_refused(driver: Driver, coarse: DesignWindow) -> None:
+    for _ in range(5):
+        coarse.workspace.remove_line()
+    driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
+    settled(driver)
+    (error,) = driver.dialogs.errors
+    assert "does not determine the boresight" in str(error)
+    driver.dialogs.errors.clear()
+    coarse.workspace.remove_line()
+    driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
+    assert "A plan needs a target and a line" in coarse.task_bar.currentMessage()
+
+
+def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWindow) -> None:
+    driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
+    runner = driver.window.designing.runner
+    driver.bot.waitUntil(lambda: runner.current.fraction > 0, timeout=WAIT_MS)
+    driver.dialogs.answer = "discard"
+    driver.bot.keyClick(coarse, Key.Key_W, Control)
+    assert runner.active, "the window of the site may close meanwhile"
+    assert driver.window.close()
+    assert runner.current is None
+    assert active_children() == [], "no process of the pool is left"
+
+
+def test_an_answer_leaves_nothing_of_the_one_before(driver: Driver, coarse: DesignWindow) -> None:
+    shown, plan_ = coarse.surveys.answer, plan(coarse)
+    counts = []
+    for k in range(30):
+        shown.show_rows("head", [("scatter, deg", f"{k}", "0.2", "-0.3")] * 7, ["said"], plan_)
+        coarse.pictures.show_errors(surveyed_once())
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        counts.append(len(coarse.findChildren(QObject)))
+    assert shown.cells[1] == ["scatter, deg", "29", "0.2", "−0.3"]
+    assert len(set(counts[1:])) == 1
+
+
+def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
+    design, document = opened_by_keys(adjusted), adjusted.window.document
+    adjusted.dialogs.path = PORT
+    adjusted.bot.keyClick(design, Key.Key_O, Control)
+    design.workspace.add_line(again=True)
+    adjusted.bot.keyClick(design, Key.Key_F11)
+    settled(adjusted)
+    assert adjusted.dialogs.errors == []
+    found = replay(document.project, document.survey, design.workspace.titled)
+    shown = design.compared
+    assert [row for row in shown.cells if row[0]] == [list(row) for row in found.rows]
+    assert shown.words.text().split("\n") == list(found.words)
+    assert "was not sailed: with it the sigma of" in shown.words.text()
+    assert document.project.name in shown.head.text()
+    assert read_plan(PORT).title in shown.head.text()
+    assert shown.isVisible()
+
+
+def test_nothing_to_compare_with_is_said(driver: Driver, design: DesignWindow, demo) -> None:
+    driver.bot.keyClick(design, Key.Key_F11)
+    (error,) = driver.dialogs.errors
+    assert "No project is open" in str(error)
+    driver.dialogs.errors.clear()
+    driver.window.document.open(demo.picked, demo.survey)
+    driver.rest()
+    design.activateWindow()
+    driver.bot.keyClick(design, Key.Key_F11)
+    settled(driver)
+    (error,) = driver.dialogs.errors
+    assert "has no result yet; estimate the boresight first" in str(error)
+    driver.dialogs.errors.clear()
+    assert design.compared.cells == []
