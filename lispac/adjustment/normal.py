@@ -160,9 +160,11 @@ class Normal:
         stays banded, as wide as the longest sighting; otherwise each is solved for against all.
         """
         layout = self.layout
+        if len(layout.surfaces) <= FEW_SURFACES:
+            return self
         knots = [_span(self.mixed[place]) for place in layout.surfaces]
         wide = max([len(self.band), *(own.stop - own.start for own in knots)])
-        if len(layout.surfaces) <= FEW_SURFACES or wide > len(self.matrix):
+        if wide > len(self.matrix):
             return self
         first = layout.surfaces[0].start
         matrix, right = self.matrix[:first, :first].copy(), self.right[:first].copy()
