@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 from lispac.adjustment.result import ANGLES
 from lispac.design.plan import Plan
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 
 EARLIER = "The plan has been changed since: this is of the plan as it was."
@@ -49,16 +50,16 @@ class AnglesTable(QWidget):
         """Show an answer for a plan in place of the one before."""
         self._clear()
         self._plan = plan
-        self.head.setText(head)
+        self.head.setText(say(head))
         for row, (name, *cells) in enumerate([("", *ANGLES), *rows]):
             self._grid.addWidget(widgets.label(name, "muted"), row, 0)
             for column, (angle, cell) in enumerate(zip(ANGLES, cells, strict=True), start=1):
                 shown = widgets.label(cell.replace("-", "−"), "" if row else "muted")
                 shown.setFont(theme.tabular(shown.font()))
                 if row:
-                    shown.setAccessibleName(f"{name}, {angle}")
+                    shown.setAccessibleName(say(f"{name}, {angle}"))
                 self._grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
-        self.words.setText("\n".join(words))
+        self.words.setText(say("\n".join(words)))
         self.hint.hide()
         for each in (self.head, self.words):
             each.show()

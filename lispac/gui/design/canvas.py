@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui import theme
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import say
 from lispac.io.plan_file import TitledPlan
 
 Array = NDArray[np.float64]
@@ -37,7 +38,7 @@ class Canvas(QWidget):
     def __init__(self, name: str, title: str, workspace: Workspace, axes: tuple[str, str]) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName(title)
+        self.setAccessibleName(say(title))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setMinimumSize(240, 180)
@@ -139,16 +140,16 @@ class Canvas(QWidget):
                     painter.drawLine(QPointF(spot.x(), 0), QPointF(spot.x(), self.height()))
                     painter.setPen(MUTED)
                     if 26 < spot.x() < clear:
-                        painter.drawText(QPointF(spot.x() + 2, self.height() - 4), said)
+                        painter.drawText(QPointF(spot.x() + 2, self.height() - 4), say(said))
                 else:
                     painter.drawLine(QPointF(0, spot.y()), QPointF(self.width(), spot.y()))
                     painter.setPen(MUTED)
                     if 26 < spot.y() < self.height() - 18:
-                        painter.drawText(QPointF(4, spot.y() - 2), said)
+                        painter.drawText(QPointF(4, spot.y() - 2), say(said))
         painter.setPen(MUTED)
         corner = QRectF(0, self.height() - 17, self.width() - 4, 15)
-        painter.drawText(corner, Qt.AlignmentFlag.AlignRight, across)
-        painter.drawText(QPointF(4, 13), up)
+        painter.drawText(corner, Qt.AlignmentFlag.AlignRight, say(across))
+        painter.drawText(QPointF(4, 13), say(up))
 
     def words(self, painter: QPainter, at: QPointF, text: str, colour: QColor = INK) -> None:
         """Words on a pale ground, so that they are read over lines."""
@@ -159,7 +160,7 @@ class Canvas(QWidget):
         ground = QRectF(at.x() - 2, at.y() - box.height() + 2, box.width() + 5, box.height())
         painter.fillRect(ground, QColor(255, 255, 255, 205))
         painter.setPen(colour)
-        painter.drawText(at, text)
+        painter.drawText(at, say(text))
 
     # -- mouse and keys ----------------------------------------------------------------------
 

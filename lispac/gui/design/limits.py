@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
 
 from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.io.plan_file import TitledPlan
 
@@ -71,16 +72,16 @@ class LimitsForm(QWidget):
             ("Boards", self.boards), ("Lines", self.lines), ("Off the wall", self.closest),
             ("Time on site", self.minutes),
         ):  # fmt: skip
-            form.addRow(label, field)
+            form.addRow(say(label), field)
             field.valueChanged.connect(lambda _value: self.changed.emit())
         for name, (label, unit, low, high, tip) in LISTS.items():
             field = QLineEdit()
             field.setObjectName(f"limit_{name}")
-            field.setAccessibleName(f"{label}, {unit}")
-            field.setToolTip(f"{tip}; a list of numbers, {low:g} to {high:g} {unit}")
+            field.setAccessibleName(say(f"{label}, {unit}"))
+            field.setToolTip(say(f"{tip}; a list of numbers, {low:g} to {high:g} {unit}"))
             field.textChanged.connect(self._judge)
             self.lists[name] = field
-            form.addRow(f"{label} ({unit})", field)
+            form.addRow(say(f"{label} ({unit})"), field)
         self._fill(Site((0.0, 0.0, 0.0), 270.0, inclinations_deg=LEANS))
 
     def use_file(self, title: str, site: Site) -> None:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import theme
+from lispac.gui.language import say, say_all
 
 
 @dataclass(frozen=True)
@@ -93,13 +94,13 @@ class NumberTable(QTableWidget):
     def __init__(self, name: str, title: str, fields: Sequence[Field]) -> None:
         super().__init__(0, len(fields))
         self.setObjectName(name)
-        self.setAccessibleName(title)
+        self.setAccessibleName(say(title))
         self.fields = tuple(fields)
         self._showing = False
         heads = [f"{each.title}\n({each.unit})" if each.unit else each.title for each in fields]
-        self.setHorizontalHeaderLabels(heads)
+        self.setHorizontalHeaderLabels(say_all(heads))
         for k, each in enumerate(fields):
-            self.horizontalHeaderItem(k).setToolTip(self._tip(each))
+            self.horizontalHeaderItem(k).setToolTip(say(self._tip(each)))
         self.verticalHeader().setDefaultSectionSize(25)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().hide()
@@ -138,7 +139,7 @@ class NumberTable(QTableWidget):
                     side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
                     item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
                     item.setFont(theme.tabular(self.font()))
-                    item.setToolTip(self._tip(field))
+                    item.setToolTip(say(self._tip(field)))
                     self.setItem(r, c, item)
                 said = "" if value == "" else field.said(value)
                 if item.text() != said:
@@ -173,7 +174,7 @@ class _Delegate(QStyledItemDelegate):
             box.setFont(theme.tabular(box.font()))
             box.textEdited.connect(lambda _text: self._judge(box, field))
             box.destroyed.connect(self._closed)
-        box.setAccessibleName(f"{field.title}, {field.unit}" if field.unit else field.title)
+        box.setAccessibleName(say(f"{field.title}, {field.unit}" if field.unit else field.title))
         return box
 
     def _closed(self) -> None:

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import OF_THE_THESIS, Outcome
 from lispac.design.search import Step
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 
 NOTHING = (
@@ -28,7 +29,7 @@ class PicturesPanel(QWidget):
         layout.setContentsMargins(8, 8, 8, 8)
         self.empty = widgets.label(NOTHING, "muted", wrap=True)
         self.which = widgets.Choice("design_picture", [LESS_TIME], "Which figure is shown")
-        self.which.setAccessibleName("Which figure is shown")
+        self.which.setAccessibleName(say("Which figure is shown"))
         self.which.clear()
         self.which.hide()
         self.pages = QStackedWidget()
@@ -67,7 +68,7 @@ class PicturesPanel(QWidget):
         from matplotlib.figure import Figure
 
         canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
-        canvas.setAccessibleName(f"Figure: {title}")
+        canvas.setAccessibleName(say(f"Figure: {title}"))
         canvas.setMinimumSize(280, 200)
         draw(canvas.figure)
         at = self.which.findText(title)

@@ -8,6 +8,7 @@ from lispac.design.plan import Line
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import CHOSEN, INK, OTHER, REACH, TARGET, WALL, Array, Canvas
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import say
 from lispac.simulation.closed_form import Board
 
 ASIDE = 6.0
@@ -26,9 +27,13 @@ class PlanView(Canvas):
             "plan_view", "Site from above: lines", workspace, ("east (m)", "north (m)")
         )
         self.setToolTip(
-            "Drag a line nearer or farther, its arrow to turn it (in steps of 5 deg, with Shift "
-            "freely). Keys: Page up and down choose a line, Left and Right turn it, Up and Down "
-            "move it; Insert adds, Delete removes."
+            say(
+                "Drag a line nearer or farther, its arrow to turn it (in steps of 5 deg, "
+                "with Shift "
+                "freely). Keys: Page up and down choose a line, Left and Right turn it, "
+                "Up and Down "
+                "move it; Insert adds, Delete removes."
+            )
         )
         self._line: Line | None = None
         self._turns = False
@@ -117,7 +122,7 @@ class PlanView(Canvas):
         painter.setFont(font)
         number = f"{k + 1}"
         wide = painter.fontMetrics().horizontalAdvance(number)
-        painter.drawText(first + QPointF(-wide / 2, 4), number)
+        painter.drawText(first + QPointF(-wide / 2, 4), say(number))
         if chosen:
             line = self.workspace.titled.plan.lines[k]
             said = f"{line.heading_deg:03.0f}°, {line.distance:g} m"

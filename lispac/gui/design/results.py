@@ -11,6 +11,7 @@ from lispac.gui.design import told
 from lispac.gui.design.following import Following, Said
 from lispac.gui.design.told import Told
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.workflow.designing import cautions
@@ -54,13 +55,15 @@ class ResultsPanel(QScrollArea):
                 font = theme.tabular(shown.font(), bold=column == 1)
                 font.setPixelSize(size)
                 shown.setFont(font)
-                shown.setAccessibleName(f"Sigma of {angle}, {HEADS[column]}, degrees")
+                shown.setAccessibleName(say(f"Sigma of {angle}, {HEADS[column]}, degrees"))
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
                 held[angle] = shown
         grid.setColumnStretch(3, 1)
         layout.addLayout(grid)
         self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
-        self.correlation.setToolTip("Correlations; near 1 or −1 two angles are hardly told apart")
+        self.correlation.setToolTip(
+            say("Correlations; near 1 or −1 two angles are hardly told apart")
+        )
         layout.addWidget(self.correlation)
         self.minutes = widgets.label("", "muted", name="design_minutes")
         layout.addWidget(self.minutes)
@@ -72,7 +75,7 @@ class ResultsPanel(QScrollArea):
         layout.addWidget(widgets.label("Points per sighting", "heading"))
         self.points = widgets.label("", name="design_points")
         self.points.setTextFormat(Qt.TextFormat.RichText)
-        self.points.setAccessibleName("Points per sighting")
+        self.points.setAccessibleName(say("Points per sighting"))
         self._beside = QScrollArea()
         self._beside.setFrameShape(QFrame.Shape.NoFrame)
         self._beside.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -95,9 +98,9 @@ class ResultsPanel(QScrollArea):
     def _show(self) -> None:
         """What costs nothing."""
         titled = self._work.titled
-        self.minutes.setText(f"On site: {told.minutes(titled)}")
+        self.minutes.setText(say(f"On site: {told.minutes(titled)}"))
         said = "\n".join(cautions(titled))
-        self.cautions.setText(said)
+        self.cautions.setText(say(said))
         self.cautions.setVisible(bool(said))
 
     def _show_late(self) -> None:
@@ -106,17 +109,17 @@ class ResultsPanel(QScrollArea):
             for label in self.sigma.values():
                 label.setStyleSheet(f"color: {theme.MUTED};")
         if not self.following.has_said:
-            self.words.setText(LOOKING)
+            self.words.setText(say(LOOKING))
         self.worth.show_rows([])
 
     def _show_sigmas(self, found: Told) -> None:
         """The numbers, which follow a drag."""
         self._told = found
         for angle, said in zip(ANGLES, self._told.sigmas, strict=True):
-            self.sigma[angle].setText(said)
+            self.sigma[angle].setText(say(said))
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._told.refused else "")
         pairs = zip(PAIRS, self._told.correlations, strict=True)
-        self.correlation.setText(f"Correlation: {', '.join(f'{p} {c}' for p, c in pairs)}")
+        self.correlation.setText(say(f"Correlation: {', '.join(f'{p} {c}' for p, c in pairs)}"))
         self._show_points()
 
     def _show_points(self) -> None:
@@ -133,7 +136,7 @@ class ResultsPanel(QScrollArea):
             + "</tr>"
             for line in lines
         )  # fmt: skip
-        self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
+        self.points.setText(say(f"<table><tr><td></td>{head}</tr>{rows}</table>"))
         size = self.points.sizeHint()
         bar = self._beside.horizontalScrollBar().sizeHint().height()
         self._beside.setFixedHeight(size.height() + bar)
@@ -143,9 +146,9 @@ class ResultsPanel(QScrollArea):
         self.words.setProperty("role", "warning" if refused else "hint")
         self.words.style().unpolish(self.words)
         self.words.style().polish(self.words)
-        self.words.setText("\n".join(said.sentences))
+        self.words.setText(say("\n".join(said.sentences)))
         for angle, sigma in zip(ANGLES, said.thesis.sigmas, strict=True):
-            self.thesis[angle].setText(sigma)
+            self.thesis[angle].setText(say(sigma))
 
     def _show_worths(self, worths: tuple[Worth, ...]) -> None:
         known = self._told.prediction is not None and self._told.prediction.determined

@@ -7,6 +7,7 @@ from lispac.design.objective import CRITERIA, Objective
 from lispac.gui.design.limits import LimitsForm
 from lispac.gui.design.told import sigma_words
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 
 FACTORS = {
@@ -35,7 +36,7 @@ class SearchPanel(QScrollArea):
             "search_factors", list(FACTORS), "How good the POS will be on the day: the mean counts"
         )
         for choice in (self.criterion, self.factors):
-            choice.setAccessibleName(choice.toolTip())
+            choice.setAccessibleName(say(choice.toolTip()))
         self.plans = widgets.number(
             "search_plans", suffix="", decimals=0, low=100, high=1_000_000, step=1000,
             tip="About how many plans to look at where there are too many to look at all, "
@@ -64,9 +65,9 @@ class SearchPanel(QScrollArea):
         left.addWidget(self.limits)
         left.addStretch(1)
         form = QFormLayout()
-        form.addRow("Smallest", self.criterion)
-        form.addRow("Expect", self.factors)
-        form.addRow("Plans", self.plans)
+        form.addRow(say("Smallest"), self.criterion)
+        form.addRow(say("Expect"), self.factors)
+        form.addRow(say("Plans"), self.plans)
         files = QHBoxLayout()
         files.addWidget(self.read)
         files.addWidget(self.forget)
@@ -103,7 +104,7 @@ class SearchPanel(QScrollArea):
 
     def say(self, words: str) -> None:
         """Say what was found; empty before anything is."""
-        self.said.setText(words)
+        self.said.setText(say(words))
         self.said.setVisible(bool(words))
 
     def show_busy(self, busy: bool) -> None:
@@ -114,9 +115,9 @@ class SearchPanel(QScrollArea):
 
     def _judge(self) -> None:
         mistake = self.limits.mistake(self._work.titled)
-        self.mistake.setText(mistake)
+        self.mistake.setText(say(mistake))
         self.mistake.setVisible(bool(mistake))
-        self.about_file.setText(self.limits.file)
+        self.about_file.setText(say(self.limits.file))
         self.forget.setEnabled(not self.limits.file.endswith("plan's."))
         self.find.allow(not mistake and not self._busy)
 

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QScrollArea, 
 
 from lispac.design.monte_carlo import ENOUGH
 from lispac.gui.design.angles_table import AnglesTable
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 
 MOST = 5000
@@ -48,10 +49,10 @@ class SurveysPanel(QScrollArea):
         self.seed.setValue(2027)
         for field in (self.surveys, self.seed):
             field.setGroupSeparatorShown(field is self.surveys)
-        self.flatness = QCheckBox("The adjustment is told how flat the targets are")
+        self.flatness = QCheckBox(say("The adjustment is told how flat the targets are"))
         self.flatness.setObjectName("surveys_flatness")
         self.flatness.setToolTip(
-            "Otherwise it takes their flatness from the data, as with a real survey"
+            say("Otherwise it takes their flatness from the data, as with a real survey")
         )
         self.start = widgets.button(
             "Simulate surveys", "surveys_start", primary=True,
@@ -65,8 +66,8 @@ class SurveysPanel(QScrollArea):
         body = QWidget()
         both, left = QHBoxLayout(body), QVBoxLayout()
         form = QFormLayout()
-        form.addRow("Surveys", self.surveys)
-        form.addRow("Seed", self.seed)
+        form.addRow(say("Surveys"), self.surveys)
+        form.addRow(say("Seed"), self.seed)
         buttons = QHBoxLayout()
         buttons.addWidget(self.start)
         buttons.addWidget(self.cancel)

@@ -9,6 +9,7 @@ from lispac.design.plan import System
 from lispac.design.scenarios import GRADES
 from lispac.gui.design import edits
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.report.design_figures import NAMES
 
@@ -32,8 +33,8 @@ class SystemPanel(QScrollArea):
         self._work, self._showing = workspace, False
         self.title = QLineEdit()
         self.title.setObjectName("design_title")
-        self.title.setAccessibleName("Title of the plan")
-        self.title.setToolTip("Title of the plan, as it stands on the field plan")
+        self.title.setAccessibleName(say("Title of the plan"))
+        self.title.setToolTip(say("Title of the plan, as it stands on the field plan"))
         self.title.setMaxLength(80)
         self.grade = widgets.Choice(
             "design_grade", [*GRADES, OWN],
@@ -44,7 +45,7 @@ class SystemPanel(QScrollArea):
             "How the adjustment takes the POS errors: drifting, or as the thesis does",
         )  # fmt: skip
         for choice in (self.grade, self.model):
-            choice.setAccessibleName(choice.toolTip())
+            choice.setAccessibleName(say(choice.toolTip()))
             choice.setSizeAdjustPolicy(choice.SizeAdjustPolicy.AdjustToContents)
         self.position = [
             _number(f"design_sigma_{axis}", "mm", 1, 0.1, 10_000.0, 1.0,
@@ -92,7 +93,7 @@ class SystemPanel(QScrollArea):
             for field in fields:
                 row.addWidget(field)
             row.addStretch(1)
-            form.addRow(label, row)
+            form.addRow(say(label), row)
         body = QWidget()
         body.setLayout(form)
         self.setWidget(body)

@@ -10,6 +10,7 @@ from lispac.gui.design import edits
 from lispac.gui.design.canvas import CHOSEN, MUTED, TARGET, Array, Canvas
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import say
 
 LEAST = 8.0
 """Pixels: a board is drawn at least as large."""
@@ -28,9 +29,12 @@ class WallView(Canvas):
             ("along the wall (m)", "above POS (m)"),
         )  # fmt: skip
         self.setToolTip(
-            "Drag a target along the wall and up (in steps of 0.1 m, with Shift of 0.01 m). Keys: "
-            "Page up and down choose a target, the arrows move it; Insert adds a board, Delete "
-            "removes."
+            say(
+                "Drag a target along the wall and up (in steps of 0.1 m, with Shift of "
+                "0.01 m). Keys: "
+                "Page up and down choose a target, the arrows move it; Insert adds a board, Delete "
+                "removes."
+            )
         )
         self._held: Hung | None = None
         self._from = np.zeros(2)
@@ -54,7 +58,7 @@ class WallView(Canvas):
         painter.setPen(QPen(QColor("#7fb0e2"), 1.5, Qt.PenStyle.DashLine))
         painter.drawLine(QPointF(0, level), QPointF(self.width(), level))
         painter.setPen(MUTED)
-        painter.drawText(QPointF(30, level - 4), "height of the POS")
+        painter.drawText(QPointF(30, level - 4), say("height of the POS"))
         targets = edits.hung(self.workspace.titled)
         for k in sorted(range(len(targets)), key=lambda k: k == self.workspace.target):
             each, box = targets[k], self._box(targets[k])

@@ -25,6 +25,7 @@ from lispac.gui.design.system import SystemPanel
 from lispac.gui.design.view3d import View3D
 from lispac.gui.design.wall_view import WallView
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.viewport.base import Viewport
@@ -133,8 +134,8 @@ class DesignWindow(QMainWindow):
         self.views = _tabs("design_views", (("Wall from the water", self.wall_view),))
         self._stage = QWidget()
         QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
-        self.views.addTab(self._stage, "3D")
-        self.views.addTab(self.pictures, "Figures")
+        self.views.addTab(self._stage, say("3D"))
+        self.views.addTab(self.pictures, say("Figures"))
         self.views.currentChanged.connect(self._view_chosen)
         above = QSplitter(Qt.Orientation.Horizontal)
         above.addWidget(_titled("From above", self.plan_view))
@@ -166,10 +167,10 @@ class DesignWindow(QMainWindow):
         for table in (self.lines.table, self.targets.table):
             table.mistake.connect(self.mistake.setText)
         for title, names in MENUS.items():
-            menu = self.menuBar().addMenu(title)
+            menu = self.menuBar().addMenu(say(title))
             for name in names:
                 menu.addAction(self.actions_[name]) if name else menu.addSeparator()
-        bar = self.addToolBar("Toolbar")
+        bar = self.addToolBar(say("Toolbar"))
         bar.setObjectName("design_toolbar")
         bar.setMovable(False)
         bar.setIconSize(QSize(20, 20))
@@ -181,9 +182,9 @@ class DesignWindow(QMainWindow):
 
     def _action(self, name: str) -> QAction:
         text, short, icon, keys, tip = ACTIONS[name]
-        action = QAction(text, self)
+        action = QAction(say(text), self)
         action.setObjectName(f"design_{name}")
-        action.setIconText(short)
+        action.setIconText(say(short))
         if icon:
             action.setIcon(theme.icon(icon))
         if isinstance(keys, tuple):
@@ -191,8 +192,8 @@ class DesignWindow(QMainWindow):
         else:
             action.setShortcut(QKeySequence(keys))
         shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{tip} ({shown})")
-        action.setStatusTip(tip)
+        action.setToolTip(say(f"{tip} ({shown})"))
+        action.setStatusTip(say(tip))
         return action
 
     # -- what is shown -----------------------------------------------------------------------
@@ -202,11 +203,11 @@ class DesignWindow(QMainWindow):
         for name, words in (("undo", history.to_undo), ("redo", history.to_redo)):
             action = self.actions_[name]
             action.setEnabled(bool(words))
-            action.setText(f"&{name.capitalize()} {words}".strip())
-            action.setIconText(name.capitalize())
+            action.setText(say(f"&{name.capitalize()} {words}".strip()))
+            action.setIconText(say(name.capitalize()))
         for answer in (self.surveys.answer, self.compared):
             answer.follow(self.workspace.titled.plan)
-        self.setWindowTitle(f"{self.workspace.titled.title}[*] – design of a site – LISPAC")
+        self.setWindowTitle(say(f"{self.workspace.titled.title}[*] – design of a site – LISPAC"))
         self.setWindowModified(history.changed)
         self.actions_["save"].setEnabled(history.changed)
 
@@ -220,7 +221,7 @@ class DesignWindow(QMainWindow):
 
     def note(self, text: str) -> None:
         """Say something in passing."""
-        self.task_bar.showMessage(text, NOTE_MS)
+        self.task_bar.showMessage(say(text), NOTE_MS)
 
     def show_pictures(self) -> None:
         """Bring what long work found to the front, but for a drag it would take the view from."""
@@ -258,8 +259,11 @@ class DesignWindow(QMainWindow):
             self._stage.layout().addWidget(viewport.widget)
             self.view3d = View3D(self.workspace, viewport)
             viewport.widget.setToolTip(
-                "Ctrl+click on a target selects it, on the wall hangs the selected one there; drag "
-                "a dot beside it to move it along the wall, up, or off it"
+                say(
+                    "Ctrl+click on a target selects it, on the wall hangs the selected "
+                    "one there; drag "
+                    "a dot beside it to move it along the wall, up, or off it"
+                )
             )
         self.view3d.show()
         self.view3d.fit()
@@ -283,7 +287,7 @@ def _tabs(name: str, pages: Sequence[tuple[str, QWidget]]) -> QTabWidget:
     tabs.setObjectName(name)
     tabs.setDocumentMode(True)
     for title, page in pages:
-        tabs.addTab(page, title)
+        tabs.addTab(page, say(title))
     return tabs
 
 
