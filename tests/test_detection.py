@@ -69,7 +69,7 @@ def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
         patch
         for line in clouds
         for patch in flat_patches(clouds[line], settings.threshold, voxel=voxel).patches
-        if patch.area > 1.0
+        if patch.area > 0.7  # of the board
     ]
     assert len(pieces) > 2
     planes = detect_planes(clouds, settings, most=2)

@@ -112,11 +112,12 @@ def test_a_sphere_shows_its_share():
 
 HALF = {
     # The post stands before one half of the board; from the north-west it is passed beside it.
-    # By what the rough boresight is off, the first is a few millimetres wider or narrower.
-    "L1": ("poor", r"0\.6[01] of 1\.24 m wide"),
-    "L2": ("poor", r"0\.61 of 1\.24 m wide"),
-    "L3": ("doubtful", r"0\.70 of 1\.24 m wide"),
-    "L4": ("doubtful", r"0\.70 of 1\.24 m wide"),
+    # By what the rough boresight is off, and by the noise of its outermost points, it is a few
+    # millimetres wider or narrower.
+    "L1": ("poor", r"0\.6[0-2] of 1\.2[34] m wide"),
+    "L2": ("poor", r"0\.6[0-2] of 1\.2[34] m wide"),
+    "L3": ("doubtful", r"0\.70 of 1\.2[34] m wide"),
+    "L4": ("doubtful", r"0\.70 of 1\.2[34] m wide"),
     "L5": ("good", ""),
     "L6": ("good", ""),
 }

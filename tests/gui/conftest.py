@@ -13,8 +13,10 @@ from pytestqt.qtbot import QtBot
 from lispac.gui import theme
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.safekeeping import LOCK_NAME
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
+from lispac.io.project_file import UNSAVED_NAME
 from lispac.project import Project
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
@@ -26,6 +28,8 @@ from tests.gui.support import WAIT_MS, Demo, Driver
 from tests.sharing import once
 
 PICKED = ("T1", "T2", "V1")
+OF_A_WINDOW = shutil.ignore_patterns(UNSAVED_NAME, LOCK_NAME)
+"""What a window of another test, in another process, may have just now in the shared demo."""
 
 
 @pytest.fixture(scope="session")
@@ -52,7 +56,7 @@ def estimated(demo: Demo, tmp_path_factory: pytest.TempPathFactory) -> Project:
 @pytest.fixture
 def demo_copy(demo: Demo, tmp_path: Path) -> Path:
     """A folder of the demo project that the test may change."""
-    return Path(shutil.copytree(demo.project.folder, tmp_path / "harbour"))
+    return Path(shutil.copytree(demo.project.folder, tmp_path / "harbour", ignore=OF_A_WINDOW))
 
 
 @pytest.fixture

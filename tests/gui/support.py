@@ -40,7 +40,9 @@ class ScriptedDialogs(Dialogs):
         self.about_dropped: DropAnswer = "cancel"
         self.lines: tuple[LineSource, ...] | None = None
         self.about_candidate: CandidateAnswer = "cancel"
-        self.agreed = True
+        self.safety: list[str] = []
+        """Asked about unsaved work and other windows; tests in other processes share the demo."""
+        self.recovers, self.opens_twice, self.overwrites = False, True, True
         self.asked: list[str] = []
         self.errors: list[BaseException] = []
 
@@ -104,16 +106,16 @@ class ScriptedDialogs(Dialogs):
         return self.answer
 
     def recover(self, name: str, when: str) -> bool:
-        self.asked.append(f"recover {name}")
-        return self.agreed
+        self.safety.append(f"recover {name}")
+        return self.recovers
 
     def open_elsewhere(self, name: str, where: str) -> bool:
-        self.asked.append(f"{name} is open in {where}")
-        return self.agreed
+        self.safety.append(f"{name} is open in {where}")
+        return self.opens_twice
 
     def overwrite(self, name: str) -> bool:
-        self.asked.append(f"overwrite {name}")
-        return self.agreed
+        self.safety.append(f"overwrite {name}")
+        return self.overwrites
 
     def candidate_waits(self, name: str) -> CandidateAnswer:
         self.asked.append(name)

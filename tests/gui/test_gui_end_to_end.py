@@ -38,10 +38,11 @@ def test_from_opening_to_the_report(real: Driver, demo_copy: Path, tmp_path: Pat
         bot.keyClick(window, Key.Key_F6 if role == "target" else Key.Key_F7)
         bot.keyClick(window, Key.Key_3)
         clouds = np.concatenate([cloud.sample for cloud in window.scene.clouds.values()])
-        near = np.linalg.norm(clouds - position, axis=1) < 3
-        viewport.fit(clouds[near])
+        away = np.linalg.norm(clouds - position, axis=1)
+        viewport.fit(clouds[away < 3])
         bot.wait(300)
-        x, y = (int(v) for v in viewport.to_pixels(np.array([position]))[0][:2])
+        aim = clouds[np.argmin(away)]  # a drawn point of the plane, not a gap between two
+        x, y = (int(v) for v in viewport.to_pixels(aim[None])[0][:2])
         bot.mouseClick(viewport.canvas, Left, Control, QPoint(x, y))
         real.rest()
         assert window.controller.candidate is not None

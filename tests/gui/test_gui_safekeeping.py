@@ -88,8 +88,9 @@ def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> N
     killed_after_editing(folder)
     assert "North wall" not in names(read_project(folder))
     assert (folder / LOCK_NAME).exists(), "left by the killed program, and stale"
+    driver.dialogs.recovers = True
     opened(driver, folder)
-    assert driver.dialogs.asked == [f"recover {folder.name}"]
+    assert driver.dialogs.safety == [f"recover {folder.name}"]
     assert {"North wall", "South wall"} <= names(driver.project)
     assert driver.window.isWindowModified()
     driver.window.document.undo_stack.undo()
@@ -102,7 +103,6 @@ def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> N
 
 def test_what_is_not_wanted_back_is_gone(driver: Driver, folder: Path) -> None:
     killed_after_editing(folder)
-    driver.dialogs.agreed = False
     opened(driver, folder)
     assert {"T1", "T2"} <= names(driver.project)
     assert not driver.window.isWindowModified()
@@ -130,14 +130,14 @@ def test_a_project_open_twice_is_noticed(
     driver.window.controller.rename("T1", "North wall")
     unsaved(driver, folder, wanted=True)
     other = Driver(qtbot, RecordingViewport(), tmp_path / "other")
-    other.dialogs.agreed = False
+    other.dialogs.opens_twice = False
     other.window.open_project(folder)
-    qtbot.waitUntil(lambda: other.dialogs.asked != [], timeout=WAIT_MS)
+    qtbot.waitUntil(lambda: other.dialogs.safety != [], timeout=WAIT_MS)
     other.rest()
-    assert f"process {os.getpid()}" in other.dialogs.asked[0]
+    assert f"process {os.getpid()}" in other.dialogs.safety[0]
     assert other.window.document.project is None
 
-    other.dialogs.agreed = True
+    other.dialogs.opens_twice = True
     opened(other, folder)
     other.window.controller.rename("T2", "South wall")
     other.window.actions_["save"].trigger()
@@ -146,17 +146,17 @@ def test_a_project_open_twice_is_noticed(
     other.window.close()
     other.window.deleteLater()
 
-    driver.dialogs.agreed = False
+    driver.dialogs.overwrites = False
     driver.window.actions_["save"].trigger()
-    assert driver.dialogs.asked == [f"overwrite {folder.name}"]
+    assert driver.dialogs.safety == [f"overwrite {folder.name}"]
     assert "South wall" in names(read_project(folder)), "it is not overwritten unasked"
     assert driver.window.isWindowModified()
-    driver.dialogs.agreed = True
+    driver.dialogs.overwrites = True
     driver.window.actions_["save"].trigger()
     assert "North wall" in names(read_project(folder))
     driver.window.controller.rename("T1", "Northern wall")
     driver.window.actions_["save"].trigger()
-    assert driver.dialogs.asked == [f"overwrite {folder.name}"] * 2, "its own save is no news"
+    assert driver.dialogs.safety == [f"overwrite {folder.name}"] * 2, "its own save is no news"
 
 
 def test_where_nothing_can_be_kept_it_is_said(driver: Driver, folder: Path) -> None:
@@ -173,6 +173,6 @@ def test_where_nothing_can_be_kept_it_is_said(driver: Driver, folder: Path) -> N
 def test_damaged_unsaved_work_does_not_keep_the_project_shut(driver: Driver, folder: Path) -> None:
     (folder / UNSAVED_NAME).write_text((folder / FILE_NAME).read_text()[:1000])
     opened(driver, folder)
-    assert driver.dialogs.asked == []
+    assert driver.dialogs.safety == []
     assert UNSAVED_NAME in driver.window.log.toPlainText()
     assert {"T1", "T2"} <= names(driver.project)
