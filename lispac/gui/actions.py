@@ -13,6 +13,7 @@ from lispac.gui.viewing_actions import (
     INSPECT_ACTIONS,
     INSPECT_MENU,
     SWITCHES,
+    THEMED,
     VIEW_ACTIONS,
     VIEW_MENU,
     Menu,
@@ -98,7 +99,7 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
 
 _CHECKABLE = (
     ("seed_target", "seed_validation"), ("before", "after"), tuple(COLOURED.values()),
-    ("english", "french"),
+    ("english", "french"), tuple(THEMED.values()),
 )  # fmt: skip
 _MENUS: dict[str, Menu] = {
     "&File": (

@@ -1,5 +1,6 @@
 """The window: puts the parts together and joins their signals."""
 
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, QUrl, Signal
@@ -51,6 +52,7 @@ from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import undressed
 from lispac.gui.tools import Tools
 from lispac.gui.tour import Tour
+from lispac.gui.viewing_actions import THEMED
 from lispac.gui.viewport.base import PickedPoint, Viewport
 
 Area = Qt.DockWidgetArea
@@ -102,6 +104,7 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self.actions_["french" if language() == "fr" else "english"].setChecked(True)
+        self.actions_[THEMED[self.settings.theme]].setChecked(True)
         self.looking = Looking(viewport, self.scene, self.controller, self.actions_, self.settings)
         self.tools = Tools(self)
         with undressed():
@@ -234,6 +237,7 @@ class MainWindow(QMainWindow):
             "toggle": self._toggle,
             "english": lambda: self._speak("en"),
             "french": lambda: self._speak("fr"),
+            **{name: partial(self._dress, choice) for choice, name in THEMED.items()},
             "keys": self.dialogs.shortcuts,
             "tour": lambda: self.tour.start(),
             "log_file": self._open_log_file,
@@ -293,6 +297,11 @@ class MainWindow(QMainWindow):
     def _speak(self, language: str) -> None:
         if language != self.settings.language:
             self.settings.language = language
+            self.renew()
+
+    def _dress(self, choice: str) -> None:
+        if choice != self.settings.theme:
+            self.settings.theme = choice
             self.renew()
 
     def renew(self) -> None:

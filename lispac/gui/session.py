@@ -7,7 +7,7 @@ same document: the project, its data and every undo step stay.
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui import theme
@@ -17,6 +17,9 @@ from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import Viewport
 from lispac.io.project_file import UNSAVED_NAME
+
+LATER_MS = 500
+"""Between a change of the system's looks and ours; systems tell several times."""
 
 
 class Session(QObject):
@@ -43,10 +46,13 @@ class Session(QObject):
         self._application, self._viewport = application, viewport
         self._settings, self._dialogs = settings or AppSettings(), dialogs or Dialogs()
         self.window = self._made(None)
+        self._later = QTimer(self, singleShot=True, interval=LATER_MS)
+        self._later.timeout.connect(self._follow_system)
+        application.styleHints().colorSchemeChanged.connect(lambda _looks: self._later.start())
 
     def _made(self, former: MainWindow | None) -> MainWindow:
         speak(self._settings.language)
-        theme.apply_theme(self._application)
+        theme.apply_theme(self._application, self._settings.theme)
         document = None if former is None else former.document.handed_over()
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
         # Queued: the action that asks for it belongs to the window that goes.
@@ -76,6 +82,20 @@ class Session(QObject):
 
     def _show_error(self, error: BaseException) -> None:
         self.window.dialogs.show_error(error)
+
+    def _follow_system(self) -> None:
+        """Dress as the system does now; not under a dialogue or the window of a site's design."""
+        if theme.wanted(self._application, self._settings.theme) is theme.scheme():
+            return
+        designing = self.window.designing.window
+        if (
+            QApplication.activeModalWidget()
+            or QApplication.activePopupWidget()
+            or (designing is not None and designing.isVisible())
+        ):
+            self._later.start()
+        else:
+            self.window.renew()
 
     def renew(self) -> None:
         """Put a window in the language and looks of the settings in place of this one."""

@@ -9,6 +9,7 @@ from lispac.language.catalogue import LANGUAGES
 
 MOST_RECENT = 8
 REPORT_KEYS = ("template", "page", "convention", "language")
+THEMES = ("system", "light", "dark")
 POINT_SIZES = range(1, 13)  # pixels
 
 
@@ -104,6 +105,16 @@ class AppSettings:
     @language.setter
     def language(self, code: str) -> None:
         self._store.setValue("language", code)
+
+    @property
+    def theme(self) -> str:
+        """One of `THEMES`: as the system, light or dark."""
+        chosen = str(self._store.value("theme", ""))
+        return chosen if chosen in THEMES else THEMES[0]
+
+    @theme.setter
+    def theme(self, choice: str) -> None:
+        self._store.setValue("theme", choice)
 
     def report_choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language of the report, as they were chosen last."""

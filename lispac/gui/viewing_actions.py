@@ -1,6 +1,7 @@
 """Actions that change how the lines are looked at, and what is measured in the view."""
 
 from lispac.gui.colouring import COLOURINGS
+from lispac.gui.settings import THEMES
 
 Described = tuple[str, str, str, object, str]
 """Text, short text for the toolbar, icon, keys, tip."""
@@ -9,6 +10,9 @@ VIEWS = ("isometric", "top", "front", "back", "left", "right")
 """Names of the standard views; their actions are called the same."""
 COLOURED = {name: f"colour_{name}" for name in COLOURINGS}
 """Action of each colouring."""
+
+THEMED = {choice: f"theme_{choice}" for choice in THEMES}
+"""Action of each theme."""
 
 VIEW_ACTIONS: dict[str, Described] = {
     "fit": ("&Fit all", "Fit all", "fit-to-page-outline", "F", "Bring everything into view"),
@@ -44,6 +48,10 @@ VIEW_ACTIONS: dict[str, Described] = {
     "colour_residual": ("Colour by r&esidual", "Residual", "", "",
                         "Colour targets by the distance from the adjusted surface, and validation "
                         "planes by that from the plane of all lines as they are shown"),
+    "theme_system": ("&As the system", "System", "", "",
+                     "Light or dark as the system is, also when that changes"),
+    "theme_light": ("&Light", "Light", "", "", "Dark text on a light ground"),
+    "theme_dark": ("&Dark", "Dark", "", "", "Light text on a dark ground"),
 }  # fmt: skip
 
 INSPECT_ACTIONS: dict[str, Described] = {
@@ -97,6 +105,7 @@ VIEW_MENU: Menu = (
     "copy_picture",
     "",
     ("&Panels", ("DOCKS",)),
+    ("T&heme", tuple(THEMED.values())),
     ("Language · &Langue", ("english", "french")),
 )
 INSPECT_MENU: Menu = (

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QTableWidget
 
 from lispac.adjustment.result import CrossCheck
 from lispac.design.advice import advice
+from lispac.gui import theme
 from lispac.gui.panels.diagnostics_pages import PAGES
-from lispac.gui.panels.diagnostics_table import MARKED_BACKGROUND
 from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
 from lispac.project import Project
 from tests.gui.support import (
@@ -175,13 +175,13 @@ def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, 
     shown.window.document.edit("estimate", marked)
     table = turn_to(shown, "Sightings").table
     assert texts(table, "Remark")[1] == "released: disagrees"
-    assert table.item(1, 0).background().color().name() == MARKED_BACKGROUND
-    assert table.item(0, 0).background().color().name() != MARKED_BACKGROUND
+    assert table.item(1, 0).background().color().name() == theme.WARNING_GROUND
+    assert table.item(0, 0).background().color().name() != theme.WARNING_GROUND
     assert texts(turn_to(shown, "Targets").table, "Remark")[0] == f"released on {line}"
     table = turn_to(shown, "Cross-checks").table
     assert texts(table, "Verdict") == ["disagrees", "no answer"]
     assert texts(table, "Reason")[1] == "T2 alone does not do."
-    assert table.item(0, 0).background().color().name() == MARKED_BACKGROUND
+    assert table.item(0, 0).background().color().name() == theme.WARNING_GROUND
     told = shown.window.results.warnings.text()
     assert f"T1 on line {line} (off by " in told
     assert f"without line {line}" in told

@@ -22,9 +22,6 @@ REACH = 9.0
 STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Metres between the lines of the grid; the least that leaves this many pixels between them."""
 GRID_PIXELS = 42.0
-GRID, PAPER, INK = QColor("#e3e8ed"), QColor("#ffffff"), QColor(theme.TEXT)
-MUTED, WALL = QColor(theme.MUTED), QColor("#8a8f98")
-CHOSEN, OTHER, TARGET = QColor("#d35400"), QColor(theme.BEFORE), QColor(theme.AFTER)
 
 
 class Canvas(QWidget):
@@ -112,7 +109,7 @@ class Canvas(QWidget):
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), PAPER)
+        painter.fillRect(self.rect(), QColor(theme.PAPER))
         self._draw_grid(painter)
         self.draw(painter)
         painter.setPen(QPen(QColor(theme.ACCENT if self.hasFocus() else theme.BORDER), 1))
@@ -134,32 +131,32 @@ class Canvas(QWidget):
             for k in range(int(np.ceil(low[axis] / step)), int(np.floor(high[axis] / step)) + 1):
                 at = np.array([k * step, k * step])
                 spot = self.pixel(at)
-                painter.setPen(QPen(GRID, 1))
+                painter.setPen(QPen(QColor(theme.GRID), 1))
                 said = f"{k * step:g}".replace("-", "−")
                 if axis == 0:
                     painter.drawLine(QPointF(spot.x(), 0), QPointF(spot.x(), self.height()))
-                    painter.setPen(MUTED)
+                    painter.setPen(QColor(theme.MUTED))
                     if 26 < spot.x() < clear:
                         painter.drawText(QPointF(spot.x() + 2, self.height() - 4), say(said))
                 else:
                     painter.drawLine(QPointF(0, spot.y()), QPointF(self.width(), spot.y()))
-                    painter.setPen(MUTED)
+                    painter.setPen(QColor(theme.MUTED))
                     if 26 < spot.y() < self.height() - 18:
                         painter.drawText(QPointF(4, spot.y() - 2), say(said))
-        painter.setPen(MUTED)
+        painter.setPen(QColor(theme.MUTED))
         corner = QRectF(0, self.height() - 17, self.width() - 4, 15)
         painter.drawText(corner, Qt.AlignmentFlag.AlignRight, say(across))
         painter.drawText(QPointF(4, 13), say(up))
 
-    def words(self, painter: QPainter, at: QPointF, text: str, colour: QColor = INK) -> None:
-        """Words on a pale ground, so that they are read over lines."""
+    def words(self, painter: QPainter, at: QPointF, text: str, colour: str = "") -> None:
+        """Words on a ground of their own, so that they are read over lines."""
         font = QFont(self.font())
         font.setPixelSize(11)
         painter.setFont(font)
         box = painter.fontMetrics().boundingRect(text)
         ground = QRectF(at.x() - 2, at.y() - box.height() + 2, box.width() + 5, box.height())
-        painter.fillRect(ground, QColor(255, 255, 255, 205))
-        painter.setPen(colour)
+        painter.fillRect(ground, theme.colour("paper", 0.8))
+        painter.setPen(QColor(colour or theme.TEXT))
         painter.drawText(at, say(text))
 
     # -- mouse and keys ----------------------------------------------------------------------

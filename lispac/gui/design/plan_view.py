@@ -5,8 +5,9 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 
 from lispac.design.plan import Line
+from lispac.gui import theme
 from lispac.gui.design import edits
-from lispac.gui.design.canvas import CHOSEN, INK, OTHER, REACH, TARGET, WALL, Array, Canvas
+from lispac.gui.design.canvas import REACH, Array, Canvas
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.language import say
 from lispac.simulation.closed_form import Board
@@ -83,7 +84,7 @@ class PlanView(Canvas):
             self._middle + reach * right - 0.6 * water, self._middle - reach * right - 0.6 * water,
         ]  # fmt: skip
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QBrush(WALL))
+        painter.setBrush(QBrush(QColor(theme.WALL)))
         painter.drawPolygon(QPolygonF([self.pixel(corner) for corner in corners]))
         ends = self._ends()
         for k in sorted(range(len(ends)), key=lambda k: k == self.workspace.line):
@@ -91,8 +92,8 @@ class PlanView(Canvas):
         for k, target in enumerate(titled.plan.targets):
             spot = self.pixel(np.array([-target.centre[1], target.centre[0]]))
             chosen = k == self.workspace.target
-            painter.setPen(QPen(INK, 1))
-            painter.setBrush(QBrush(CHOSEN if chosen else TARGET))
+            painter.setPen(QPen(QColor(theme.TEXT), 1))
+            painter.setBrush(QBrush(QColor(theme.MOVED if chosen else theme.AFTER)))
             draw = painter.drawRect if isinstance(target, Board) else painter.drawEllipse
             draw(round(spot.x()) - 4, round(spot.y()) - 4, 8, 8)
             if chosen or len(titled.plan.targets) <= 2:
@@ -101,7 +102,7 @@ class PlanView(Canvas):
 
     def _draw_line(self, painter: QPainter, k: int, first: QPointF, last: QPointF) -> None:
         chosen = k == self.workspace.line
-        colour = CHOSEN if chosen else OTHER
+        colour = QColor(theme.MOVED if chosen else theme.BEFORE)
         painter.setPen(QPen(colour, 2.6 if chosen else 1.6))
         painter.drawLine(first, last)
         along = last - first
@@ -115,7 +116,7 @@ class PlanView(Canvas):
             )
         )
         painter.drawEllipse(first, BADGE, BADGE)
-        painter.setPen(QColor("#ffffff"))
+        painter.setPen(QColor(theme.ON_SERIES))
         font = self.font()
         font.setPixelSize(11)
         font.setBold(True)
@@ -126,7 +127,7 @@ class PlanView(Canvas):
         if chosen:
             line = self.workspace.titled.plan.lines[k]
             said = f"{line.heading_deg:03.0f}°, {line.distance:g} m"
-            self.words(painter, (first + last) / 2 + QPointF(8, -8), said, CHOSEN)
+            self.words(painter, (first + last) / 2 + QPointF(8, -8), said, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 

@@ -5,25 +5,21 @@ from dataclasses import replace
 import numpy as np
 from PySide6.QtCore import QObject
 
+from lispac.gui import theme
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.wall_view import moved
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.viewport.base import Colour, Handle, PickedPoint, Sketch, Viewport
+from lispac.gui.viewport.base import Handle, PickedPoint, Sketch, Viewport
 from lispac.io.plan_file import TitledPlan
 from lispac.simulation.closed_form import Ball, Board
 
-WALL: Colour = (138, 143, 152)
-LINE: Colour = (0, 114, 178)
-TARGET: Colour = (140, 81, 10)
-CHOSEN: Colour = (211, 84, 0)
 SQUARE = ((0, 1), (1, 2), (2, 3), (3, 0))
 RING = 16
 """Corners of the circles a ball is drawn with."""
 WALL_POINTS, TARGET_POINTS = 0.15, 0.03
 """Metres between the points that surfaces are drawn with."""
-COLOURS: dict[str, Colour] = {"wall": (176, 182, 190), "targets": TARGET}
 BARB = 1.5
 """Metres: an arrow's."""
 
@@ -59,7 +55,8 @@ class View3D(QObject):
             for name, cloud in clouds.items()
         ):
             self._clouds = clouds
-            self.viewport.show_clouds(clouds, COLOURS)
+            colours = {"wall": theme.rgb("edge_strong"), "targets": theme.rgb("after")}
+            self.viewport.show_clouds(clouds, colours)
         drawn = sketches(self._work.titled, self._work.line, self._work.target)
         for name in self._names - set(drawn):
             self.viewport.show_sketch(name, None)
@@ -127,7 +124,7 @@ def sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketch]:
         barbs = [last - BARB * along + 0.5 * s * BARB * aside for s in (1, -1)]
         drawn[f"line {k}"] = Sketch(
             tuple(map(_place, (first, last, *barbs))), ((0, 1), (1, 2), (1, 3)),
-            CHOSEN if k == line else LINE, label=f"{k + 1}", at=_place(first),
+            theme.rgb("moved" if k == line else "before"), label=f"{k + 1}", at=_place(first),
         )  # fmt: skip
     right, out, up = np.array([*wall.right, 0.0]), np.array([*wall.out, 0.0]), np.eye(3)[2]
     for k, each in enumerate(plan.targets):
@@ -141,7 +138,7 @@ def sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketch]:
                 for axis in (right, up, out)
             )
         drawn[f"target {k}"] = Sketch(
-            tuple(map(_place, corners)), edges, CHOSEN if k == target else TARGET,
+            tuple(map(_place, corners)), edges, theme.rgb("moved" if k == target else "after"),
             label=each.name, at=_place(middle), handles=handles,
         )  # fmt: skip
     return drawn
@@ -175,7 +172,7 @@ def _wall(titled: TitledPlan) -> Sketch:
     place = titled.wall.place
     corners = [place(-wide, 0, -1.0), place(wide, 0, -1.0), place(wide, 0, high),
                place(-wide, 0, high)]  # fmt: skip
-    return Sketch(tuple(corners), SQUARE, WALL)
+    return Sketch(tuple(corners), SQUARE, theme.rgb("wall"))
 
 
 def _outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int], ...]]:

@@ -6,8 +6,9 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen
 
+from lispac.gui import theme
 from lispac.gui.design import edits
-from lispac.gui.design.canvas import CHOSEN, MUTED, TARGET, Array, Canvas
+from lispac.gui.design.canvas import Array, Canvas
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.language import say
@@ -55,14 +56,14 @@ class WallView(Canvas):
 
     def draw(self, painter: QPainter) -> None:
         level = self.pixel(np.zeros(2)).y()
-        painter.setPen(QPen(QColor("#7fb0e2"), 1.5, Qt.PenStyle.DashLine))
+        painter.setPen(QPen(QColor(theme.LEVEL), 1.5, Qt.PenStyle.DashLine))
         painter.drawLine(QPointF(0, level), QPointF(self.width(), level))
-        painter.setPen(MUTED)
+        painter.setPen(QColor(theme.MUTED))
         painter.drawText(QPointF(30, level - 4), say("height of the POS"))
         targets = edits.hung(self.workspace.titled)
         for k in sorted(range(len(targets)), key=lambda k: k == self.workspace.target):
             each, box = targets[k], self._box(targets[k])
-            colour = QColor(CHOSEN if k == self.workspace.target else TARGET)
+            colour = QColor(theme.MOVED if k == self.workspace.target else theme.AFTER)
             painter.setPen(QPen(colour, 2))
             colour.setAlpha(120)
             painter.setBrush(QBrush(colour))
@@ -71,7 +72,7 @@ class WallView(Canvas):
             self.words(painter, box.topLeft() + QPointF(0, -3), said)
             if k == self.workspace.target:
                 place = f"{each.along:+.2f}, {each.up:+.2f} m".replace("-", "−")
-                self.words(painter, box.bottomLeft() + QPointF(0, 14), place, CHOSEN)
+                self.words(painter, box.bottomLeft() + QPointF(0, 14), place, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 

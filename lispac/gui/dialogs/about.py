@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, qVersion
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QMessageBox, QWidget
 
 import lispac
+from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.results import CONVENTION
@@ -23,7 +24,8 @@ def about_box(parent: QWidget | None) -> QMessageBox:
             "<p>Boresight calibration of a LiDAR and an INS/GNSS on a vessel, with honest "
             f"uncertainties.</p><p>{CONVENTION}</p><p>Local coordinates are North, West, "
             "Up in metres."
-            f"</p><p style='color:#586573'>Qt {qVersion()}, Python {platform.python_version()}. "
+            f"</p><p style='color:{theme.MUTED}'>Qt {qVersion()}, "
+            f"Python {platform.python_version()}. "
             "BSD 3-clause licence.</p>"
         )
     )

@@ -10,9 +10,6 @@ from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 
-DESK = "#8d96a0"
-"""What the pages lie on."""
-
 
 class PreviewDialog(QDialog):
     """Pages one below the other; they can be saved as the PDF they are.
@@ -32,7 +29,7 @@ class PreviewDialog(QDialog):
         self._save = save
         self._pages = [_page(data, k + 1, self.devicePixelRatioF()) for k, data in enumerate(pages)]
         desk = QWidget()
-        desk.setStyleSheet(f"background: {DESK}")
+        desk.setStyleSheet(f"background: {theme.DESK}")
         stack = QVBoxLayout(desk)
         stack.setContentsMargins(16, 16, 16, 16)
         stack.setSpacing(16)

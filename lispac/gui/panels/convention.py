@@ -38,9 +38,9 @@ from lispac.survey.georeferencing import Mounting
 
 TITLE = "Angles in another program"
 _COLOURS: dict[Status, str] = {
-    "verified": theme.DONE,
-    "partly": theme.WARNING,
-    "unverified": theme.ERROR,
+    "verified": "done",
+    "partly": "warning",
+    "unverified": "error",
 }
 _SCANNER_SHORT: dict[Scanner, str] = {
     "turned": "like the body axes",
@@ -208,7 +208,7 @@ class ConventionPanel(QWidget):
     def _show_rules(self, setup: Setup, mounting: Mounting) -> None:
         convention = setup.convention
         word = STATUS_WORDS[setup.status].capitalize()
-        colour = _COLOURS[setup.status]
+        colour = theme.colour(_COLOURS[setup.status]).name()
         x, y, z = setup.axes
         self.status.setText(say(f'<b style="color:{colour}">{word}</b>: {convention.source}.'))
         rules = f"Body axes there: X {x}, Y {y}, Z {z}."

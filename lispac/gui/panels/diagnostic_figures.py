@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
@@ -9,9 +10,8 @@ from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels.adjust_parameters import KINDS
 
-COLOURS = ("#0072b2", "#d55e00", "#009e73")
-"""Okabe and Ito's blue, vermilion and green; the markers differ too."""
 MARKERS = ("o", "s", "^")
+"""Told apart without the colours, too."""
 TEXT, SMALL = 9, 8
 SMALLEST_DEG = 1e-12
 """Below, doubles say nothing: keeps the logarithm finite."""
@@ -26,7 +26,8 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     for k, angle in enumerate(ANGLES):
         shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
         axes.plot(
-            count[:-1], shown, color=COLOURS[k], marker=MARKERS[k], markersize=4, linewidth=1.3,
+            count[:-1], shown, color=theme.scheme().series[k], marker=MARKERS[k], markersize=4,
+            linewidth=1.3,
             label=say(f"{angle}  {path[-1, k]:+.4f}°".replace("-", "\N{MINUS SIGN}")),
         )  # fmt: skip
     sigma = float(np.degrees(result.sigma.min()))
@@ -46,12 +47,15 @@ def correlations(result: AdjustmentResult, figure: Figure) -> None:
     """Heat map of all estimated values, with numbers."""
     axes = _axes(figure)
     names = [say(short_name(name)) for name in result.estimated]
-    image = axes.imshow(result.correlation_all, cmap="PuOr", vmin=-1, vmax=1, aspect="auto")
+    shades = LinearSegmentedColormap.from_list(
+        "correlation", [theme.NEGATIVE, theme.PAPER, theme.POSITIVE]
+    )
+    image = axes.imshow(result.correlation_all, cmap=shades, vmin=-1, vmax=1, aspect="auto")
     for (row, column), value in np.ndenumerate(result.correlation_all):
         axes.text(
             column, row, say(f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")),
             ha="center", va="center", fontsize=SMALL,
-            color="white" if abs(value) > 0.7 else theme.TEXT,
+            color=theme.TEXT,
         )  # fmt: skip
     axes.set_xticks(range(len(names)), names)
     axes.set_yticks(range(len(names)), names)
@@ -78,12 +82,13 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
         for k, word in enumerate(words):
             offset = place + 0.24 * (k - 1)
             axes.bar(
-                offset, 4 * prior[:, k], bottom=-2 * prior[:, k], width=0.2, color=COLOURS[k],
-                alpha=0.18, linewidth=0, label=None if k else say("prior ± 2 σ"),
+                offset, 4 * prior[:, k], bottom=-2 * prior[:, k], width=0.2,
+                color=theme.scheme().series[k], alpha=0.18, linewidth=0,
+                label=None if k else say("prior ± 2 σ"),
             )  # fmt: skip
             axes.plot(
                 offset, error[:, k], linestyle="none", marker=MARKERS[k], markersize=4,
-                color=COLOURS[k], label=say(word),
+                color=theme.scheme().series[k], label=say(word),
             )  # fmt: skip
         axes.axhline(0, color=theme.MUTED, linewidth=0.8)
         axes.set_xticks(place, names, rotation=60, ha="right", rotation_mode="anchor")
@@ -104,13 +109,13 @@ def directions(result: AdjustmentResult, figure: Figure) -> None:
     left = np.zeros(3)
     words = ("weakest", "middle", "strongest")
     for k, angle in enumerate(ANGLES):
-        axes.barh(range(3), share[k] * 100, left=left * 100, height=0.6, color=COLOURS[k],
-                  alpha=0.85, label=say(angle))  # fmt: skip
+        axes.barh(range(3), share[k] * 100, left=left * 100, height=0.6,
+                  color=theme.scheme().series[k], alpha=0.85, label=say(angle))  # fmt: skip
         for row in range(3):
             if share[k, row] > 0.12:
                 text = f"{say(angle)} {share[k, row]:.0%}"
                 axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
-                          va="center", fontsize=SMALL, color="white")  # fmt: skip
+                          va="center", fontsize=SMALL, color=theme.ON_SERIES)  # fmt: skip
         left = left + share[k]
     names = [say(f"{word}\nσ {s:.4f}°") for word, s in zip(words, sigma, strict=True)]
     axes.set_yticks(range(3), names)
@@ -134,7 +139,7 @@ def _axes(figure: Figure) -> Axes:
 
 
 def _dress(axes: Axes) -> None:
-    axes.set_facecolor("white")
+    axes.set_facecolor(theme.PAPER)
     axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["left", "bottom"]].set_color(theme.MUTED)

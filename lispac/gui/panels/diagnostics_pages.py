@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.adjustment.result import AdjustmentResult
+from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import diagnostics_rows as rows
 from lispac.gui.panels import widgets
@@ -101,7 +102,7 @@ class FigurePage(Page):
         from lispac.gui.panels import diagnostic_figures
 
         if self.canvas is None:
-            figure = Figure(figsize=(4, 2), layout="constrained", facecolor="white")
+            figure = Figure(figsize=(4, 2), layout="constrained", facecolor=theme.PAPER)
             self.canvas = FigureCanvasQTAgg(figure)
             self.canvas.setObjectName(f"{self.objectName()}_canvas")
             self.canvas.setAccessibleName(say(self.title))

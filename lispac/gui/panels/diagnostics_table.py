@@ -13,8 +13,6 @@ from lispac.gui.language import say, say_all
 Key = tuple[str, str]
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-MARKED_BACKGROUND = "#fdf1e3"
-"""Pale orange: told from white with every common kind of colour blindness, and never alone."""
 
 
 @dataclass(frozen=True)
@@ -118,8 +116,8 @@ class DiagnosticsTable(QTableWidget):
                 item.setTextAlignment(_LEFT if self._columns[column].words else _RIGHT)
                 item.setFont(theme.tabular(self.font()))
                 if row.marked:
-                    item.setBackground(QBrush(QColor(MARKED_BACKGROUND)))
-                    item.setForeground(QBrush(QColor("#6d3703")))
+                    item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
+                    item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))
                 if row.tip:
                     item.setToolTip(say(row.tip))
                 self.setItem(number, column, item)

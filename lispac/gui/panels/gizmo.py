@@ -13,7 +13,7 @@ from lispac.gui.language import say
 FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 SHOWN_DEG = 25.0
 """The exaggerated turn stays below this, so that the axes keep their places."""
-_SCANNER = (("X", "#c62828"), ("Y", "#1e7f4f"), ("Z", "#1f5fa8"))
+_SCANNER = (("X", "axis_x"), ("Y", "axis_y"), ("Z", "axis_z"))
 _BODY = ("forward", "port", "up")
 _HULL = np.array([[1.0, 0, 0], [0.55, 0.3, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0.55, -0.3, 0]])
 _VIEW_DEG = (-142.0, 26.0)
@@ -101,15 +101,16 @@ class Gizmo(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), QColor("#ffffff"))
+        painter.fillRect(self.rect(), QColor(theme.PAPER))
         painter.setPen(QPen(QColor(theme.ACCENT if self.hasFocus() else theme.BORDER)))
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
-        painter.setPen(QPen(QColor("#c5ced8")))
-        painter.setBrush(QColor("#eef2f6"))
+        painter.setPen(QPen(QColor(theme.EDGE)))
+        painter.setBrush(QColor(theme.HULL))
         painter.drawPolygon(QPolygonF([self._at(corner) for corner in _HULL]))
         # What is farther from the eye is drawn first.
         drawn = [
-            (1.2 * axis, "#8a96a3", word, 1.5) for axis, word in zip(np.eye(3), _BODY, strict=True)
+            (1.2 * axis, "body_axis", word, 1.5)
+            for axis, word in zip(np.eye(3), _BODY, strict=True)
         ]
         drawn += [
             (0.95 * axis, colour, letter, 3.0)
@@ -125,7 +126,7 @@ class Gizmo(QWidget):
     def _draw_axis(
         self, painter: QPainter, axis: np.ndarray, colour: str, word: str, width: float
     ) -> None:
-        pen = QPen(QColor(colour))
+        pen = QPen(theme.colour(colour))
         pen.setWidthF(width)
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         painter.setPen(pen)

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from lispac.adjustment.doubts import FLAT, Doubt, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.shown import component_shown, counted, mm, significance_words, surface_sigmas
+from lispac.gui import theme
 from lispac.gui.panels.adjust_parameters import KINDS
-from lispac.gui.theme import DONE, MUTED, WARNING
 
 ELSEWHERE = {
     "released": "Leave a sighting out if its points are of another surface.",
@@ -73,7 +73,9 @@ def verdict(
 def test_words(result: AdjustmentResult) -> str:
     """The chi-square test with its bounds, as rich text."""
     test = result.chi_square
-    word, colour, where = ("passed", DONE, "in") if test.passed else ("failed", WARNING, "not in")
+    word, colour, where = (
+        ("passed", theme.DONE, "in") if test.passed else ("failed", theme.WARNING, "not in")
+    )
     return (
         f'<b style="color:{colour}">{word}</b>: {test.statistic:.4g} {where} '
         f"[{test.lower:.4g}, {test.upper:.4g}]"
@@ -91,7 +93,7 @@ def parameter_rows(result: AdjustmentResult) -> str:
         rows.append(
             f"<tr><td>{kind.title}</td><td align='right' style='padding-left:14px'>"
             f"<b>{kind.text(estimate.value)}</b> ± {kind.text(estimate.sigma, signed=False)}"
-            f"</td></tr><tr><td colspan='2' align='right' style='color:{MUTED}'>"
+            f"</td></tr><tr><td colspan='2' align='right' style='color:{theme.MUTED}'>"
             f"prior {kind.text(estimate.prior)}, {significance_words(estimate)}</td></tr>"
         )
     return f"<table width='100%'>{''.join(rows)}</table>" if rows else ""

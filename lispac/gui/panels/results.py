@@ -266,7 +266,8 @@ def _write_row(table: QTableWidget, row: int, texts: Sequence[str], *, bold: boo
 
 
 def _heat(value: float) -> QColor:
-    """White at 0, blue towards +1, orange towards -1; black text stays readable on both."""
-    full = QColor("#7fb0e2") if value >= 0 else QColor("#f0b26b")
+    """Paper at 0, blue towards +1, orange towards -1; text stays readable on both."""
+    full = QColor(theme.POSITIVE if value >= 0 else theme.NEGATIVE)
     share = min(abs(value), 1.0)
-    return QColor(*(round(255 + share * (c - 255)) for c in full.getRgb()[:3]))
+    ends = zip(QColor(theme.PAPER).getRgb()[:3], full.getRgb()[:3], strict=True)
+    return QColor(*(round(none + share * (all_of - none)) for none, all_of in ends))

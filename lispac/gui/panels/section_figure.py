@@ -19,10 +19,11 @@ TEXT, SMALL = 9, 8
 TITLES = {"prior": "Before", "estimated": "After"}
 
 
+@theme.on_paper()
 def draw_section(
     cuts: Sequence[Cut], colours: Mapping[str, Colour], words: tuple[str, str], figure: Figure
 ) -> None:
-    """Draw cuts side by side with common limits.
+    """Draw cuts side by side with common limits, on paper: sections are saved and copied.
 
     Parameters
     ----------
@@ -60,7 +61,7 @@ def title(cut: Cut) -> str:
 
 
 def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
-    axes.set_facecolor("white")
+    axes.set_facecolor(theme.PAPER)
     total = sum(len(points) for points in cut.points.values())
     step = -(-total // MOST) or 1
     for line, points in cut.points.items():
@@ -73,7 +74,7 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
     axes.set_xlim(-half[0], half[0])
     axes.set_ylim(-half[1], half[1])
     axes.set_aspect("equal", adjustable="box")
-    axes.grid(color="#e4e9ed", linewidth=0.6)
+    axes.grid(color=theme.GRID, linewidth=0.6)
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
     axes.spines[:].set_color(theme.MUTED)
@@ -93,7 +94,7 @@ def _bar(axes: Axes, extent: Array) -> None:
     axes.annotate(
         say(length_text(metres)), (left, low), xytext=(0, 4), textcoords="offset points",
         fontsize=SMALL, color=theme.TEXT,
-        bbox={"facecolor": "white", "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
+        bbox={"facecolor": theme.PAPER, "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
     )  # fmt: skip
 
 

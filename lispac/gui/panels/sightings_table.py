@@ -193,7 +193,7 @@ class SightingsModel(QAbstractTableModel):
         if role == Role.CheckStateRole:
             return Qt.CheckState.Checked if sighting.used else Qt.CheckState.Unchecked
         if role == Role.ForegroundRole and not used:
-            return QBrush(QColor("#93a0ac"))
+            return QBrush(QColor(theme.DISABLED))
         if role == Role.ToolTipRole:
             return self._tip(target, sighting)
         return None
@@ -329,7 +329,7 @@ def _of_missing(target: Target, line: str, role: int) -> Any:
     if role == Role.DisplayRole:
         return "–"
     if role == Role.ForegroundRole:
-        return QBrush(QColor("#93a0ac"))
+        return QBrush(QColor(theme.DISABLED))
     if role == Role.ToolTipRole:
         reason = target.missing.get(line, "not sought on this line")
         return (

@@ -60,7 +60,7 @@ def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool
     if primary:
         made.setProperty("primary", True)
     if icon:
-        made.setIcon(theme.icon(icon, "#ffffff" if primary else theme.TEXT))
+        made.setIcon(theme.icon(icon, theme.ON_FILL if primary else ""))
         made.setIconSize(QSize(16, 16))
     return made
 

@@ -19,10 +19,10 @@ from lispac.gui.status import STEPS, State, StepStatus
 
 _HEIGHT = 46
 _GLYPHS: dict[State, tuple[str, str, str]] = {
-    "empty": ("circle-outline", "#9aa6b2", "not yet"),
-    "todo": ("circle-slice-4", theme.ACCENT, "to do"),
-    "done": ("check-circle", theme.DONE, "done"),
-    "warning": ("alert-circle", theme.WARNING, "look at this"),
+    "empty": ("circle-outline", "waiting", "not yet"),
+    "todo": ("circle-slice-4", "accent", "to do"),
+    "done": ("check-circle", "done", "done"),
+    "warning": ("alert-circle", "warning", "look at this"),
 }
 
 
@@ -94,7 +94,7 @@ class _Header(QPushButton):
 
     def show_status(self, status: StepStatus) -> None:
         glyph, colour, word = _GLYPHS[status.state]
-        self._glyph.setPixmap(theme.icon(glyph, colour).pixmap(18, 18))
+        self._glyph.setPixmap(theme.icon(glyph, theme.colour(colour).name()).pixmap(18, 18))
         self.sentence.setText(say(status.sentence))
         self.setAccessibleName(say(f"{self._title}: {status.sentence}"))
         self.setToolTip(say(f"{self._title}: {status.sentence} ({word})"))

@@ -20,7 +20,9 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from lispac.gui import theme
 from lispac.gui.language import say
+from lispac.gui.schemes import LIGHT
 from lispac.gui.viewport.base import Marker, Shading
 from lispac.gui.viewport.camera import Camera, Size
 
@@ -28,11 +30,8 @@ EMPTY_TITLE = "Nothing loaded yet"
 EMPTY_HINT = "Open or make a project to see its lines here"
 HELP = "Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+click: set a seed"
 
-INK = QColor(38, 50, 56)
-FAINT = QColor(96, 110, 120)
-PAPER = QColor(255, 255, 255, 225)
-NOTE = QColor(255, 236, 170, 235)
-AXES = (("N", QColor(200, 60, 45)), ("W", QColor(30, 130, 76)), ("U", QColor(40, 90, 190)))
+AXES = (("N", "axis_x"), ("W", "axis_y"), ("U", "axis_z"))
+"""Their colours in the scheme."""
 
 MARGIN = 14.0
 
@@ -100,11 +99,11 @@ class Overlay(QWidget):
         middle = QRectF(self.rect()).center()
         width = float(self.width())
         painter.setFont(_scaled(self.font(), 1.5))
-        painter.setPen(INK)
+        painter.setPen(QColor(theme.TEXT))
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
         painter.drawText(QRectF(0.0, middle.y() - 60.0, width, 56.0), flags, say(EMPTY_TITLE))
         painter.setFont(_scaled(self.font(), 1.1))
-        painter.setPen(FAINT)
+        painter.setPen(QColor(theme.MUTED))
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
         painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, say(EMPTY_HINT))
 
@@ -132,7 +131,7 @@ class Overlay(QWidget):
     def _paint_axes(self, painter: QPainter, camera: Camera) -> None:
         centre = QPointF(MARGIN + 42.0, self.height() - MARGIN - 42.0)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(255, 255, 255, 205))
+        painter.setBrush(theme.colour("paper", 0.8))
         painter.drawEllipse(centre, 44.0, 44.0)
         seen = camera.axes  # columns: how north, west and up look
         font = _scaled(self.font(), 0.95)
@@ -142,7 +141,7 @@ class Overlay(QWidget):
             name, colour = AXES[k]
             tip = centre + QPointF(seen[0, k], -seen[1, k]) * 28.0
             letter = centre + QPointF(seen[0, k], -seen[1, k]) * 36.0
-            pen = QPen(colour, 2.4)
+            pen = QPen(theme.colour(colour), 2.4)
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             painter.setPen(pen)
             painter.drawLine(centre, tip)
@@ -155,11 +154,11 @@ class Overlay(QWidget):
         right, base = self.width() - MARGIN - 4.0, self.height() - MARGIN - 6.0
         left = right - pixels
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(255, 255, 255, 215))
+        painter.setBrush(theme.colour("paper", 0.85))
         painter.drawRoundedRect(QRectF(left - 10.0, base - 28.0, pixels + 20.0, 38.0), 8.0, 8.0)
         painter.setFont(_scaled(self.font(), 0.95))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(INK, 1.6))
+        painter.setPen(QPen(QColor(theme.TEXT), 1.6))
         painter.drawPolyline(
             [
                 QPointF(left, base - 6.0),
@@ -187,7 +186,7 @@ class Overlay(QWidget):
         box = self.legend(shading)
         width = box.width() - 24.0
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(PAPER)
+        painter.setBrush(theme.colour("paper", 0.88))
         painter.drawRoundedRect(box, 8.0, 8.0)
         bar = QRectF(box.left() + 12.0, box.top() + 28.0, width, 12.0)
         gradient = QLinearGradient(bar.topLeft(), bar.topRight())
@@ -195,7 +194,7 @@ class Overlay(QWidget):
             red, green, blue = shading.scale[round(share * (len(shading.scale) - 1))].tolist()
             gradient.setColorAt(float(share), QColor(red, green, blue))
         painter.fillRect(bar, gradient)
-        painter.setPen(INK)
+        painter.setPen(QColor(theme.TEXT))
         text = QRectF(bar.left(), box.top() + 6.0, width, 18.0)
         painter.drawText(text, Qt.AlignmentFlag.AlignLeft, say(shading.title))
         text.moveTop(bar.bottom() + 3.0)
@@ -217,9 +216,11 @@ class Overlay(QWidget):
             top = MARGIN if self.hint else self.height() - MARGIN - 22.0
             box = QRectF(middle - 0.5 * width, top, width, 22.0)
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(NOTE if self.hint else QColor(255, 255, 255, 215))
+            painter.setBrush(
+                theme.colour("note", 0.92) if self.hint else theme.colour("paper", 0.85)
+            )
             painter.drawRoundedRect(box, 11.0, 11.0)
-            painter.setPen(INK if self.hint else FAINT)
+            painter.setPen(QColor(theme.TEXT if self.hint else theme.MUTED))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
@@ -267,22 +268,22 @@ def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker)
         box.left() + 2.0 if box.left() > spot.x() else box.right() - 2.0,
         box.bottom() if box.bottom() < spot.y() else box.top(),
     )
-    painter.setPen(QPen(QColor(255, 255, 255, 220), 3.5))
+    painter.setPen(QPen(theme.colour("paper", 0.86), 3.5))
     painter.drawLine(spot, label)
     painter.setPen(QPen(colour.darker(130), 1.5))
     painter.drawLine(spot, label)
     # A dark and a light ring tell the dot from points of its own colour.
-    painter.setPen(QPen(INK, 4.2))
+    painter.setPen(QPen(QColor(LIGHT.text), 4.2))
     painter.drawEllipse(spot, 5.0, 5.0)
-    painter.setPen(QPen(QColor(255, 255, 255), 1.8))
+    painter.setPen(QPen(QColor(LIGHT.paper), 1.8))
     painter.setBrush(colour)
     painter.drawEllipse(spot, 5.0, 5.0)
     if not marker.label:
         return
     painter.setPen(QPen(colour.darker(115), 1.3))
-    painter.setBrush(PAPER)
+    painter.setBrush(theme.colour("paper", 0.88))
     painter.drawRoundedRect(box, 4.0, 4.0)
-    painter.setPen(INK)
+    painter.setPen(QColor(theme.TEXT))
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, marker.label)
 
 

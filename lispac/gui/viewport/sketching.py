@@ -6,11 +6,12 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
+from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.navigation import SNAP, Navigator
-from lispac.gui.viewport.overlay import INK, PAPER, Overlay
+from lispac.gui.viewport.overlay import Overlay
 from lispac.gui.viewport.picking import pick
 
 REACH = 9.0
@@ -197,17 +198,17 @@ class Sketching(QObject):
         if self._divides:
             _paint_division(painter, self.share * size.width, size)
         if len(self._outline) > 1:
-            painter.setBrush(QColor(255, 196, 0, 45))
-            painter.setPen(QPen(INK, 1.4, Qt.PenStyle.DashLine))
+            painter.setBrush(QColor(*theme.CANDIDATE_COLOUR, 45))
+            painter.setPen(QPen(QColor(theme.TEXT), 1.4, Qt.PenStyle.DashLine))
             painter.drawPolygon(QPolygonF(self._outline))
 
 
 def _paint_division(painter: QPainter, x: float, size: Size) -> None:
-    painter.setPen(QPen(QColor(255, 255, 255, 230), 5.0))
+    painter.setPen(QPen(theme.colour("paper", 0.9), 5.0))
     painter.drawLine(QPointF(x, 0.0), QPointF(x, size.height))
-    painter.setPen(QPen(INK, 1.6))
+    painter.setPen(QPen(QColor(theme.TEXT), 1.6))
     painter.drawLine(QPointF(x, 0.0), QPointF(x, size.height))
-    painter.setBrush(PAPER)
+    painter.setBrush(theme.colour("paper", 0.88))
     painter.drawEllipse(QPointF(x, 0.5 * size.height), 7.0, 7.0)
     metrics = QFontMetricsF(painter.font())
     for words, sign in (("Before", -1), ("After", 1)):
@@ -216,7 +217,7 @@ def _paint_division(painter: QPainter, x: float, size: Size) -> None:
         box = QRectF(x + (8.0 if sign > 0 else -8.0 - width), 44.0, width, 24.0)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.drawRoundedRect(box, 4.0, 4.0)
-        painter.setPen(INK)
+        painter.setPen(QColor(theme.TEXT))
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
@@ -226,7 +227,7 @@ def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     if sketch.points:
         spots = camera.project(np.array(sketch.points), size)
-        for pen in (QPen(QColor(255, 255, 255, 220), 4.0), QPen(colour, 2.0)):
+        for pen in (QPen(theme.colour("paper", 0.86), 4.0), QPen(colour, 2.0)):
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             painter.setPen(pen)
             for a, b in sketch.edges:
@@ -244,7 +245,7 @@ def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size)
 
 
 def _paint_dots(painter: QPainter, spots: Array, colour: QColor, radius: float) -> None:
-    painter.setPen(QPen(INK, 1.4))
+    painter.setPen(QPen(QColor(theme.TEXT), 1.4))
     painter.setBrush(colour)
     for x, y, _ in spots:
         if np.isfinite(x) and abs(x) < 1e5 and abs(y) < 1e5:
@@ -262,8 +263,8 @@ def _paint_words(painter: QPainter, words: str, spot: QPointF, colour: QColor, s
     x = min(max(spot.x() + 14.0, 4.0), max(size.width - width - 4.0, 4.0))
     y = min(max(spot.y() - height - 10.0, BELOW_HINT), max(size.height - height - 4.0, 4.0))
     painter.setPen(QPen(colour.darker(115), 1.3))
-    painter.setBrush(PAPER)
+    painter.setBrush(theme.colour("paper", 0.88))
     painter.drawRoundedRect(QRectF(x, y, width, height), 4.0, 4.0)
-    painter.setPen(INK)
+    painter.setPen(QColor(theme.TEXT))
     text = QRectF(x + 8.0, y + 4.0, width - 16.0, height - 8.0)
     painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)

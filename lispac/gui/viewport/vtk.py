@@ -16,6 +16,7 @@ from pyvistaqt import QtInteractor
 
 from lispac.errors import InputError
 from lispac.geometry.neighbours import points_within
+from lispac.gui import theme
 from lispac.gui.viewport.actors import aim, half_space, place_half
 from lispac.gui.viewport.base import (
     Array,
@@ -36,9 +37,6 @@ from lispac.gui.viewport.navigation import Navigator
 from lispac.gui.viewport.overlay import Stage
 from lispac.gui.viewport.pace import SLICES, Pace
 from lispac.gui.viewport.sketching import Sketching
-
-SKY = (0.99, 0.995, 1.0)
-GROUND = (0.86, 0.885, 0.905)
 
 REST_MS = 180
 """Stillness after which the detail is drawn."""
@@ -66,8 +64,8 @@ class VtkViewport:
         self._stage.put(self.canvas)
         self._overlay = self._stage.overlay
         self._renderer = self.canvas.renderer
-        self._renderer.SetBackground(*GROUND)
-        self._renderer.SetBackground2(*SKY)
+        self._renderer.SetBackground(*theme.colour("ground").getRgbF()[:3])
+        self._renderer.SetBackground2(*theme.colour("sky").getRgbF()[:3])
         self._renderer.GradientBackgroundOn()
 
         self._layer = Layer(self._renderer)

@@ -18,8 +18,6 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake import Intake
 
 Array = NDArray[np.float64]
-COLOURS = ("#0072b2", "#d55e00", "#009e73")
-"""Okabe and Ito's blue, vermilion and green."""
 STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
 """Two of the same value, as north and east often are, stay visible."""
 TEXT, SMALL = 9, 8
@@ -109,7 +107,7 @@ def track(quality: Quality, figure: Figure) -> None:
     gap = 2.0 * step * float(np.median(np.diff(path.time[:1000])))
     wide = np.flatnonzero(np.diff(path.time) > quality.longest_gap) + 1
     every = np.unique(np.concatenate([np.arange(0, len(path.time), step), wide, wide - 1]))
-    plotted(every, color="#9aa5b0", linewidth=1.2, label=say("Trajectory"))
+    plotted(every, color=theme.WAITING, linewidth=1.2, label=say("Trajectory"))
     for k, (name, start, end, colour) in enumerate(quality.lines):
         # Lines of one course lie over each other: the earlier ones are wider and show beside.
         width = min(3 + 1.8 * (len(quality.lines) - 1 - k), 12)
@@ -123,7 +121,7 @@ def track(quality: Quality, figure: Figure) -> None:
     axes.set_aspect("equal", adjustable="datalim")
     axes.set_xlabel(say("East, m"), fontsize=TEXT)
     axes.set_ylabel(say("North, m"), fontsize=TEXT)
-    axes.grid(color="#e6eaee", linewidth=0.8)
+    axes.grid(color=theme.GRID, linewidth=0.8)
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="center left",
                 bbox_to_anchor=(1.01, 0.5))  # fmt: skip
 
@@ -160,7 +158,7 @@ def _axes(quality: Quality, figure: Figure, count: int) -> Sequence[Axes]:
     all_axes = list(np.atleast_1d(figure.subplots(count, 1, sharex=True)))
     for axes in all_axes:
         _dress(axes)
-        axes.grid(axis="y", color="#e6eaee", linewidth=0.8)
+        axes.grid(axis="y", color=theme.GRID, linewidth=0.8)
         for _, start, end, colour in quality.lines:
             axes.axvspan(start, end, color=colour, alpha=0.16, linewidth=0)
     start, end = float(quality.track.time[0]), float(quality.track.time[-1])
@@ -187,7 +185,9 @@ def _draw(axes: Axes, quality: Quality, time: Array, values: Array, k: int, name
     shown = envelope(time, values, longest_gap=max(quality.longest_gap, _usual_step(time)))
     # Dashes mean nothing, and take long to draw, where a line runs up and down in each column.
     style = STYLES[k] if len(shown[0]) >= len(time) else "-"
-    axes.plot(*shown, color=COLOURS[k], linestyle=style, linewidth=1.2, label=say(name))
+    axes.plot(
+        *shown, color=theme.scheme().series[k], linestyle=style, linewidth=1.2, label=say(name)
+    )
 
 
 def _usual_step(time: Array) -> float:
@@ -205,7 +205,7 @@ def _plain(name: str) -> str:
 
 
 def _dress(axes: Axes) -> None:
-    axes.set_facecolor("white")
+    axes.set_facecolor(theme.PAPER)
     axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["left", "bottom"]].set_color(theme.MUTED)

@@ -90,7 +90,7 @@ class QualityPage(QWidget):
         from lispac.gui.dialogs.import_files.quality_figures import PAGES, Quality
 
         if self.canvas is None:
-            self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+            self.canvas = FigureCanvasQTAgg(Figure(layout="constrained", facecolor=theme.PAPER))
             self.canvas.setObjectName("quality_canvas")
             self.canvas.setMinimumSize(300, 180)
             self._layout.addWidget(self.canvas, 1)

@@ -11,9 +11,9 @@ from lispac.gui.panels import widgets
 from lispac.workflow.intake_remarks import Remark, Remedy
 
 _MARKS = {
-    "error": ("close-octagon-outline", theme.ERROR, "Error"),
-    "doubt": ("alert-outline", theme.WARNING, "Doubt"),
-    "note": ("information-outline", theme.MUTED, "Note"),
+    "error": ("close-octagon-outline", "error", "Error"),
+    "doubt": ("alert-outline", "warning", "Doubt"),
+    "note": ("information-outline", "muted", "Note"),
 }
 TALLEST = 150
 
@@ -53,7 +53,7 @@ class RemarksView(QScrollArea):
                 row.hide()
                 row.deleteLater()
         if not remarks and fine:
-            self._put(_row("check-circle-outline", theme.DONE, "Fine", fine)[0])
+            self._put(_row("check-circle-outline", "done", "Fine", fine)[0])
         for place, remark in enumerate(remarks):
             row, layout = _row(*_MARKS[remark.level], remark.text)
             for remedy in remark.remedies:
@@ -96,7 +96,8 @@ class RemarksView(QScrollArea):
         )
 
 
-def _row(icon: str, colour: str, word: str, text: str) -> tuple[QWidget, QHBoxLayout]:
+def _row(icon: str, kind: str, word: str, text: str) -> tuple[QWidget, QHBoxLayout]:
+    colour = theme.colour(kind).name()
     row = QWidget()
     layout = QHBoxLayout(row)
     layout.setContentsMargins(0, 1, 0, 1)

@@ -171,7 +171,7 @@ class TimelineView(QWidget):
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), QColor("white"))
+        painter.fillRect(self.rect(), QColor(theme.PAPER))
         if not self.bars:
             painter.setPen(QColor(theme.MUTED))
             text = "Add the trajectory and the lines: their times appear here."
@@ -199,7 +199,7 @@ class TimelineView(QWidget):
         fine = len(ticks) > 1 and ticks[1] - ticks[0] < 1
         painter.setFont(theme.tabular(self.font()))
         for tick in ticks:
-            painter.setPen(QColor("#e6eaee"))
+            painter.setPen(QColor(theme.GRID))
             painter.drawLine(QPointF(x(tick), TOP), QPointF(x(tick), bottom + 4))
             painter.setPen(QColor(theme.TEXT))
             text = f"{tick:,.{2 if fine else 0}f}"
@@ -212,7 +212,7 @@ class TimelineView(QWidget):
     def _draw_bar(self, painter: QPainter, bar: Bar, top: int, x, width: int) -> None:
         middle = Qt.AlignmentFlag.AlignVCenter
         if bar.path == self._current:
-            painter.fillRect(QRectF(0, top, self.width(), ROW), QColor("#e3edf8"))
+            painter.fillRect(QRectF(0, top, self.width(), ROW), QColor(theme.CURRENT))
         painter.setPen(QColor(theme.TEXT))
         name = self.fontMetrics().elidedText(
             say(bar.name), Qt.TextElideMode.ElideMiddle, NAMES - 24
@@ -234,14 +234,14 @@ class TimelineView(QWidget):
             if b <= a:
                 continue
             hole = QRectF(a, top + 5, b - a, ROW - 10)
-            painter.fillRect(hole, QColor("white"))
+            painter.fillRect(hole, QColor(theme.PAPER))
             painter.fillRect(hole, _hatch())
             painter.setPen(QPen(QColor(theme.ERROR), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(hole)
             text = say(f"gap {last - first:,.1f} s")
             if not bar.is_line and self.fontMetrics().horizontalAdvance(text) + 8 < b - a:
-                painter.fillRect(hole.adjusted(2, 2, -2, -2), QColor("white"))
+                painter.fillRect(hole.adjusted(2, 2, -2, -2), QColor(theme.PAPER))
                 painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, text)
 
     def _draw_far(self, painter: QPainter, bar: Bar, top: int, edge: float) -> None:
@@ -264,4 +264,4 @@ class TimelineView(QWidget):
 
 
 def _hatch() -> QBrush:
-    return QBrush(QColor("#e4a7a2"), Qt.BrushStyle.BDiagPattern)
+    return QBrush(QColor(theme.HATCH), Qt.BrushStyle.BDiagPattern)

@@ -38,7 +38,7 @@ class TimelinePage(QWidget):
         area.setFrameShape(QFrame.Shape.StyledPanel)
         area.setAlignment(Qt.AlignmentFlag.AlignTop)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        area.setStyleSheet("QScrollArea { background: white; }")
+        area.setStyleSheet(f"QScrollArea {{ background: {theme.PAPER}; }}")
         area.setWidget(self.view)
         layout.addWidget(area, 1)
         bottom = QHBoxLayout()

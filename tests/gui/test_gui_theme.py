@@ -1,0 +1,241 @@
+"""The window light and dark: chosen in the menu, or as the system is."""
+
+from collections.abc import Iterator
+from itertools import pairwise, product
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.dialogs.about import about_box
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.schemes import DARK, LIGHT, Scheme, luminance
+from lispac.gui.session import LATER_MS, Session
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.recording import RecordingViewport
+from tests.gui.support import Demo, ScriptedDialogs
+from tests.gui.test_gui_language import SOON_MS, choose, open_menu
+
+Scheming = Qt.ColorScheme
+BOTH = pytest.mark.parametrize("scheme", [LIGHT, DARK], ids=lambda scheme: scheme.name)
+
+
+def contrast(one: str, other: str) -> float:
+    """The ratio of WCAG 2.2, 1 to 21."""
+    low, high = sorted((luminance(one), luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+# -- colours -----------------------------------------------------------------------------------
+
+
+def test_luminance_is_that_of_the_standard() -> None:
+    assert contrast("#000000", "#ffffff") == pytest.approx(21.0)
+    # A pair that WCAG's own examples give as just enough.
+    assert contrast("#767676", "#ffffff") == pytest.approx(4.54, abs=0.005)
+
+
+@BOTH
+def test_words_are_read_on_every_ground(scheme: Scheme) -> None:
+    grounds = ("window", "paper", "bar", "alternate", "header")
+    words = ("text", "muted", "placeholder", "accent", "done", "warning", "error")
+    pairs = [
+        *product(words, grounds),
+        *product(("text", "muted"), ("title", "hover", "current", "candidate_ground")),
+        ("text", "chosen"), ("text", "pressed"), ("text", "note"), ("text", "wrong_ground"),
+        ("text", "progress"), ("text", "positive"), ("text", "negative"),
+        ("on_chosen", "chosen"), ("on_fill", "fill"), ("on_fill", "fill_hover"),
+        ("warning_text", "warning_ground"), ("hint_text", "hint_ground"),
+    ]  # fmt: skip
+    ratios = {pair: contrast(getattr(scheme, pair[0]), getattr(scheme, pair[1])) for pair in pairs}
+    assert {pair: ratio for pair, ratio in ratios.items() if ratio < 4.5} == {}
+
+
+@BOTH
+def test_focus_frames_and_marks_stand_out(scheme: Scheme) -> None:
+    pairs = [
+        *product(("accent", "frame", "doubtful", "waiting"), ("window", "paper", "bar")),
+        ("accent", "current"), ("fill", "paper"), ("fill_edge", "window"),
+        *product(("axis_x", "axis_y", "axis_z", "body_axis", "wall", "moved"), ("paper",)),
+        *product(("before", "after"), ("paper", "ground", "sky")),
+    ]  # fmt: skip
+    ratios = {pair: contrast(getattr(scheme, pair[0]), getattr(scheme, pair[1])) for pair in pairs}
+    ratios |= {(each, "paper"): contrast(each, scheme.paper) for each in scheme.series}
+    assert {pair: ratio for pair, ratio in ratios.items() if ratio < 3.0} == {}
+
+
+@BOTH
+@pytest.mark.parametrize("blind", ["protan", "deutan"])
+def test_the_colour_blind_tell_neighbouring_lines_apart(scheme: Scheme, blind: str) -> None:
+    colours = [seen(colour, blind) for colour in scheme.lines]
+    apart = [float(np.linalg.norm(one - other)) for one, other in pairwise(colours)]
+    assert min(apart) > AT_A_GLANCE
+
+
+AT_A_GLANCE = 10.0
+"""CIE 1976 difference that is seen at a glance; about 2.3 is just noticed."""
+BLIND = {
+    "protan": [
+        [0.152286, 1.052583, -0.204868],
+        [0.114503, 0.786281, 0.099216],
+        [-0.003882, -0.048116, 1.051998],
+    ],
+    "deutan": [
+        [0.367322, 0.860646, -0.227968],
+        [0.280085, 0.672501, 0.047413],
+        [-0.011820, 0.042940, 0.968881],
+    ],
+}
+"""Machado, Oliveira and Fernandes (2009), severity 1, on linear RGB."""
+XYZ = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
+WHITE = [0.9505, 1.0, 1.089]
+
+
+def seen(colour: tuple[int, int, int], blind: str) -> np.ndarray:
+    """L*, a*, b* of a colour as a colour-blind person sees it."""
+    linear = [luminance(f"#{value:02x}{value:02x}{value:02x}") for value in colour]
+    mixed = np.clip(np.array(BLIND[blind]) @ linear, 0.0, 1.0)
+    share = np.array(XYZ) @ mixed / WHITE
+    x, y, z = np.where(share > 0.008856, np.cbrt(share), 7.787 * share + 16 / 116)
+    return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
+
+
+@BOTH
+def test_a_palette_leaves_nothing_to_the_system(scheme: Scheme) -> None:
+    from lispac.gui.style import palette
+
+    made = palette(scheme)
+    roles = [role for role in QPalette.ColorRole if role.name not in ("NoRole", "NColorRoles")]
+    assert [r for r in roles if not made.isBrushSet(QPalette.ColorGroup.Active, r)] == []
+
+
+def test_names_of_colours_are_those_of_the_scheme_in_use() -> None:
+    assert theme.scheme().muted == theme.MUTED
+    with theme.on_paper():
+        assert theme.PAPER == "#ffffff"
+    with pytest.raises(AttributeError, match="NO_COLOUR"):
+        _ = theme.NO_COLOUR
+
+
+# -- the window --------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
+    """A program with a light window."""
+    settings = AppSettings(tmp_path / "settings.ini")
+    settings.language, settings.theme = "en", "light"
+    made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
+    qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
+    yield made
+    made.window.retire()
+    made.window.deleteLater()
+    made.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    theme.apply_theme(qapp)
+
+
+def change(session: Session, bot: QtBot, *names: str) -> None:
+    """Choose in the menu, and wait for the other window."""
+    former = session.window
+    choose(bot, open_menu(bot, former, "View"), "heme", *names)
+    bot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
+    bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
+
+
+def test_dark_and_light_are_chosen_and_nothing_is_lost(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
+    session.window.document.open(demo.picked, demo.survey)
+    session.window.controller.rename("T1", "North wall")
+    edited = session.window.document.project
+    change(session, qtbot, "Dark")
+    dark = session.window
+    assert theme.scheme() is DARK
+    assert dark.settings.theme == "dark"
+    assert dark.actions_["theme_dark"].isChecked()
+    assert dark.document.project is edited
+    assert dark.document.undo_stack.canUndo()
+    assert ground(dark).lightnessF() < 0.2
+    change(session, qtbot, "Light")
+    assert theme.scheme() is LIGHT
+    assert ground(session.window).lightnessF() > 0.9
+    assert AppSettings(Path(session.window.settings._store.fileName())).theme == "light"
+
+
+def ground(widget: QWidget) -> QColor:
+    """What is painted in a lower corner of a window: its status bar."""
+    picture = widget.grab().toImage()
+    return picture.pixelColor(picture.width() // 2, picture.height() - 6)
+
+
+def test_the_window_follows_the_system(
+    session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    change(session, qtbot, "As the system")
+    window, other = session.window, not theme.scheme().dark
+    # What the window system does where it has looks of its own, which a virtual screen has not.
+    monkeypatch.setattr(theme, "system_is_dark", lambda _application: other)
+    told = qapp.styleHints().colorSchemeChanged
+    menu = open_menu(qtbot, window, "File")
+    told.emit(Scheming.Dark if other else Scheming.Light)
+    qtbot.wait(3 * LATER_MS)
+    assert session.window is window  # nothing goes from under an open menu or dialogue
+    menu.close()
+    qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
+    assert theme.scheme() is (DARK if other else LIGHT)
+
+
+def test_a_chosen_look_does_not_follow_the_system(
+    session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = session.window
+    monkeypatch.setattr(theme, "system_is_dark", lambda _application: True)
+    qapp.styleHints().colorSchemeChanged.emit(Scheming.Dark)
+    qtbot.wait(3 * LATER_MS)
+    assert session.window is window
+    assert theme.scheme() is LIGHT
+
+
+@pytest.mark.parametrize("choice", ["light", "dark"])
+def test_words_stand_out_from_what_they_are_on(
+    session: Session, qtbot: QtBot, demo: Demo, estimated, choice: str
+) -> None:
+    session.window.document.open(estimated, demo.survey)
+    if choice == "dark":
+        change(session, qtbot, "Dark")
+    window = session.window
+    window.settings.theme = choice
+    box, dialog = about_box(window), ImportDialog(window.settings, window)
+    for each in (window, box, dialog):
+        each.ensurePolished()
+        assert faint(each) == []
+    for each in (box, dialog):
+        assert isinstance(each, QDialog)
+        each.deleteLater()
+
+
+def faint(window: QWidget) -> list[str]:
+    """Widgets whose words are not read on their ground, by their palettes."""
+    found = []
+    for widget in (window, *window.findChildren(QWidget)):
+        if isinstance(widget, QMenu) and not widget.actions():
+            continue
+        colours = widget.palette()
+        for words, on in (("WindowText", "Base"), ("Text", "Base"), ("ButtonText", "Button"),
+                          ("HighlightedText", "Highlight"), ("ToolTipText", "ToolTipBase"),
+                          ("PlaceholderText", "Base")):  # fmt: skip
+            role = QPalette.ColorRole
+            group = QPalette.ColorGroup.Active
+            text = colours.color(group, role[words]).name()
+            below = colours.color(group, role[on]).name()
+            # What is see-through shows its parent, which is looked at as well.
+            if colours.color(group, role[on]).alpha() and contrast(text, below) < 4.5:
+                kind = type(widget).__name__
+                found.append(f"{kind} {widget.objectName()}: {words} {text} on {below}")
+    return found
