@@ -48,7 +48,7 @@ class Session(QObject):
         self.window = self._made(None)
         self._later = QTimer(self, singleShot=True, interval=LATER_MS)
         self._later.timeout.connect(self._follow_system)
-        application.styleHints().colorSchemeChanged.connect(lambda _looks: self._later.start())
+        application.styleHints().colorSchemeChanged.connect(self._wait_a_little)
 
     def _made(self, former: MainWindow | None) -> MainWindow:
         speak(self._settings.language)
@@ -82,6 +82,9 @@ class Session(QObject):
 
     def _show_error(self, error: BaseException) -> None:
         self.window.dialogs.show_error(error)
+
+    def _wait_a_little(self, _looks: Qt.ColorScheme) -> None:
+        self._later.start()
 
     def _follow_system(self) -> None:
         """Dress as the system does now; not under a dialogue or the window of a site's design."""

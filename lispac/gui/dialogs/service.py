@@ -290,7 +290,6 @@ class Dialogs(Questions):
         dialog.exec()
         dialog.deleteLater()
 
-    @staticmethod
     def about(self) -> None:
         """Say what the program is."""
         box = about_box(self.parent)
