@@ -71,22 +71,34 @@ class Photographer:
 
     def everything(self, looks: tuple[str, ...], languages: tuple[str, ...]) -> None:
         """All pictures."""
+        for look in looks:
+            for language in languages:
+                self._dress(look, language)
+                for size in SIZES:
+                    self._resize(look, language, size)
+                    self.take(self.window, "start")
         self.window.open_project(self._project)
         self.rest(2.0)
         for look in looks:
             for language in languages:
-                self._settings.theme, self._settings.language = look, language
-                former = self.window
-                self.window.renew()
-                while self.window is former:
-                    self.rest(0.1)
-                for width, height in SIZES:
-                    self._prefix = f"{look}-{language}-{width}x{height}"
-                    self.window.setGeometry(0, 0, width, height)
+                self._dress(look, language)
+                for size in SIZES:
+                    self._resize(look, language, size)
                     self.panels()
                 self._prefix = f"{look}-{language}"
                 self.dialogues()
                 self.design()
+
+    def _dress(self, look: str, language: str) -> None:
+        self._settings.theme, self._settings.language = look, language
+        former = self.window
+        self.window.renew()
+        while self.window is former:
+            self.rest(0.1)
+
+    def _resize(self, look: str, language: str, size: tuple[int, int]) -> None:
+        self._prefix = f"{look}-{language}-{size[0]}x{size[1]}"
+        self.window.setGeometry(0, 0, *size)
 
     def panels(self) -> None:
         """Every step and every dock."""

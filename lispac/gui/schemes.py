@@ -19,7 +19,7 @@ class Scheme:
     text, muted, placeholder : words on each of these grounds
     disabled, disabled_ground, disabled_fill, disabled_icon
         What cannot be used now; it need not stand out.
-    accent : what is chosen, active or in focus, as a line or as words
+    accent, on_accent : what is chosen, active or in focus, as a line or as words
     fill, fill_hover, on_fill : the main button and selected text
     done, warning, error, doubtful : judgements; each comes with a shape or a word as well
     before, after : of a calibration
@@ -45,6 +45,7 @@ class Scheme:
     disabled_fill: str
     disabled_icon: str
     accent: str
+    on_accent: str
     fill: str
     fill_hover: str
     fill_edge: str
@@ -127,6 +128,7 @@ LIGHT = Scheme(
     disabled_fill="#c3d0de",
     disabled_icon="#a9b3bd",
     accent="#1f5fa8",
+    on_accent="#ffffff",
     fill="#1f5fa8",
     fill_hover="#2a6fbd",
     fill_edge="#0b325f",
@@ -209,6 +211,7 @@ DARK = Scheme(
     disabled_fill="#37424e",
     disabled_icon="#5c6874",
     accent="#6cb0f5",
+    on_accent="#0e1317",
     fill="#2a71c0",
     fill_hover="#2f74c1",
     fill_edge="#cfe4fb",

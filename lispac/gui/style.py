@@ -23,7 +23,7 @@ def palette(scheme: Scheme) -> QPalette:
         role.ToolTipText: scheme.text,
         role.Highlight: scheme.fill,
         role.HighlightedText: scheme.on_fill,
-        role.Accent: scheme.fill,
+        role.Accent: scheme.accent,
         role.Link: scheme.accent,
         role.LinkVisited: scheme.accent,
         role.PlaceholderText: scheme.placeholder,
@@ -50,11 +50,16 @@ FRAMED = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboB
 def framed(scheme: Scheme) -> QPalette:
     """The palette of `FRAMED`.
 
-    Fusion draws their frames darker than the window by 1.4, which nobody sees on a dark one. They
-    do not paint the window's colour otherwise.
+    Fusion draws their frames darker than the window by 1.4, and darker than the highlight by 1.25
+    where they have the focus, which nobody sees on a dark window. They do not paint the window's
+    colour otherwise.
     """
     made = palette(scheme)
-    made.setColor(QPalette.ColorRole.Window, QColor(scheme.frame).lighter(140))
+    group, role = QPalette.ColorGroup, QPalette.ColorRole
+    made.setColor(role.Window, QColor(scheme.frame).lighter(140))
+    for which in (group.Active, group.Inactive):
+        made.setColor(which, role.Highlight, QColor(scheme.accent))
+        made.setColor(which, role.HighlightedText, QColor(scheme.on_accent))
     return made
 
 
@@ -81,7 +86,8 @@ QPushButton {{ padding: 5px 12px; border: 1px solid {s.edge}; border-radius: 5px
     background: {s.paper}; color: {s.text}; }}
 QPushButton:hover {{ background: {s.hover}; border-color: {s.edge_strong}; }}
 QPushButton:pressed {{ background: {s.pressed}; }}
-QPushButton:focus {{ border: 2px solid {s.accent}; padding: 4px 11px; }}
+QPushButton:focus {{ border: 2px solid {s.accent}; padding: 4px 11px;
+    outline: none; }}
 QPushButton:disabled {{ background: {s.disabled_ground}; border-color: {s.border};
     color: {s.disabled}; }}
 QPushButton[primary="true"] {{ background: {s.fill}; border-color: {s.fill}; color: {s.on_fill};
@@ -131,6 +137,7 @@ QProgressBar::chunk {{ background: {s.progress}; border-radius: 3px; }}
 QMainWindow > QTabBar::tab {{ padding: 4px 14px 4px 14px; min-height: 17px; background: transparent;
     border: none; border-bottom: 3px solid transparent; color: {s.muted}; }}
 QMainWindow > QTabBar::tab:selected {{ color: {s.text}; border-bottom-color: {s.accent}; }}
+QMainWindow > QTabBar::tab:focus {{ color: {s.accent}; }}
 QMainWindow > QTabBar::tab:hover {{ background: {s.hover}; }}
 QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; }}
 QScrollArea {{ border: none; background: transparent; }}

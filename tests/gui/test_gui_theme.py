@@ -49,7 +49,8 @@ def test_words_are_read_on_every_ground(scheme: Scheme) -> None:
         *product(("text", "muted"), ("title", "hover", "current", "candidate_ground")),
         ("text", "chosen"), ("text", "pressed"), ("text", "note"), ("text", "wrong_ground"),
         ("text", "progress"), ("text", "positive"), ("text", "negative"),
-        ("on_chosen", "chosen"), ("on_fill", "fill"), ("on_fill", "fill_hover"),
+        ("on_chosen", "chosen"), ("on_fill", "fill"), ("on_accent", "accent"),
+        ("on_fill", "fill_hover"),
         ("warning_text", "warning_ground"), ("hint_text", "hint_ground"),
     ]  # fmt: skip
     ratios = {pair: contrast(getattr(scheme, pair[0]), getattr(scheme, pair[1])) for pair in pairs}
