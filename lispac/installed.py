@@ -1,5 +1,7 @@
-"""The folder of files that are not code: schemas, scenes, vessels, scanners."""
+"""Where things are: files that are not code, and what the user keeps for all projects."""
 
+import os
+import sys
 from pathlib import Path
 
 import lispac
@@ -21,3 +23,15 @@ def resource(name: str) -> Path:
         if path.exists():
             return path
     raise InputError(f"{name} is missing from this installation; install it again.")
+
+
+def user_folder() -> Path:
+    """What the user has made for all projects, sensors for example; it need not exist."""
+    home = Path.home()
+    if sys.platform == "win32":
+        place = Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local"))
+    elif sys.platform == "darwin":
+        place = home / "Library" / "Preferences"
+    else:
+        place = Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config")
+    return place / "lispac"

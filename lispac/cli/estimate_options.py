@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from lispac.cli.sensor_options import scanner_noise
 from lispac.cli.values import (
     Commands,
     command,
@@ -18,7 +19,7 @@ from lispac.cli.values import (
 
 
 def lidar_noise(parser: argparse.ArgumentParser) -> None:
-    """Let a command take the LiDAR noise in one of three ways."""
+    """Let a command take the LiDAR noise in one of four ways."""
     noise = parser.add_mutually_exclusive_group()
     noise.add_argument(
         "--lidar-sigma", type=positive, metavar="METRES", help="LiDAR noise on each axis"
@@ -31,6 +32,9 @@ def lidar_noise(parser: argparse.ArgumentParser) -> None:
         "--lidar-beam-sigma", type=positive, nargs=2, metavar=("RANGE", "ANGLE"),
         help="instead: noise of the range (m) and of the direction of the beam (deg)",
     )  # fmt: skip
+    noise.add_argument(
+        "--scanner", metavar="NAME", help="instead: noise of this scanner of `lispac sensors`"
+    )
 
 
 def offsets(parser: argparse.ArgumentParser) -> None:
@@ -48,6 +52,8 @@ def offsets(parser: argparse.ArgumentParser) -> None:
 def noise_and_offsets(arguments: argparse.Namespace) -> Mapping[str, Any]:
     """What was given of the LiDAR noise and the offsets, by the names of the settings."""
     given: dict[str, Any] = {}
+    if arguments.scanner is not None:
+        given = scanner_noise(arguments.scanner)
     noise = {
         "lidar_sigma": arguments.lidar_sigma,
         "lidar_sigma_xyz": arguments.lidar_sigma_xyz and tuple(arguments.lidar_sigma_xyz),

@@ -10,6 +10,7 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.estimate_options import noise_and_offsets
+from lispac.cli.sensor_options import pos_sigmas, titles
 from lispac.project import LineSource, Reading, Settings
 from lispac.workflow import projects
 from lispac.workflow.survey import Survey
@@ -25,9 +26,11 @@ def new(arguments: Namespace) -> None:
         "attitude_sigma_deg": arguments.attitude_sigma,
     }
     triples: dict[str, Any] = {k: tuple(v) for k, v in given.items() if v is not None}
+    triples = pos_sigmas(arguments.pos) | triples
     settings = Settings(
         lever_arm=tuple(arguments.lever_arm), **triples, **noise_and_offsets(arguments)
     )
+    named = titles(arguments.scanner, arguments.pos)
     if arguments.longest_gap is not None:
         settings = replace(settings, longest_gap=arguments.longest_gap)
     reading = Reading(
@@ -49,7 +52,15 @@ def new(arguments: Namespace) -> None:
             ),
             progress=progress,
         )
+    if named:
+        project = project.with_identity(project.identity.changed(**named))
+        projects.save_project(project)
     _notes(survey)
+    if arguments.pos is not None and arguments.trajectory_accuracy is not None:
+        print(
+            f"note: the sigmas of {named['pos']} are not used: {arguments.trajectory_accuracy} "
+            "states them", file=sys.stderr,
+        )  # fmt: skip
     points = {name: len(scan) for name, scan in survey.scans.items()}
     if arguments.json:
         print_json({"project": str(project.folder), "points": points})

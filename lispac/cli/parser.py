@@ -10,6 +10,7 @@ from lispac.cli import (
     pick_options,
     report_options,
     script_options,
+    sensor_options,
     simulate_options,
 )
 from lispac.cli.values import (
@@ -37,6 +38,7 @@ def build_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _demo(commands)
     simulate_options.add(commands)
+    sensor_options.add(commands)
     _look(commands)
     _new(commands)
     _import(commands)
@@ -113,6 +115,7 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
         new, "--attitude-sigma", ("ROLL", "PITCH", "HEADING"),
         "attitude sigmas without accuracy file (deg)",
     )  # fmt: skip
+    sensor_options.pos_option(new)
     estimate_options.lidar_noise(new)
     estimate_options.offsets(new)
     new.add_argument(

@@ -14,7 +14,7 @@ from lispac.adjustment.stochastic import POS_ERRORS
 from lispac.design.plan import Line, Plan, System
 from lispac.design.site import Site, Wall
 from lispac.io.files import written_whole
-from lispac.io.toml_table import Table
+from lispac.io.toml_table import Table, quoted
 from lispac.simulation.closed_form import Ball, Board
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.simulation.scanner import Scanner
@@ -201,7 +201,7 @@ def _text(titled: TitledPlan) -> str:
     rows = [
         "# A plan. Along the wall to the right as seen from the water, off it towards the water,",
         "# up from the vessel's POS; from_level_deg 90 is upright, less leans back.",
-        f"title = {_quoted(titled.title)}",
+        f"title = {quoted(titled.title)}",
         f"facing_deg = {_number(wall.facing_deg)}",
         f"minutes_per_line = {_number(plan.interval / 60)}",
         "",
@@ -216,13 +216,13 @@ def _text(titled: TitledPlan) -> str:
         f"range_sigma_m = {_number(scanner.range_sigma)}",
         f"angle_sigma_deg = {_number(np.degrees(scanner.angle_sigma))}",
         f"max_range_m = {_number(scanner.max_range)}",
-        f"pos_errors = {_quoted(system.pos_errors)}",
+        f"pos_errors = {quoted(system.pos_errors)}",
         f"flatness_m = {_number(plan.flatness)}",
     ]
     for target in plan.targets:
         along, off, up = wall.seen(target.centre)
         board = isinstance(target, Board)
-        rows += ["", "[[boards]]" if board else "[[balls]]", f"name = {_quoted(target.name)}"]
+        rows += ["", "[[boards]]" if board else "[[balls]]", f"name = {quoted(target.name)}"]
         rows += [f"along_m = {_number(along)}", f"off_m = {_number(off)}", f"up_m = {_number(up)}"]
         if isinstance(target, Board):
             lean, azimuth = wall.facing_of(target)
@@ -249,11 +249,6 @@ def _number(value: float) -> str:
 
 def _numbers(values: Sequence[float] | np.ndarray) -> str:
     return f"[{', '.join(_number(float(v)) for v in values)}]"
-
-
-def _quoted(text: str) -> str:
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'
 
 
 def _degrees(values: Sequence[float]) -> tuple[float, float, float]:

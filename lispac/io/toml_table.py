@@ -168,3 +168,9 @@ class Table:
         if value > most:
             raise self.refuse(key, f"holds {value:g}; give at most {most:g}")
         return float(value)
+
+
+def quoted(text: str) -> str:
+    """A text of one line as TOML has it."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'

@@ -4969,4 +4969,67 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Les cibles étaient prévues planes à {planned} mm près ; le levé a trouvé {came} mm.</translation>
     </message>
 </context>
+<context>
+    <name>sensors</name>
+    <message>
+        <source>{word:kept}: say with which GNSS solution its sigmas are to be taken: {known:kept}.</source>
+        <translation>{word} : dites avec quelle solution GNSS prendre ses sigmas : {known}.</translation>
+    </message>
+    <message>
+        <source>There is no scanner named {name:kept} in the library; give one of {known:kept}.</source>
+        <translation>Aucun scanner de la bibliothèque ne s&apos;appelle {name} ; donnez l&apos;un de {known}.</translation>
+    </message>
+    <message>
+        <source>There is no POS named {name:kept} in the library; give one of {known:kept}.</source>
+        <translation>Aucune INS/GNSS de la bibliothèque ne s&apos;appelle {name} ; donnez l&apos;un de {known}.</translation>
+    </message>
+    <message>
+        <source>There is no {kind} named {name:kept} in the library; give one of {known:kept}.</source>
+        <translation>Aucun capteur {kind} de la bibliothèque ne s&apos;appelle {name} ; donnez l&apos;un de {known}.</translation>
+    </message>
+    <message>
+        <source>No sigmas are stated; state them for one GNSS solution at least.</source>
+        <translation>Aucun sigma n&apos;est indiqué ; indiquez-les pour une solution GNSS au moins.</translation>
+    </message>
+    <message>
+        <source>A sensor needs a title: maker and model.</source>
+        <translation>Un capteur a besoin d&apos;un titre : fabricant et modèle.</translation>
+    </message>
+    <message>
+        <source>State where the figures come from: a data sheet with its date, say.</source>
+        <translation>Indiquez d&apos;où viennent les valeurs : une fiche technique avec sa date, par exemple.</translation>
+    </message>
+    <message>
+        <source>A title or a source has one line of {most:kept} letters at most.</source>
+        <translation>Un titre ou une source tient sur une ligne de {most} lettres au plus.</translation>
+    </message>
+    <message>
+        <source>There is a sensor {title:kept} already; give another title.</source>
+        <translation>Il y a déjà un capteur {title} ; donnez un autre titre.</translation>
+    </message>
+    <message>
+        <source>{title:kept} comes with the program; it cannot be removed.</source>
+        <translation>{title} est fourni avec le programme ; il ne peut pas être retiré.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this file cannot be removed: {error:foreign}.</source>
+        <translation>{path} : ce fichier ne peut pas être retiré : {error}.</translation>
+    </message>
+    <message>
+        <source>{path:file}: no sigmas are stated; write [rtk], [ppk] or [degraded] above them.</source>
+        <translation>{path} : aucun sigma n&apos;est indiqué ; écrivez [rtk], [ppk] ou [degraded] au-dessus.</translation>
+    </message>
+    <message>
+        <source>{path:file}: {key:kept} holds zero; nothing is known exactly, give more than 0.</source>
+        <translation>{path} : {key} contient zéro ; rien n&apos;est connu exactement, donnez plus que 0.</translation>
+    </message>
+    <message>
+        <source>from memory, check against the data sheet</source>
+        <translation>de mémoire, à vérifier sur la fiche technique</translation>
+    </message>
+    <message>
+        <source>{source:kept}; from memory, check against the data sheet</source>
+        <translation>{source} ; de mémoire, à vérifier sur la fiche technique</translation>
+    </message>
+</context>
 </TS>

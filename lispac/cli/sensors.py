@@ -1,0 +1,48 @@
+"""``lispac sensors``: the library of scanners and INS/GNSS, with sources."""
+
+import sys
+from argparse import Namespace
+from dataclasses import asdict
+
+from lispac.cli.console import print_json
+from lispac.workflow.sensors import library, origin_of, own_sensors
+
+
+def sensors(arguments: Namespace) -> None:
+    """List the library."""
+    folder = own_sensors()
+    found = library(folder)
+    for remark in found.remarks:
+        print(f"note: {remark}", file=sys.stderr)
+    if arguments.json:
+        print_json(
+            {
+                "folder": str(folder),
+                "scanners": {s.name: {**asdict(s.figures), "own": s.own} for s in found.scanners},
+                "pos": {s.name: {**asdict(s.figures), "own": s.own} for s in found.pos},
+            }
+        )
+        return
+    print(f"{'scanner, 1 sigma':28s}{'range':>9s}{'direction':>13s}{'beam':>12s}")
+    for sensor in found.scanners:
+        figures = sensor.figures
+        print(
+            f"{sensor.name:28s}{1000 * figures.range_sigma:6.1f} mm{figures.angle_sigma_deg:9.4f} "
+            f"deg{figures.divergence_mrad:7.2f} mrad  {figures.title}{_whose(sensor.own)}"
+        )
+        print(f"    {origin_of(figures)}")
+    print(f"\n{'INS/GNSS, 1 sigma':28s}{'north, east, down':>22s}{'roll, pitch, heading':>26s}")
+    for each in found.pos:
+        for state in each.figures.states:
+            position = " ".join(f"{value:.3f}" for value in state.position_sigma)
+            attitude = " ".join(f"{value:.4f}" for value in state.attitude_sigma_deg)
+            print(
+                f"{f'{each.name}:{state.name}':28s}{position:>20s} m{attitude:>22s} deg  "
+                f"{each.figures.title}{_whose(each.own)}"
+            )
+            print(f"    {origin_of(state)}")
+    print(f"\nYour own are kept in {folder}")
+
+
+def _whose(own: bool) -> str:
+    return " (your own)" if own else ""

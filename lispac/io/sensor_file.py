@@ -1,0 +1,165 @@
+"""Figures of a scanner or a POS from TOML, with where they come from; and back, for one's own."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.io.files import written_whole
+from lispac.io.toml_table import Table, quoted
+from lispac.project import Triple
+
+STATES = ("rtk", "ppk", "degraded")
+"""With which GNSS solution a POS reaches its figures."""
+
+
+@dataclass(frozen=True)
+class ScannerFigures:
+    """How well a scanner measures.
+
+    Attributes
+    ----------
+    range_sigma : metres
+    angle_sigma_deg : degrees, of the direction of the beam, both ways across it
+    divergence_mrad : milliradians, full angle
+    source : where the figures come from
+    from_memory : whether nobody has held them against the source
+    """
+
+    title: str
+    range_sigma: float
+    angle_sigma_deg: float
+    divergence_mrad: float
+    source: str
+    from_memory: bool = False
+
+
+@dataclass(frozen=True)
+class PosState:
+    """How well a POS knows where it is, with one GNSS solution.
+
+    Attributes
+    ----------
+    name : one of `STATES`
+    position_sigma : metres, north, east, down
+    attitude_sigma_deg : degrees, roll, pitch, heading
+    source : where the figures come from
+    from_memory : whether nobody has held them against the source
+    """
+
+    name: str
+    position_sigma: Triple
+    attitude_sigma_deg: Triple
+    source: str
+    from_memory: bool = False
+
+
+@dataclass(frozen=True)
+class PosFigures:
+    """A POS with what it reaches with each GNSS solution."""
+
+    title: str
+    states: tuple[PosState, ...]
+
+
+Figures = ScannerFigures | PosFigures
+
+
+def read_scanner_figures(path: Path, *, whole: bool = True) -> ScannerFigures:
+    """Read the figures of a scanner.
+
+    Parameters
+    ----------
+    whole : bool
+        Whether other keys are refused; a scanner of the simulator has many more.
+
+    Raises
+    ------
+    InputError
+        With the file, the key and what to do.
+    """
+    with Table.read(path, "scanner") as table:
+        found = ScannerFigures(
+            table.text("title"),
+            table.number("range_sigma_m", over=0, most=10),
+            table.number("angle_sigma_deg", over=0, most=10),
+            table.number("divergence_mrad", least=0, most=100),
+            table.text("source"),
+            table.flag("from_memory", False),
+        )
+        if not whole:
+            table.leave_rest()
+        return found
+
+
+def read_pos_figures(path: Path) -> PosFigures:
+    """Read the figures of a POS.
+
+    Raises
+    ------
+    InputError
+        With the file, the key and what to do.
+    """
+    with Table.read(path, "POS") as table:
+        title = table.text("title")
+        states = []
+        for name in (each for each in STATES if each in table):
+            with table.table(name) as part:
+                states.append(
+                    PosState(
+                        name, _sigmas(part, "position_m", 100), _sigmas(part, "attitude_deg", 90),
+                        part.text("source"), part.flag("from_memory", False),
+                    )
+                )  # fmt: skip
+        if not states:
+            raise InputError(
+                f"{path}: no sigmas are stated; write [rtk], [ppk] or [degraded] above them."
+            )
+        return PosFigures(title, tuple(states))
+
+
+def _sigmas(table: Table, key: str, most: float) -> Triple:
+    a, b, c = table.numbers(key, 3, least=0, most=most)
+    if min(a, b, c) <= 0:
+        raise table.refuse(key, "holds zero; nothing is known exactly, give more than 0")
+    return a, b, c
+
+
+def write_figures(path: Path, figures: Figures) -> None:
+    """Write figures so that they are read back the same.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be written.
+    """
+    rows = [f"title = {quoted(figures.title)}"]
+    if isinstance(figures, ScannerFigures):
+        rows += [
+            f"range_sigma_m = {figures.range_sigma!r}",
+            f"angle_sigma_deg = {figures.angle_sigma_deg!r}",
+            f"divergence_mrad = {figures.divergence_mrad!r}",
+            *_origin(figures),
+        ]
+    else:
+        for state in figures.states:
+            rows += [
+                "",
+                f"[{state.name}]",
+                f"position_m = {_numbers(state.position_sigma)}",
+                f"attitude_deg = {_numbers(state.attitude_sigma_deg)}",
+                *_origin(state),
+            ]
+    with written_whole(path) as draft:
+        draft.write_text("\n".join([*rows, ""]), encoding="utf-8")
+
+
+def _origin(figures: ScannerFigures | PosState) -> list[str]:
+    return [
+        f"source = {quoted(figures.source)}",
+        f"from_memory = {str(figures.from_memory).lower()}",
+    ]
+
+
+def _numbers(values: Sequence[float]) -> str:
+    return f"[{', '.join(repr(float(value)) for value in values)}]"

@@ -1,0 +1,229 @@
+"""The library of sensors: what comes with the program, and the user's own.
+
+A file of the user's with the name of one that comes with the program takes its place.
+"""
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from lispac.errors import InputError
+from lispac.installed import resource, user_folder
+from lispac.io.sensor_file import (
+    Figures,
+    PosFigures,
+    PosState,
+    ScannerFigures,
+    read_pos_figures,
+    read_scanner_figures,
+    write_figures,
+)
+
+FROM_MEMORY = "from memory, check against the data sheet"
+LONGEST = 200
+"""Letters of a title or a source."""
+LEAST_NOISE = 0.001
+"""Metres: the LiDAR noise on each axis, from which search distances follow, is no smaller."""
+
+F = TypeVar("F", ScannerFigures, PosFigures)
+
+
+@dataclass(frozen=True)
+class Sensor(Generic[F]):
+    """One entry.
+
+    Attributes
+    ----------
+    name : what it is called on the command line: the name of its file
+    own : whether it is the user's
+    """
+
+    name: str
+    figures: F
+    own: bool
+
+
+@dataclass(frozen=True)
+class Library:
+    """All sensors by their titles, and what is wrong with files of the user's."""
+
+    scanners: tuple[Sensor[ScannerFigures], ...]
+    pos: tuple[Sensor[PosFigures], ...]
+    remarks: tuple[str, ...] = ()
+
+    def scanner(self, name: str) -> ScannerFigures:
+        """The scanner of a name.
+
+        Raises
+        ------
+        InputError
+            Where there is none.
+        """
+        return _named("scanner", self.scanners, name).figures
+
+    def pos_state(self, word: str) -> tuple[PosFigures, PosState]:
+        """The POS of a name, and its sigmas with a GNSS solution: ``apogee:ppk``.
+
+        Raises
+        ------
+        InputError
+            Where there is none, or the solution is not stated and there are several.
+        """
+        name, _, solution = word.partition(":")
+        figures = _named("POS", self.pos, name).figures
+        states = {state.name: state for state in figures.states}
+        if not solution and len(states) == 1:
+            return figures, figures.states[0]
+        if solution not in states:
+            known = ", ".join(f"{name}:{each}" for each in states)
+            raise InputError(
+                f"{word}: say with which GNSS solution its sigmas are to be taken: {known}."
+            )
+        return figures, states[solution]
+
+
+def own_sensors() -> Path:
+    """The folder of the user's own sensors."""
+    return user_folder() / "sensors"
+
+
+def library(folder: Path) -> Library:
+    """Read the sensors that come with the program and those in a folder of the user's.
+
+    Parameters
+    ----------
+    folder : Path
+        Holds ``scanners`` and ``pos``; it need not exist.
+    """
+    remarks: list[str] = []
+    return Library(
+        _read(
+            "scanners", folder, lambda path: read_scanner_figures(path, whole=False),
+            read_scanner_figures, remarks,
+        ),
+        _read("pos", folder, read_pos_figures, read_pos_figures, remarks),
+        tuple(remarks),
+    )  # fmt: skip
+
+
+def _read(
+    kind: str, folder: Path, supplied: Callable[[Path], F], own: Callable[[Path], F],
+    remarks: list[str],
+) -> tuple[Sensor[F], ...]:  # fmt: skip
+    found = {
+        path.stem: Sensor(path.stem, supplied(path), own=False)
+        for path in resource(kind).glob("*.toml")
+    }
+    for path in sorted((folder / kind).glob("*.toml")):
+        try:
+            found[path.stem] = Sensor(path.stem, own(path), own=True)
+        except InputError as error:
+            remarks.append(str(error))
+    return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
+
+
+def _named(kind: str, sensors: Iterable[Sensor[F]], name: str) -> Sensor[F]:
+    known = {sensor.name: sensor for sensor in sensors}
+    if name not in known:
+        raise InputError(
+            f"There is no {kind} named {name} in the library; give one of {', '.join(known)}."
+        )
+    return known[name]
+
+
+# -- the user's own ----------------------------------------------------------------------------
+
+
+def keep(folder: Path, figures: Figures, name: str = "") -> str:
+    """Write a sensor of the user's into the library, and say what it is called.
+
+    Parameters
+    ----------
+    name : str
+        Of the user's sensor that it replaces; empty for a new one.
+
+    Raises
+    ------
+    InputError
+        Where the figures cannot be used, another is called so, or nothing can be written.
+    """
+    require_sound(folder, figures, name)
+    word = name or _word(figures.title)
+    write_figures(_file(folder, figures, word), figures)
+    return word
+
+
+def require_sound(folder: Path, figures: Figures, name: str = "") -> None:
+    """Refuse what `keep` would refuse.
+
+    Raises
+    ------
+    InputError
+    """
+    sources = [figures] if isinstance(figures, ScannerFigures) else figures.states
+    if not sources:
+        raise InputError("No sigmas are stated; state them for one GNSS solution at least.")
+    if not _word(figures.title):
+        raise InputError("A sensor needs a title: maker and model.")
+    if not all(each.source.strip() for each in sources):
+        raise InputError("State where the figures come from: a data sheet with its date, say.")
+    for text in (figures.title, *(each.source for each in sources)):
+        if len(text) > LONGEST or not text.isprintable():
+            raise InputError(f"A title or a source has one line of {LONGEST} letters at most.")
+    known = library(folder)
+    same = known.scanners if isinstance(figures, ScannerFigures) else known.pos
+    if not name and _word(figures.title) in {sensor.name for sensor in same}:
+        raise InputError(f"There is a sensor {figures.title} already; give another title.")
+
+
+def remove(folder: Path, sensor: Sensor[ScannerFigures] | Sensor[PosFigures]) -> None:
+    """Take a sensor of the user's out of the library.
+
+    Raises
+    ------
+    InputError
+        Where it comes with the program, or cannot be removed.
+    """
+    if not sensor.own:
+        raise InputError(f"{sensor.figures.title} comes with the program; it cannot be removed.")
+    path = _file(folder, sensor.figures, sensor.name)
+    try:
+        path.unlink()
+    except OSError as error:
+        raise InputError(f"{path}: this file cannot be removed: {error.strerror}.") from error
+
+
+def _file(folder: Path, figures: Figures, name: str) -> Path:
+    kind = "scanners" if isinstance(figures, ScannerFigures) else "pos"
+    return folder / kind / f"{name}.toml"
+
+
+def _word(title: str) -> str:
+    return re.sub(r"[\W_]+", "-", title.casefold()).strip("-")
+
+
+# -- what they are used for --------------------------------------------------------------------
+
+
+def noise_of(scanner: ScannerFigures) -> dict[str, Any]:
+    """LiDAR noise, by the names of `Settings`: along the beam and in its direction."""
+    return {
+        "lidar_sigma": max(scanner.range_sigma, LEAST_NOISE),
+        "lidar_sigma_xyz": None,
+        "lidar_beam_sigma": (scanner.range_sigma, scanner.angle_sigma_deg),
+    }
+
+
+def sigmas_of(state: PosState) -> dict[str, Any]:
+    """Sigmas of the POS where there is no accuracy file, by the names of `Settings`."""
+    return {
+        "position_sigma": state.position_sigma,
+        "attitude_sigma_deg": state.attitude_sigma_deg,
+    }
+
+
+def origin_of(figures: ScannerFigures | PosState) -> str:
+    """Where the figures come from, and whether to check them."""
+    return f"{figures.source}; {FROM_MEMORY}" if figures.from_memory else figures.source

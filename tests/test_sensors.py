@@ -1,0 +1,205 @@
+"""The sensor library: its figures and sources, one's own sensors, and what they are used for."""
+
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QStandardPaths
+
+from lispac.errors import InputError
+from lispac.installed import resource, user_folder
+from lispac.io.scanner_file import read_scanner
+from lispac.io.sensor_file import STATES, PosFigures, PosState, ScannerFigures
+from lispac.project import Settings
+from lispac.workflow import sensors
+from lispac.workflow.projects import open_project
+from tests.test_cli import answer, new_words, run
+
+MINE = ScannerFigures('Maker\'s "new" one\\2', 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
+INS = PosFigures(
+    "My INS",
+    (PosState("ppk", (0.01, 0.011, 0.02), (0.004, 0.005, 0.009), "Certificate 12", True),),
+)
+FIGURES = {
+    "zf-9012": (0.0087, 0.02, 0.5),
+    "ouster-os1-128": (0.015, 0.01, 3.14),
+}
+"""Metres, degrees, milliradians: the thesis's table 1.1; the OS1 data sheet (0.18 deg)."""
+
+
+def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> None:
+    found = sensors.library(tmp_path)
+    assert found.remarks == ()
+    assert {s.name for s in found.scanners} >= {
+        "zf-9012", "riegl-vux-1", "riegl-vux-1ha", "velodyne-hdl-32e", "ouster-os1-128",
+        "hesai-pandar-xt32",
+    }  # fmt: skip
+    assert {s.name.partition("-")[0] for s in found.pos} == {"hydrins", "atlans", "pos", "apogee"}
+    for scanner in found.scanners:
+        assert not scanner.own
+        assert len(scanner.figures.source) > 20
+    for pos in found.pos:
+        for state in pos.figures.states:
+            assert len(state.source) > 20
+            assert state.name in STATES
+        if {"rtk", "degraded"} <= {state.name for state in pos.figures.states}:
+            states = {state.name: state for state in pos.figures.states}
+            assert states["degraded"].position_sigma > states["rtk"].position_sigma
+            assert states["degraded"].attitude_sigma_deg > states["rtk"].attitude_sigma_deg
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_figures_are_those_of_the_source(tmp_path: Path, name: str) -> None:
+    found = sensors.library(tmp_path).scanner(name)
+    assert (found.range_sigma, found.angle_sigma_deg, found.divergence_mrad) == FIGURES[name]
+
+
+def test_what_cannot_be_seen_says_so(tmp_path: Path) -> None:
+    found = sensors.library(tmp_path)
+    assert sensors.FROM_MEMORY in sensors.origin_of(found.scanner("riegl-vux-1"))
+    assert sensors.FROM_MEMORY not in sensors.origin_of(found.scanner("zf-9012"))
+    hydrins, state = found.pos_state("hydrins")
+    assert hydrins.title.endswith("Hydrins")
+    # thesis, table 1.2: 0.006 m + 0.5 ppm and 0.01 m + 1 ppm at 10 km
+    assert state.position_sigma == pytest.approx((0.006 + 5e-3, 0.006 + 5e-3, 0.01 + 1e-2))
+    assert state.attitude_sigma_deg == (0.01, 0.01, 0.01)
+
+
+def test_the_simulator_reads_the_same_scanners(tmp_path: Path) -> None:
+    for sensor in sensors.library(tmp_path).scanners:
+        title, scanner = read_scanner(resource("scanners") / f"{sensor.name}.toml")
+        assert (title, scanner.range_sigma) == (sensor.figures.title, sensor.figures.range_sigma)
+
+
+def test_own_sensors_come_back_and_go(tmp_path: Path) -> None:
+    for figures in (MINE, INS):
+        name = sensors.keep(tmp_path, figures)
+        found = sensors.library(tmp_path)
+        (own,) = [s for s in (*found.scanners, *found.pos) if s.own]
+        assert (own.name, own.figures) == (name, figures)
+        changed = replace(figures, title="Renamed")
+        assert sensors.keep(tmp_path, changed, name) == name
+        found = sensors.library(tmp_path)
+        (own,) = [s for s in (*found.scanners, *found.pos) if s.own]
+        assert own.figures == changed
+        sensors.remove(tmp_path, own)
+        assert sensors.library(tmp_path) == sensors.library(tmp_path / "none")
+
+
+def test_an_own_file_takes_the_place_of_one_of_the_program(tmp_path: Path) -> None:
+    sensors.write_figures(tmp_path / "scanners" / "zf-9012.toml", MINE)
+    found = sensors.library(tmp_path)
+    assert found.scanner("zf-9012") == MINE
+    assert len(found.scanners) == len(sensors.library(tmp_path / "none").scanners)
+
+
+def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> None:
+    path = tmp_path / "pos" / "mine.toml"
+    path.parent.mkdir()
+    path.write_text('title = "INS"\n[rtk]\nposition_m = [0.01, 0, 0.02]\n')
+    found = sensors.library(tmp_path)
+    assert found.pos == sensors.library(tmp_path / "none").pos
+    assert found.remarks == (
+        f"{path}: rtk.position_m holds zero; nothing is known exactly, give more than 0.",
+    )
+
+
+@pytest.mark.parametrize(
+    ("figures", "words"),
+    [
+        (replace(MINE, title=" "), "needs a title"),
+        (replace(MINE, source=""), "where the figures come from"),
+        (replace(MINE, source="a\nb"), "one line"),
+        (PosFigures("INS", ()), "one GNSS solution at least"),
+    ],
+)
+def test_what_cannot_be_kept_is_refused(
+    tmp_path: Path, figures: ScannerFigures | PosFigures, words: str
+) -> None:
+    with pytest.raises(InputError, match=words):
+        sensors.keep(tmp_path, figures)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_names_are_used_once_and_the_programs_own_stay(tmp_path: Path) -> None:
+    sensors.keep(tmp_path, MINE)
+    with pytest.raises(InputError, match="already; give another title"):
+        sensors.keep(tmp_path, MINE)
+    supplied = next(s for s in sensors.library(tmp_path).scanners if not s.own)
+    with pytest.raises(InputError, match="comes with the program"):
+        sensors.remove(tmp_path, supplied)
+
+
+def test_the_folder_is_that_of_the_system(monkeypatch: pytest.MonkeyPatch) -> None:
+    place = QStandardPaths.StandardLocation.GenericConfigLocation
+    assert user_folder() == Path(QStandardPaths.writableLocation(place)) / "lispac"
+
+
+# -- command line ------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    folder = tmp_path / "mine"
+    monkeypatch.setattr(sensors, "user_folder", lambda: folder)
+    return folder / "sensors"
+
+
+def test_the_list_has_every_sensor_with_its_source(
+    capsys: pytest.CaptureFixture[str], own: Path
+) -> None:
+    sensors.keep(own, MINE)
+    listed = answer(capsys, "sensors")
+    assert listed["folder"] == str(own)
+    assert listed["scanners"]["maker-s-new-one-2"]["own"]
+    assert listed["pos"]["hydrins"]["states"][0]["source"].startswith("Thesis")
+    code, out, _ = run(capsys, "sensors")
+    assert code == 0
+    assert "8.7 mm   0.0200 deg   0.50 mrad  Z+F PROFILER 9012" in out
+    assert f"{MINE.title} (your own)" in out
+    assert out.count(sensors.FROM_MEMORY) >= 5
+
+
+def test_a_new_project_takes_sigmas_and_names_from_the_library(
+    capsys: pytest.CaptureFixture[str], own: Path, tmp_path: Path, demo_project: object
+) -> None:
+    raw = demo_project.folder / "raw"  # type: ignore[attr-defined]
+    words = [w for w in new_words(tmp_path / "quay", raw) if w not in ("--lidar-sigma", 0.0017)]
+    answer(
+        capsys, *words, "--scanner", "zf-9012", "--pos", "apogee:ppk", "--position-sigma", 0.1, 0.1,
+        0.2,
+    )  # fmt: skip
+    project = open_project(tmp_path / "quay")
+    usual = Settings(project.settings.lever_arm)
+    assert project.settings.lidar_beam_sigma == (0.0087, 0.02)
+    assert project.settings.lidar_sigma == 0.0087 != usual.lidar_sigma
+    assert project.settings.attitude_sigma_deg == (0.005, 0.005, 0.01)
+    assert project.settings.position_sigma == (0.1, 0.1, 0.2)  # what is stated goes before
+    assert project.identity.scanner == "Z+F PROFILER 9012"
+    assert project.identity.pos == "SBG Systems Apogee"
+    with (resource("scanners") / "zf-9012.toml").open("rb") as file:
+        assert tomllib.load(file)["range_sigma_m"] == project.settings.lidar_sigma
+
+
+@pytest.mark.parametrize(
+    ("option", "word", "said"),
+    [
+        ("--scanner", "nikon", "There is no scanner named nikon in the library; give one of "),
+        ("--pos", "apogee", "apogee: say with which GNSS solution its sigmas are to be taken: "
+         "apogee:rtk, apogee:ppk, apogee:degraded."),
+        ("--pos", "sextant", "There is no POS named sextant in the library; give one of "),
+    ],
+)  # fmt: skip
+def test_what_the_library_lacks_is_said(
+    capsys: pytest.CaptureFixture[str], own: Path, tmp_path: Path, option: str, word: str, said: str
+) -> None:
+    words = [
+        w
+        for w in new_words(tmp_path / "quay", tmp_path, tmp_path / "L1.las")
+        if w not in ("--lidar-sigma", 0.0017)
+    ]
+    code, _, err = run(capsys, *words, option, word)
+    assert code == 1
+    assert said in err
+    assert not (tmp_path / "quay").exists()
