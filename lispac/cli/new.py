@@ -11,6 +11,7 @@ from typing import Any
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.sensor_options import pos_sigmas, titles
+from lispac.identity import BLANK
 from lispac.project import LineSource, Reading, Settings
 from lispac.workflow import projects
 from lispac.workflow.survey import Survey
@@ -50,11 +51,9 @@ def new(arguments: Namespace) -> None:
             accuracy_reading=Reading(
                 arguments.accuracy_format or "", tuple(arguments.accuracy_option)
             ),
+            identity=BLANK.changed(**named),
             progress=progress,
         )
-    if named:
-        project = project.with_identity(project.identity.changed(**named))
-        projects.save_project(project)
     _notes(survey)
     if arguments.pos is not None and arguments.trajectory_accuracy is not None:
         print(

@@ -84,6 +84,7 @@ class Controller(QObject):
                 accuracy=request.accuracy,
                 trajectory_reading=request.trajectory_reading,
                 accuracy_reading=request.accuracy_reading,
+                identity=request.identity,
                 progress=progress,
             )
 

@@ -37,6 +37,7 @@ from lispac.gui.panels.sightings_table import SightingsTable
 from lispac.gui.panels.targets import TargetsPanel
 from lispac.gui.panels.validate import ValidatePanel
 from lispac.gui.panels.workflow import WorkflowPanel
+from lispac.gui.preferences import Preferring
 from lispac.gui.reporting import Reporting
 from lispac.gui.safekeeping import Safekeeping
 from lispac.gui.scene import Scene
@@ -118,6 +119,7 @@ class MainWindow(QMainWindow):
         Reporting(self)
         Studies(self)
         Scripting(self)
+        Preferring(self)
         self.designing = Designing(self)
         self.safekeeping = Safekeeping(self)
         self.notifying = Notifying(self, self.runner)

@@ -5,12 +5,16 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
+from lispac.gui.viewport.decimation import Budget
 from lispac.language.catalogue import LANGUAGES
+from lispac.workflow.sensors import own_sensors
 
 MOST_RECENT = 8
 REPORT_KEYS = ("template", "page", "convention", "language")
 THEMES = ("system", "light", "dark")
 POINT_SIZES = range(1, 13)  # pixels
+POINT_SIZE = 2
+POINT_BUDGETS = range(100_000, 20_000_001)
 
 
 class AppSettings:
@@ -30,6 +34,8 @@ class AppSettings:
         )
         path = Path(cache) / "lispac" / "window.ini" if file is None else file
         self.folder = path.parent
+        # One's own sensors are work, so they are kept where nothing is thrown away.
+        self._sensors = own_sensors() if file is None else path.parent / "sensors"
         self._store = QSettings(str(path), QSettings.Format.IniFormat)
 
     def recent(self) -> list[Path]:
@@ -87,13 +93,30 @@ class AppSettings:
     @property
     def point_size(self) -> int:
         """Pixels of a drawn point."""
-        stored = str(self._store.value("point_size", 2))
+        stored = str(self._store.value("point_size", POINT_SIZE))
         known = {str(size): size for size in POINT_SIZES}
-        return known.get(stored, 2)
+        return known.get(stored, POINT_SIZE)
 
     @point_size.setter
     def point_size(self, pixels: int) -> None:
         self._store.setValue("point_size", pixels)
+
+    @property
+    def point_budget(self) -> int:
+        """Points drawn at rest, at most."""
+        stored = str(self._store.value("point_budget", ""))
+        known = stored.isdecimal() and int(stored) in POINT_BUDGETS
+        return int(stored) if known else Budget().resting
+
+    @point_budget.setter
+    def point_budget(self, points: int) -> None:
+        self._store.setValue("point_budget", points)
+
+    @property
+    def language_chosen(self) -> str:
+        """Code of the language that was chosen; empty for that of the system."""
+        chosen = str(self._store.value("language", ""))
+        return chosen if chosen in LANGUAGES else ""
 
     @property
     def language(self) -> str:
@@ -115,6 +138,21 @@ class AppSettings:
     @theme.setter
     def theme(self, choice: str) -> None:
         self._store.setValue("theme", choice)
+
+    @property
+    def sensors(self) -> Path:
+        """The folder of the user's own sensors."""
+        return self._sensors
+
+    @property
+    def usual_sensors(self) -> tuple[str, str]:
+        """Names of scanner and INS/GNSS that new projects begin with; empty for none."""
+        return str(self._store.value("scanner", "")), str(self._store.value("pos", ""))
+
+    @usual_sensors.setter
+    def usual_sensors(self, names: tuple[str, str]) -> None:
+        for key, name in zip(("scanner", "pos"), names, strict=True):
+            self._store.setValue(key, name)
 
     def report_choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language of the report, as they were chosen last."""

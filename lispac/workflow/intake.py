@@ -11,6 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Literal
 
+from lispac.identity import BLANK, Identity
 from lispac.io.project_file import FILE_NAME
 from lispac.io.registry import POSSIBLE, Kind
 from lispac.project import LineSource, Project, Settings
@@ -53,6 +54,7 @@ class ImportRequest:
     settings: Settings
     trajectory_reading: Reading = USUAL
     accuracy_reading: Reading = USUAL
+    identity: Identity = BLANK
 
 
 def project_among(paths: Iterable[Path]) -> Path | None:

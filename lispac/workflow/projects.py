@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
+from lispac.identity import BLANK, Identity
 from lispac.io.files import require_file
 from lispac.io.project_file import (
     FILE_NAME,
@@ -35,6 +36,7 @@ def create_project(
     truth_deg: Triple | None = None,
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
+    identity: Identity = BLANK,
 ) -> Project:
     """Make a project folder that points at the survey's files.
 
@@ -61,6 +63,7 @@ def create_project(
         truth_deg=truth_deg,
         trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
+        identity=identity,
     )
     _require_new(project)
     write_project(project)
@@ -94,6 +97,7 @@ def new_project(
     truth_deg: Triple | None = None,
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
+    identity: Identity = BLANK,
     settled: bool = False,
     progress: Progress = no_progress,
 ) -> tuple[Project, Survey]:
@@ -132,7 +136,7 @@ def new_project(
         project = create_project(
             folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
             truth_deg=truth_deg, trajectory_reading=trajectory_reading,
-            accuracy_reading=accuracy_reading,
+            accuracy_reading=accuracy_reading, identity=identity,
         )  # fmt: skip
     return project, replace(survey, notes=(*notes, *survey.notes))
 

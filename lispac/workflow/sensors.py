@@ -24,6 +24,8 @@ from lispac.io.sensor_file import (
 FROM_MEMORY = "from memory, check against the data sheet"
 LONGEST = 200
 """Letters of a title or a source."""
+INVENTED = ("profiler",)
+"""Scanners of the simulator that nobody can buy."""
 LEAST_NOISE = 0.001
 """Metres: the LiDAR noise on each axis, from which search distances follow, is no smaller."""
 
@@ -115,6 +117,7 @@ def _read(
     found = {
         path.stem: Sensor(path.stem, supplied(path), own=False)
         for path in resource(kind).glob("*.toml")
+        if path.stem not in INVENTED
     }
     for path in sorted((folder / kind).glob("*.toml")):
         try:
@@ -224,6 +227,6 @@ def sigmas_of(state: PosState) -> dict[str, Any]:
     }
 
 
-def origin_of(figures: ScannerFigures | PosState) -> str:
-    """Where the figures come from, and whether to check them."""
-    return f"{figures.source}; {FROM_MEMORY}" if figures.from_memory else figures.source
+def origin_of(figures: ScannerFigures | PosState, said: Callable[[str], str] = str) -> str:
+    """Where the figures come from, and whether to check them; ``said`` translates the latter."""
+    return f"{figures.source} ({said(FROM_MEMORY)})" if figures.from_memory else figures.source

@@ -24,9 +24,11 @@ from lispac.gui.dialogs.questions import Questions
 from lispac.gui.dialogs.script import ScriptDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
+from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.gui.language import say
+from lispac.gui.preferences import Preferences
 from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
@@ -241,6 +243,13 @@ class Dialogs(Questions):
         """Who, when and with what, for the report; ``dates`` are those the lines tell."""
         dialog = IdentityDialog(identity, dates, self.parent)
         answer = dialog.identity if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def preferences(self, present: Preferences, settings: AppSettings) -> Preferences | None:
+        """What the user prefers for all projects; the sensor library is edited beside it."""
+        dialog = SettingsDialog(present, settings.sensors, self.parent)
+        answer = dialog.preferences if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 

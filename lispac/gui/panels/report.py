@@ -92,8 +92,7 @@ class ReportPanel(QWidget):
         if language in LANGUAGES:
             self.language.setCurrentIndex(list(LANGUAGES).index(language))
         keys = ["", *(each.key for each in OTHERS)]
-        if template or convention:
-            self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
+        self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
 
     def show_template(self, path: Path | None) -> None:
         """Take a template's page, convention and language over, or say what is wrong with it."""

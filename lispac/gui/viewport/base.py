@@ -231,6 +231,9 @@ class Viewport(Protocol):
     def set_point_size(self, pixels: int) -> None:
         """Size of the drawn points."""
 
+    def set_point_budget(self, points: int) -> None:
+        """Draw so many points at most while the view rests."""
+
     def picture(self) -> QImage:
         """What is shown, with all its detail and what is written over it but the mouse's help."""
 

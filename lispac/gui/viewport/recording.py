@@ -181,6 +181,11 @@ class RecordingViewport:
         self._record("set_point_size", pixels)
         self.point_size = pixels
 
+    def set_point_budget(self, points: int) -> None:
+        """Remember how many."""
+        self._record("set_point_budget", points)
+        self.point_budget = points
+
     def picture(self) -> QImage:
         """Show the plain widget."""
         self._record("picture")

@@ -232,6 +232,14 @@ class VtkViewport:
         self._point_size = pixels
         self._style_points()
 
+    def set_point_budget(self, points: int) -> None:
+        """Draw so many points at most while the view rests, and a part of them while it moves."""
+        budget = Budget(points, min(Budget().moving, points))
+        if budget != self._budget:
+            self._budget = budget
+            self._pace = Pace(budget)
+            self._draw_clouds()
+
     def picture(self) -> QImage:
         """What is shown, with all its detail and what is written over it but the mouse's help."""
         self._show_detail()

@@ -4977,7 +4977,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>There is no scanner named {name:kept} in the library; give one of {known:kept}.</source>
-        <translation>Aucun scanner de la bibliothèque ne s&apos;appelle {name} ; donnez l&apos;un de {known}.</translation>
+        <translation>Aucun scanneur de la bibliothèque ne s&apos;appelle {name} ; donnez l&apos;un de {known}.</translation>
     </message>
     <message>
         <source>There is no POS named {name:kept} in the library; give one of {known:kept}.</source>
@@ -5026,10 +5026,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>from memory, check against the data sheet</source>
         <translation>de mémoire, à vérifier sur la fiche technique</translation>
-    </message>
-    <message>
-        <source>{source:kept}; from memory, check against the data sheet</source>
-        <translation>{source} ; de mémoire, à vérifier sur la fiche technique</translation>
     </message>
 </context>
 </TS>

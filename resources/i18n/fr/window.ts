@@ -6980,4 +6980,218 @@ m/s</translation>
         <translation>Sombre</translation>
     </message>
 </context>
+<context>
+    <name>settings</name>
+    <message>
+        <source>Sett&amp;ings…</source>
+        <translation>Pré&amp;férences…</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>Language, view, report, and the library of sensors</source>
+        <translation>Langue, vue, rapport et bibliothèque de capteurs</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Language of the window; the report has its own in step 5</source>
+        <translation>Langue de la fenêtre ; le rapport a la sienne à l&apos;étape 5</translation>
+    </message>
+    <message>
+        <source>Size of points</source>
+        <translation>Taille des points</translation>
+    </message>
+    <message>
+        <source>Size of a drawn point</source>
+        <translation>Taille d&apos;un point dessiné</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>pixels</translation>
+    </message>
+    <message>
+        <source>million</source>
+        <translation>million(s)</translation>
+    </message>
+    <message>
+        <source>Points drawn at most</source>
+        <translation>Points dessinés au plus</translation>
+    </message>
+    <message>
+        <source>Points drawn while the view rests, at most; a slow computer draws fewer</source>
+        <translation>Points dessinés au plus quand la vue est au repos ; un ordinateur lent en dessine moins</translation>
+    </message>
+    <message>
+        <source>Reports also state the boresight as another program has it</source>
+        <translation>Les rapports donnent aussi les angles de visée tels qu&apos;un autre programme les écrit</translation>
+    </message>
+    <message>
+        <source>New projects begin with</source>
+        <translation>Les nouveaux projets commencent avec</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>Rétablir les valeurs par défaut</translation>
+    </message>
+    <message>
+        <source>The settings of a new user; your own sensors stay</source>
+        <translation>Les préférences d&apos;un nouvel utilisateur ; vos propres capteurs restent</translation>
+    </message>
+</context>
+<context>
+    <name>sensors</name>
+    <message>
+        <source>Sensors</source>
+        <translation>Capteurs</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Capteur</translation>
+    </message>
+    <message>
+        <source>What makers state of their instruments, one standard deviation. Where it says so, hold the figures against the data sheet of yours.</source>
+        <translation>Ce que les fabricants indiquent de leurs instruments, un écart-type. Là où c&apos;est demandé, vérifiez les valeurs sur la fiche technique du vôtre.</translation>
+    </message>
+    <message>
+        <source>Add scanner…</source>
+        <translation>Ajouter un scanneur…</translation>
+    </message>
+    <message>
+        <source>Add INS/GNSS…</source>
+        <translation>Ajouter une INS/GNSS…</translation>
+    </message>
+    <message>
+        <source>Copy…</source>
+        <translation>Copier…</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>A sensor of your own that begins with these figures</source>
+        <translation>Un capteur à vous qui commence avec ces valeurs</translation>
+    </message>
+    <message>
+        <source>Your own only; copy the others</source>
+        <translation>Les vôtres seulement ; copiez les autres</translation>
+    </message>
+    <message>
+        <source>Your own only</source>
+        <translation>Les vôtres seulement</translation>
+    </message>
+    <message>
+        <source>(your own)</source>
+        <translation>(le vôtre)</translation>
+    </message>
+    <message>
+        <source>(own)</source>
+        <translation>(le mien)</translation>
+    </message>
+    <message>
+        <source>range {a:n} mm, direction {b:n}°, beam {c:n} mrad</source>
+        <translation>distance {a} mm, direction {b}°, faisceau {c} mrad</translation>
+    </message>
+    <message>
+        <source>Maker and model</source>
+        <translation>Fabricant et modèle</translation>
+    </message>
+    <message>
+        <source>Where the figures come from</source>
+        <translation>Origine des valeurs</translation>
+    </message>
+    <message>
+        <source>Data sheet, with its date</source>
+        <translation>Fiche technique, avec sa date</translation>
+    </message>
+    <message>
+        <source>From memory</source>
+        <translation>De mémoire</translation>
+    </message>
+    <message>
+        <source>Nobody has held the figures against the data sheet</source>
+        <translation>Personne n&apos;a vérifié les valeurs sur la fiche technique</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the range, millimetres</source>
+        <translation>Écart-type de la distance, en millimètres</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the beam&apos;s direction, both ways across it, degrees</source>
+        <translation>Écart-type de la direction du faisceau, dans les deux sens en travers, en degrés</translation>
+    </message>
+    <message>
+        <source>How far the beam spreads, full angle in milliradians</source>
+        <translation>Divergence du faisceau, angle total en milliradians</translation>
+    </message>
+    <message>
+        <source>Range (1 σ)</source>
+        <translation>Distance (1 σ)</translation>
+    </message>
+    <message>
+        <source>Direction of the beam (1 σ)</source>
+        <translation>Direction du faisceau (1 σ)</translation>
+    </message>
+    <message>
+        <source>Divergence</source>
+        <translation>Divergence</translation>
+    </message>
+    <message>
+        <source>Another: state its figures</source>
+        <translation>Un autre : indiquez ses valeurs</translation>
+    </message>
+    <message>
+        <source>RTK</source>
+        <translation>RTK</translation>
+    </message>
+    <message>
+        <source>PPK</source>
+        <translation>PPK</translation>
+    </message>
+    <message>
+        <source>degraded GNSS</source>
+        <translation>GNSS dégradé</translation>
+    </message>
+    <message>
+        <source>With RTK</source>
+        <translation>Avec RTK</translation>
+    </message>
+    <message>
+        <source>With PPK</source>
+        <translation>Avec PPK</translation>
+    </message>
+    <message>
+        <source>With degraded GNSS</source>
+        <translation>Avec GNSS dégradé</translation>
+    </message>
+    <message>
+        <source>Fills in the LiDAR noise; change it where your instrument&apos;s differs</source>
+        <translation>Remplit le bruit du LiDAR ; modifiez-le si celui de votre instrument diffère</translation>
+    </message>
+    <message>
+        <source>Fills in the sigmas of position and attitude, used where there is no accuracy file</source>
+        <translation>Remplit les écarts-types de position et d&apos;attitude, utilisés sans fichier de précision</translation>
+    </message>
+    <message>
+        <source>same across</source>
+        <translation>égal en travers</translation>
+    </message>
+    <message>
+        <source>Sigma of the beam&apos;s direction; at 0 the noise is the same on each axis</source>
+        <translation>Écart-type de la direction du faisceau ; à 0 le bruit est le même sur chaque axe</translation>
+    </message>
+</context>
 </TS>

@@ -35,7 +35,9 @@ from lispac.gui.drops import FileDrops
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.settings import AppSettings
+from lispac.identity import BLANK
 from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
+from lispac.workflow.sensors import library
 
 SURVEY_FILES = (
     "Survey files (*.las *.laz *.e57 *.ply *.pcd *.txt *.xyz *.csv *.asc *.gz *.sbet *.out *.pos "
@@ -84,7 +86,8 @@ class ImportDialog(QDialog):
     def request(self) -> ImportRequest:
         """What the project is to be made of."""
         folder = Path(self.folder.text().strip()).expanduser()
-        return self.intake.request(folder, self.mounting.settings())
+        identity = BLANK.changed(**self.mounting.sensors.titles)
+        return replace(self.intake.request(folder, self.mounting.settings()), identity=identity)
 
     # -- assembly ----------------------------------------------------------------------------
 
@@ -109,7 +112,8 @@ class ImportDialog(QDialog):
         self.tabs = QTabWidget()
         self.tabs.setObjectName("import_tabs")
         self.file_page, self.timeline = FilePage(), TimelinePage()
-        self.quality, self.mounting = QualityPage(), MountingPage()
+        self.quality, self.mounting = QualityPage(), MountingPage(library(self._settings.sensors))
+        self.mounting.sensors.choose(*self._settings.usual_sensors)
         self.tabs.addTab(self.file_page, say("Selected file"))
         self.tabs.addTab(self.timeline, say("Timeline"))
         self.tabs.addTab(self.quality, say("Trajectory quality"))

@@ -4,9 +4,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QScrollArea, QWidget
 
 from lispac.gui import theme
+from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.io.sensor_file import PosState, ScannerFigures
 from lispac.project import Settings
+from lispac.workflow.sensors import Library
 
 
 class MountingPage(QScrollArea):
@@ -14,8 +17,9 @@ class MountingPage(QScrollArea):
 
     changed = Signal()
 
-    def __init__(self) -> None:
+    def __init__(self, library: Library) -> None:
         super().__init__()
+        self.sensors = SensorChoice(library, "new")
         self.setAccessibleName(say("Mounting and accuracies"))
         self.setWidgetResizable(True)
         body = QWidget()
@@ -37,13 +41,15 @@ class MountingPage(QScrollArea):
 
     def settings(self) -> Settings:
         """What the fields say."""
+        noise, angle = self.lidar_sigma.value() / 1000, self.angle_sigma.value()
         return Settings(
             lever_arm=self.lever_arm.value(),
             boresight_deg=self.boresight.value(),
             origin_deg_m=self.origin.value() if self.origin_given.isChecked() else None,
             position_sigma=self.position_sigma.value(),
             attitude_sigma_deg=self.attitude_sigma.value(),
-            lidar_sigma=self.lidar_sigma.value() / 1000,
+            lidar_sigma=noise,
+            lidar_beam_sigma=(noise, angle) if angle > 0 else None,
         )
 
     @property
@@ -113,12 +119,34 @@ class MountingPage(QScrollArea):
             [_plain(f"new_sigma_{axis}", " °", 4, 0, 90) for axis in ("roll", "pitch", "heading")],
         )
         self.attitude_sigma.set_value(usual.attitude_sigma_deg)
+        self.angle_sigma = _plain("new_angle_sigma", " °", 4, 0, 10)
+        self.angle_sigma.setAccessibleName(say("Direction of the beam (1 σ)"))
+        self.angle_sigma.setSpecialValueText(say("same across"))
+        self.angle_sigma.setToolTip(
+            say("Sigma of the beam's direction; at 0 the noise is the same on each axis")
+        )
+        self.angle_sigma.setMaximumWidth(140)
+        self.sensors.scanner_chosen.connect(self._take_noise)
+        self.sensors.pos_chosen.connect(self._take_sigmas)
+        form.addRow(say("Scanner"), self.sensors.scanner)
+        form.addRow("", self.sensors.scanner_origin)
         form.addRow(say("LiDAR noise (1 σ)"), self.lidar_sigma)
+        form.addRow(say("Direction of the beam (1 σ)"), self.angle_sigma)
+        form.addRow(say("INS/GNSS"), self.sensors.pos)
+        form.addRow("", self.sensors.pos_origin)
         self._source = widgets.label("", "muted", wrap=True, name="new_sigma_source")
         form.addRow(self._source)
         form.addRow(say("Position (1 σ)"), self.position_sigma)
         form.addRow(say("Attitude (1 σ)"), self.attitude_sigma)
         return form
+
+    def _take_noise(self, scanner: ScannerFigures) -> None:
+        self.lidar_sigma.setValue(scanner.range_sigma * 1000)
+        self.angle_sigma.setValue(scanner.angle_sigma_deg)
+
+    def _take_sigmas(self, state: PosState) -> None:
+        self.position_sigma.set_value(state.position_sigma)
+        self.attitude_sigma.set_value(state.attitude_sigma_deg)
 
 
 def _form() -> QFormLayout:

@@ -1,0 +1,101 @@
+"""Scanner and INS/GNSS chosen from the library."""
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from lispac.gui.language import say
+from lispac.gui.panels import widgets
+from lispac.io.sensor_file import PosFigures, PosState, ScannerFigures
+from lispac.workflow.sensors import Library, origin_of
+
+OTHER = "Another: state its figures"
+SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": "degraded GNSS"}
+
+
+class SensorChoice(QWidget):
+    """Lists of scanners and of INS/GNSS with each solution, and where the figures are from."""
+
+    scanner_chosen = Signal(object)
+    pos_chosen = Signal(object)
+
+    def __init__(self, library: Library, prefix: str) -> None:
+        super().__init__()
+        self._scanners = [("", None), *((s.name, s.figures) for s in library.scanners)]
+        self._pos: list[tuple[str, tuple[PosFigures, PosState] | None]] = [
+            ("", None),
+            *(
+                (f"{each.name}:{state.name}", (each.figures, state))
+                for each in library.pos
+                for state in each.figures.states
+            ),
+        ]
+        self.scanner = widgets.Choice(
+            f"{prefix}_scanner", [OTHER],
+            "Fills in the LiDAR noise; change it where your instrument's differs",
+        )  # fmt: skip
+        self.pos = widgets.Choice(
+            f"{prefix}_pos", [OTHER],
+            "Fills in the sigmas of position and attitude, used where there is no accuracy file",
+        )  # fmt: skip
+        # Titles are names, the same in every language.
+        self.scanner.addItems([sensor.figures.title for sensor in library.scanners])
+        self.pos.addItems([_pos_title(entry) for entry in self._pos[1:]])
+        for box, what in ((self.scanner, "Scanner"), (self.pos, "INS/GNSS")):
+            box.setAccessibleName(say(what))
+        self.scanner_origin = widgets.label("", "muted", wrap=True, name=f"{prefix}_scanner_origin")
+        self.pos_origin = widgets.label("", "muted", wrap=True, name=f"{prefix}_pos_origin")
+        self.scanner.currentIndexChanged.connect(lambda _index: self._tell_scanner())
+        self.pos.currentIndexChanged.connect(lambda _index: self._tell_pos())
+        self._tell_scanner()
+        self._tell_pos()
+
+    def choose(self, scanner: str, pos: str) -> None:
+        """Choose by name, as on the command line; what is not known leaves the choice open."""
+        for box, known, name in (
+            (self.scanner, [n for n, _ in self._scanners], scanner),
+            (self.pos, [n for n, _ in self._pos], pos),
+        ):
+            box.setCurrentIndex(known.index(name) if name in known else 0)
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """What is chosen, as on the command line; empty where nothing is."""
+        return (
+            self._scanners[self.scanner.currentIndex()][0], self._pos[self.pos.currentIndex()][0]
+        )  # fmt: skip
+
+    @property
+    def titles(self) -> dict[str, str]:
+        """Titles of what is chosen, by the fields of the identity."""
+        scanner, pos = self._scanner(), self._pos[self.pos.currentIndex()][1]
+        found = {} if scanner is None else {"scanner": scanner.title}
+        return found if pos is None else found | {"pos": pos[0].title}
+
+    def _scanner(self) -> ScannerFigures | None:
+        return self._scanners[self.scanner.currentIndex()][1]
+
+    def _tell_scanner(self) -> None:
+        figures = self._scanner()
+        _show(self.scanner_origin, figures)
+        if figures is not None:
+            self.scanner_chosen.emit(figures)
+
+    def _tell_pos(self) -> None:
+        found = self._pos[self.pos.currentIndex()][1]
+        state = None if found is None else found[1]
+        _show(self.pos_origin, state)
+        if state is not None:
+            self.pos_chosen.emit(state)
+
+
+def _pos_title(entry: tuple[str, tuple[PosFigures, PosState] | None]) -> str:
+    assert entry[1] is not None
+    figures, state = entry[1]
+    return f"{figures.title}, {say(SOLUTIONS[state.name])}"
+
+
+def _show(label: QWidget, figures: ScannerFigures | PosState | None) -> None:
+    label.setText("" if figures is None else origin_of(figures, say))
+    label.setVisible(figures is not None)
+    label.setProperty("role", "hint" if figures is not None and figures.from_memory else "muted")
+    label.style().polish(label)

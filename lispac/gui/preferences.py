@@ -1,0 +1,79 @@
+"""What the user prefers for all projects: read from the settings, kept there, and applied."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.settings import POINT_SIZE, AppSettings
+from lispac.gui.viewport.decimation import Budget
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+
+@dataclass(frozen=True)
+class Preferences:
+    """One value for each field of the settings; the defaults are those of a new user.
+
+    Attributes
+    ----------
+    language : code, empty for that of the system
+    point_size : pixels
+    point_budget : points drawn at rest, at most
+    convention : key of the system that reports state the boresight for too; empty for none
+    scanner, pos : names in the sensor library that new projects begin with; empty for none
+    """
+
+    language: str = ""
+    point_size: int = POINT_SIZE
+    point_budget: int = Budget().resting
+    convention: str = ""
+    scanner: str = ""
+    pos: str = ""
+
+    @classmethod
+    def of(cls, settings: AppSettings) -> "Preferences":
+        """As they are kept."""
+        scanner, pos = settings.usual_sensors
+        return cls(
+            settings.language_chosen, settings.point_size, settings.point_budget,
+            settings.report_choice()[2], scanner, pos,
+        )  # fmt: skip
+
+    def keep(self, settings: AppSettings) -> None:
+        """Remember them."""
+        settings.language = self.language
+        settings.point_size = self.point_size
+        settings.point_budget = self.point_budget
+        template, page, _, language = settings.report_choice()
+        settings.keep_report_choice((template, page, self.convention, language))
+        settings.usual_sensors = (self.scanner, self.pos)
+        settings.sync()
+
+
+class Preferring(QObject):
+    """Asks for preferences and applies them; joined to the window's parts."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._window = window
+        self._draw()
+        window.actions_["settings"].triggered.connect(lambda _=False: self.ask())
+
+    def ask(self) -> None:
+        """Ask, and apply what was chosen at once; another language needs another window."""
+        window, settings = self._window, self._window.settings
+        spoken = settings.language
+        answer = window.dialogs.preferences(Preferences.of(settings), settings)
+        if answer is None:
+            return
+        answer.keep(settings)
+        window.viewport.set_point_size(answer.point_size)
+        self._draw()
+        window.report.show_choice(settings.report_choice())
+        if settings.language != spoken:
+            window.renew()
+
+    def _draw(self) -> None:
+        self._window.viewport.set_point_budget(self._window.settings.point_budget)

@@ -1,0 +1,252 @@
+"""File > Settings: each setting does what it says, and is there the next time."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
+from lispac.gui.dialogs.settings import SettingsDialog
+from lispac.gui.preferences import Preferences
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.decimation import Budget
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.io.sensor_file import PosFigures, ScannerFigures
+from lispac.project import Settings
+from lispac.workflow.projects import new_project
+from lispac.workflow.sensors import keep, library
+from tests.gui.support import Driver, Key, Left, press
+
+OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk")
+MINE = ScannerFigures("Profiler 16", 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
+
+
+@pytest.fixture
+def page(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[SettingsDialog]:
+    """The settings of a new user."""
+    theme.apply_theme(qapp)
+    made = SettingsDialog(Preferences(), tmp_path / "sensors")
+    made.show()
+    yield made
+    made.close()
+    made.deleteLater()
+
+
+def answers(driver: Driver, monkeypatch: pytest.MonkeyPatch, wanted: Preferences) -> list:
+    """Let the settings be answered; what they were asked with is remembered."""
+    asked: list[Preferences] = []
+
+    def answer(present: Preferences, _settings: AppSettings) -> Preferences:
+        asked.append(present)
+        return wanted
+
+    monkeypatch.setattr(driver.dialogs, "preferences", answer)
+    return asked
+
+
+def test_what_is_chosen_is_applied_at_once_and_kept(
+    driver: Driver, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+) -> None:
+    driver.window.settings.language = "en"
+    assert isinstance(driver.viewport, RecordingViewport)
+    asked = answers(driver, monkeypatch, OTHERS)
+    with qtbot.waitSignal(driver.window.renewal_asked):
+        press(driver, Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
+    assert asked == [Preferences(language="en")]
+    assert driver.viewport.point_size == 5
+    assert driver.viewport.point_budget == 3_500_000
+    assert driver.window.report.options().convention == "applanix"
+    again = AppSettings(Path(driver.window.settings.folder) / "settings.ini")
+    assert Preferences.of(again) == OTHERS
+    assert again.language == "fr"
+
+    answers(driver, monkeypatch, Preferences(language="fr"))
+    driver.window.actions_["settings"].trigger()
+    assert driver.viewport.point_size == Preferences().point_size
+    assert driver.viewport.point_budget == Budget().resting
+    assert driver.window.report.options().convention == ""
+
+
+def test_what_is_cancelled_changes_nothing(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = Preferences.of(driver.window.settings)
+    monkeypatch.setattr(driver.dialogs, "preferences", lambda *_: None)
+    driver.window.actions_["settings"].trigger()
+    assert Preferences.of(driver.window.settings) == before
+
+
+def test_the_system_speaks_where_no_language_is_chosen(tmp_path: Path) -> None:
+    settings = AppSettings(tmp_path / "settings.ini")
+    OTHERS.keep(settings)
+    assert settings.language == "fr"
+    Preferences().keep(settings)
+    system = QLocale.system().name().partition("_")[0]
+    assert settings.language == ("fr" if system == "fr" else "en")
+
+
+def test_the_budget_is_what_the_view_draws(real: Driver) -> None:
+    import numpy as np
+
+    real.window.resize(1200, 900)
+    viewport = real.viewport
+    points = np.random.default_rng(1).uniform(-10, 10, (400_000, 3))
+    viewport.show_clouds({"L1": points}, {"L1": (200, 0, 0)})
+    viewport.fit()
+
+    def drawn(budget: int) -> int:
+        viewport.set_point_budget(budget)
+        viewport.picture()
+        return sum(len(each) for each in viewport._layer.detail.values())
+
+    assert drawn(100_000) == pytest.approx(100_000, abs=2)
+    assert drawn(300_000) > 150_000
+
+
+def test_the_dialogue_gives_back_what_it_was_given_and_restores(
+    page: SettingsDialog, qtbot: QtBot
+) -> None:
+    assert page.preferences == Preferences()
+    page.show_preferences(OTHERS)
+    assert page.preferences == OTHERS
+    qtbot.mouseClick(page.restore, Left)
+    assert page.preferences == Preferences()
+
+
+def test_a_broken_settings_file_gives_the_defaults(tmp_path: Path) -> None:
+    (tmp_path / "settings.ini").write_text("[General]\npoint_budget=lots\npoint_size=99\n")
+    settings = AppSettings(tmp_path / "settings.ini")
+    assert (settings.point_budget, settings.point_size) == (Budget().resting, 2)
+
+
+# -- sensors -----------------------------------------------------------------------------------
+
+
+def answer_editor(monkeypatch: pytest.MonkeyPatch, bot: QtBot, **texts: str) -> list[SensorEditor]:
+    """Type into the editor that opens, and press Keep."""
+    opened: list[SensorEditor] = []
+
+    def typed(editor: SensorEditor) -> int:
+        opened.append(editor)
+        editor.show()
+        for name, text in texts.items():
+            field = editor.findChild(object, name)
+            field.setFocus()
+            field.selectAll()
+            bot.keyClicks(field, text)
+        bot.mouseClick(editor.keep, Left)
+        return editor.result()
+
+    monkeypatch.setattr(SensorEditor, "exec", typed)
+    return opened
+
+
+def test_own_sensors_are_added_copied_edited_and_removed(
+    page: SettingsDialog, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    folder, sensors = tmp_path / "sensors", page.library
+    page.tabs.setCurrentIndex(1)
+    count = sensors.table.rowCount()
+    answer_editor(
+        monkeypatch, qtbot, sensor_title="Profiler 16", sensor_range="4", sensor_angle="0.0125",
+        sensor_beam="0.3", sensor_source=MINE.source,
+    )  # fmt: skip
+    qtbot.mouseClick(sensors.add_scanner, Left)
+    assert library(folder).scanner("profiler-16") == MINE
+    assert sensors.current is not None
+    assert sensors.current.figures == MINE
+    assert "Profiler 16" in [page.choice.scanner.itemText(k) for k in range(count)]
+
+    answer_editor(monkeypatch, qtbot, sensor_range="6")
+    qtbot.mouseClick(sensors.edit, Left)
+    assert library(folder).scanner("profiler-16").range_sigma == 0.006
+
+    sensors.select("apogee")
+    assert not sensors.edit.isEnabled()
+    assert not sensors.remove.isEnabled()
+    answer_editor(monkeypatch, qtbot)
+    qtbot.mouseClick(sensors.copy, Left)
+    theirs, ours = (
+        next(s.figures for s in library(folder).pos if s.name == name)
+        for name in ("apogee", "sbg-systems-apogee-own")
+    )
+    assert isinstance(ours, PosFigures)
+    assert ours.states == theirs.states
+    assert sensors.table.rowCount() == count + 2
+
+    sensors.select("profiler-16")
+    qtbot.mouseClick(sensors.remove, Left)
+    assert [s.name for s in library(folder).scanners if s.own] == []
+    assert sensors.table.rowCount() == count + 1
+
+
+def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: Path) -> None:
+    keep(tmp_path, MINE)
+    editor = SensorEditor(tmp_path, NEW_SCANNER, "")
+    qtbot.addWidget(editor)
+    editor.show()
+    assert "needs a title" in editor.said.text()
+    qtbot.keyClicks(editor.title, "Profiler 16")
+    qtbot.keyClicks(editor.parts[0].origin.source, "Certificate")
+    assert "already" in editor.said.text()
+    assert not editor.keep.isEnabled()
+    qtbot.keyClicks(editor.title, " B")
+    assert editor.said.text() == ""
+    assert editor.keep.isEnabled()
+
+    pos = SensorEditor(tmp_path, NEW_POS, "")
+    qtbot.addWidget(pos)
+    qtbot.keyClicks(pos.title, "My INS")
+    assert "where the figures come from" in pos.said.text()
+    pos.parts[1].stated.setChecked(False)
+    assert "one GNSS solution at least" in pos.said.text()
+
+
+def test_a_broken_file_is_named_above_the_buttons(
+    qtbot: QtBot, qapp: QApplication, tmp_path: Path
+) -> None:
+    path = tmp_path / "scanners" / "mine.toml"
+    path.parent.mkdir()
+    path.write_text('title = "Mine"\n')
+    dialog = SettingsDialog(Preferences(), tmp_path)
+    qtbot.addWidget(dialog)
+    assert dialog.library.said.text() == f"{path}: range_sigma_m is missing; add it."
+
+
+def test_a_new_project_begins_with_the_usual_sensors_and_names_them(
+    dialog: ImportDialog, qtbot: QtBot, tmp_path: Path
+) -> None:
+    settings = AppSettings(tmp_path / "settings.ini")
+    settings.usual_sensors = ("zf-9012", "apogee:ppk")
+    other = ImportDialog(settings)
+    qtbot.addWidget(other)
+    stated = other.mounting.settings()
+    assert stated.lidar_beam_sigma == (0.0087, 0.02)
+    assert stated.attitude_sigma_deg == (0.005, 0.005, 0.01)
+    assert dialog.mounting.settings() == Settings((0.0, 0.0, 0.0))  # nothing was chosen there
+    other.work.close()
+
+
+def test_chosen_sensors_fill_fields_that_can_be_changed(
+    filled: ImportDialog, qtbot: QtBot, tmp_path: Path
+) -> None:
+    page = filled.mounting
+    assert filled.request().settings.lidar_beam_sigma is None
+    page.sensors.choose("riegl-vux-1", "hydrins:rtk")
+    assert "from memory" in page.sensors.scanner_origin.text()
+    assert page.sensors.pos_origin.text().startswith("Thesis")
+    page.angle_sigma.setValue(0.004)
+    filled.folder.setText(str(tmp_path / "made"))
+    asked = filled.request()
+    assert asked.settings.lidar_sigma == 0.005
+    assert asked.settings.lidar_beam_sigma == (0.005, 0.004)
+    project, _survey = new_project(
+        asked.folder, trajectory=asked.trajectory, lines=asked.lines, settings=asked.settings,
+        accuracy=asked.accuracy, trajectory_reading=asked.trajectory_reading,
+        accuracy_reading=asked.accuracy_reading, identity=asked.identity,
+    )  # fmt: skip
+    assert project.identity.scanner == "RIEGL VUX-1UAV"
+    assert project.identity.pos == "Exail (iXblue) Hydrins"
