@@ -10,6 +10,7 @@ from lispac.adjustment.stochastic import PosErrors
 from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Step
+from lispac.language.translation import Say, unchanged
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress
 
 BEYOND = 4.0
@@ -26,7 +27,9 @@ NAMES: dict[PosErrors, str] = {
 }
 
 
-def scenario_figure(found: Sequence[Outcome], figure: Figure | None = None) -> Figure:
+def scenario_figure(
+    found: Sequence[Outcome], figure: Figure | None = None, say: Say = unchanged
+) -> Figure:
     """Sigmas of roll, pitch and yaw for each case of one scenario, in both stochastic models."""
     models = [m for m in NAMES if any(each.pos_errors == m for each in found)]
     cases = list(dict.fromkeys(each.case for each in found))
@@ -39,16 +42,17 @@ def scenario_figure(found: Sequence[Outcome], figure: Figure | None = None) -> F
         for k, (angle, colour) in enumerate(zip(ANGLES, COLOURS, strict=True)):
             at = np.arange(len(cases)) + 0.27 * (k - 1)
             axes.bar(at, np.where(np.isfinite(table[:, k]), table[:, k], 0.0), 0.25, color=colour,
-                     label=angle)  # fmt: skip
+                     label=say(angle))  # fmt: skip
         for x in np.flatnonzero(~np.isfinite(table).all(axis=1)):
-            axes.text(x, 0.03 * highest, "not determined", rotation=90, fontsize=SMALL, color=INK,
-                      ha="center", va="bottom")  # fmt: skip
-        dress(axes, "", "1 sigma (deg)")
-        axes.set_title(NAMES[model], fontsize=TEXT, color=INK, loc="left")
+            axes.text(x, 0.03 * highest, say("not determined"), rotation=90, fontsize=SMALL,
+                      color=INK, ha="center", va="bottom")  # fmt: skip
+        dress(axes, "", say("1 sigma (deg)"))
+        axes.set_title(say(NAMES[model]), fontsize=TEXT, color=INK, loc="left")
         axes.set_ylim(0.0, 1.12 * highest if highest > 0 else 1.0)
     turned = max(map(len, cases)) * len(cases) > 70
     panels[-1].set_xticks(
-        range(len(cases)), cases, fontsize=SMALL, rotation=30 if turned else 0,
+        range(len(cases)), [say(case) for case in cases], fontsize=SMALL,
+        rotation=30 if turned else 0,
         ha="right" if turned else "center",
     )  # fmt: skip
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper right", ncols=3,
@@ -56,7 +60,9 @@ def scenario_figure(found: Sequence[Outcome], figure: Figure | None = None) -> F
     return figure
 
 
-def front_figure(front: Sequence[Step], label: str, figure: Figure | None = None) -> Figure:
+def front_figure(
+    front: Sequence[Step], label: str, figure: Figure | None = None, say: Say = unchanged
+) -> Figure:
     """What less time costs: the objective against the minutes of each plan.
 
     Parameters
@@ -73,12 +79,12 @@ def front_figure(front: Sequence[Step], label: str, figure: Figure | None = None
         said = f"{len(step.plan.targets)} x {len(step.plan.lines)}"
         axes.annotate(said, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=SMALL,
                       color=INK)  # fmt: skip
-    dress(axes, "Minutes on site (targets x lines beside each)", f"{label} (deg)")
+    dress(axes, say("Minutes on site (targets x lines beside each)"), say(f"{label} (deg)"))
     axes.set_ylim(0.0, 1.15 * values.max())
     return figure
 
 
-def errors_figure(found: Scatter, figure: Figure | None = None) -> Figure:
+def errors_figure(found: Scatter, figure: Figure | None = None, say: Say = unchanged) -> Figure:
     """Errors of roll, pitch and yaw over their foretold sigmas, beside what is to be expected."""
     figure = blank(figure, (6.3, 2.6))
     panels = figure.subplots(1, len(ANGLES), sharex=True, sharey=True)
@@ -90,9 +96,9 @@ def errors_figure(found: Scatter, figure: Figure | None = None) -> Figure:
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         axes.hist(unit[:, k], edges, color=COLOURS[k], alpha=0.75)
         axes.plot(at, expected, color=INK, linewidth=1.0)
-        dress(axes, "error / foretold sigma", "surveys" if k == 0 else "")
+        dress(axes, say("error / foretold sigma"), say("surveys") if k == 0 else "")
         ratio = found.ratio[k]
         said = f"{angle}: {ratio:.2f} \u00b1 {ratio * found.by_chance:.2f}"
-        axes.set_title(said, fontsize=TEXT, color=INK, loc="left")
-    figure.suptitle(EXPECTED, fontsize=SMALL, color=INK)
+        axes.set_title(say(said), fontsize=TEXT, color=INK, loc="left")
+    figure.suptitle(say(EXPECTED), fontsize=SMALL, color=INK)
     return figure

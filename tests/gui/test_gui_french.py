@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
+from lispac.gui.design import edits
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.budget import BudgetDialog
 from lispac.gui.dialogs.check import CheckDialog
@@ -27,9 +28,10 @@ from lispac.project import Project
 from lispac.report.budget_values import Budget
 from lispac.workflow.budget import budget_of
 from lispac.workflow.validation import validate
+from tests.gui.design_support import followed, opened_by_keys, type_cell
 from tests.gui.french_support import english
 from tests.gui.import_support import drop, raw, rest
-from tests.gui.support import Demo, Driver, open_step, seed, type_into
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, open_step, seed, type_into
 
 
 @pytest.fixture
@@ -151,6 +153,38 @@ def test_numbers_are_typed_with_comma_or_point(french: Driver, demo: Demo) -> No
         type_into(french, field, typed)
         assert field.value() == -0.1234
         assert field.text() == "-0,1234 m"
+
+
+def test_a_site_is_designed(french: Driver) -> None:
+    design = opened_by_keys(french)
+    followed(design)
+    french.bot.waitUntil(lambda: not design.results.following.active, timeout=WAIT_MS)
+    for view in range(design.views.count()):
+        design.views.setCurrentIndex(view)
+    for tab in range(design.tabs.count()):
+        design.tabs.setCurrentIndex(tab)
+        french.rest()
+    all_french(design)
+    design.tabs.setCurrentIndex(1)
+    editor = type_cell(french, design.targets.table, 0, 1, "1,25")
+    french.bot.keyClick(editor, Key.Key_Return)
+    french.rest()
+    assert edits.hung(design.workspace.titled)[0].along == pytest.approx(1.25)
+    assert design.targets.table.item(0, 1).text() == "1,25"
+    undo = "&Annuler\u00a0: position le long du mur de la cible 1"
+    assert design.actions_["undo"].text() == undo
+    sides = design.lines.table
+    assert {sides.item(row, 3).text() for row in range(sides.rowCount())} <= {"bâbord", "tribord"}
+    limits = design.search.limits
+    limits.lists["heights"].setText("4,5; 6")
+    assert limits.site(design.workspace.titled)[1].heights == (4.5, 6.0)
+    limits.lists["heights"].setText("4,5,6")
+    assert "n'est pas un nombre" in design.search.mistake.text().replace("’", "'")
+    limits.lists["heights"].setText("4,5; 6")
+    design.actions_["add_ball"].trigger()
+    french.bot.waitUntil(lambda: not design.results.following.active, timeout=WAIT_MS)
+    all_french(design)
+    design.workspace.history.keep()
 
 
 def test_files_are_written_alike_in_both_languages(

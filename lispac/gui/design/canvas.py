@@ -126,7 +126,7 @@ class Canvas(QWidget):
         font.setPixelSize(10)
         painter.setFont(font)
         across, up = self._axes
-        clear = self.width() - painter.fontMetrics().horizontalAdvance(across) - 30
+        clear = self.width() - painter.fontMetrics().horizontalAdvance(say(across)) - 30
         for axis in (0, 1):
             for k in range(int(np.ceil(low[axis] / step)), int(np.floor(high[axis] / step)) + 1):
                 at = np.array([k * step, k * step])
@@ -149,7 +149,7 @@ class Canvas(QWidget):
         painter.drawText(QPointF(4, 13), say(up))
 
     def words(self, painter: QPainter, at: QPointF, text: str, colour: str = "") -> None:
-        """Words on a ground of their own, so that they are read over lines."""
+        """Words as they are, on a ground of their own, so that they are read over lines."""
         font = QFont(self.font())
         font.setPixelSize(11)
         painter.setFont(font)
@@ -157,7 +157,7 @@ class Canvas(QWidget):
         ground = QRectF(at.x() - 2, at.y() - box.height() + 2, box.width() + 5, box.height())
         painter.fillRect(ground, theme.colour("paper", 0.8))
         painter.setPen(QColor(colour or theme.TEXT))
-        painter.drawText(at, say(text))
+        painter.drawText(at, text)
 
     # -- mouse and keys ----------------------------------------------------------------------
 

@@ -1,8 +1,9 @@
 """What a search may choose from, in a form: a list of numbers in each field."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QLocale, Signal
 from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
 
 from lispac.design.site import Site
@@ -24,15 +25,20 @@ LEANS = (90.0, 60.0, 45.0, 120.0, 135.0)
 """Degrees from level, as in the site files that come with the program."""
 
 
-def numbers_of(text: str, what: str, unit: str, low: float, high: float) -> tuple[float, ...]:
-    """A list of numbers as it is typed: apart by commas, semicolons or blanks.
+def numbers_of(
+    text: str, what: str, unit: str, low: float, high: float, decimal: str = "."
+) -> tuple[float, ...]:
+    """A list of numbers as it is typed: apart by semicolons, blanks, or commas.
+
+    A comma between digits is a decimal sign where the user's language has it as such.
 
     Raises
     ------
     InputError
         Something else stands there, or it is out of range.
     """
-    parts = text.replace(",", " ").replace(";", " ").replace("−", "-").split()
+    text = text.replace(";", " ").replace("−", "-")
+    parts = text.replace(",", " " if decimal == "." else ".").split()
     if not parts:
         raise InputError(f"{what}: give at least one number in {unit}.")
     found = []
@@ -136,7 +142,8 @@ class LimitsForm(QWidget):
 
     def _numbers(self, name: str) -> tuple[float, ...]:
         label, unit, low, high, _ = LISTS[name]
-        return numbers_of(self.lists[name].text(), label, unit, low, high)
+        decimal = QLocale().decimalPoint()
+        return numbers_of(self.lists[name].text(), label, unit, low, high, decimal)
 
     def _fill(self, site: Site) -> None:
         for field, value in (
@@ -145,7 +152,7 @@ class LimitsForm(QWidget):
         ):  # fmt: skip
             field.setValue(value)
         for name, field in self.lists.items():
-            field.setText(", ".join(f"{v:g}" for v in getattr(site, name)))
+            field.setText(_apart(getattr(site, name)))
         self.changed.emit()
 
     def _judge(self, _text: str) -> None:
@@ -160,6 +167,13 @@ class LimitsForm(QWidget):
                 field.style().unpolish(field)
                 field.style().polish(field)
         self.changed.emit()
+
+
+def _apart(values: Sequence[float]) -> str:
+    """Numbers as they are typed, in the user's language."""
+    decimal = QLocale().decimalPoint()
+    between = ", " if decimal == "." else "; "
+    return between.join(f"{v:g}".replace(".", decimal) for v in values)
 
 
 def _whole(name: str, low: int, high: int, value: int, tip: str):

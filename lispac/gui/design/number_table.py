@@ -141,7 +141,7 @@ class NumberTable(QTableWidget):
                     item.setFont(theme.tabular(self.font()))
                     item.setToolTip(say(self._tip(field)))
                     self.setItem(r, c, item)
-                said = "" if value == "" else field.said(value)
+                said = "" if value == "" else _shown(field, value)
                 if item.text() != said:
                     item.setText(said)
                 flags = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled
@@ -155,6 +155,11 @@ class NumberTable(QTableWidget):
             self.chosen.emit(row)
 
 
+def _shown(field: Field, value: float | str | None) -> str:
+    """A value in the user's language; a name as it is."""
+    return field.said(value) if field.words else say(field.said(value))
+
+
 class _Delegate(QStyledItemDelegate):
     """Editors that say what is wrong; Enter does not close one that is."""
 
@@ -166,7 +171,8 @@ class _Delegate(QStyledItemDelegate):
         field = self._table.fields[index.column()]
         if field.choices:
             box = QComboBox(parent)
-            box.addItems(list(field.choices))
+            for choice in field.choices:
+                box.addItem(say(choice), choice)
             box.activated.connect(lambda _index: (self.commitData.emit(box),
                                                   self.closeEditor.emit(box)))  # fmt: skip
         else:
@@ -200,14 +206,13 @@ class _Delegate(QStyledItemDelegate):
             editor.setCurrentText(index.data())
         elif not editor.isModified():
             field, said = self._table.fields[index.column()], index.data() or ""
-            editor.setText("" if field.empty and said == field.empty else said)
+            editor.setText("" if field.empty and said == say(field.empty) else said)
 
     def setModelData(self, editor, model, index) -> None:
         field = self._table.fields[index.column()]
         if isinstance(editor, QComboBox):
-            said = editor.currentText()
-            if said != index.data():
-                self._table.edited.emit(index.row(), field.name, said)
+            if editor.currentText() != index.data():
+                self._table.edited.emit(index.row(), field.name, editor.currentData())
             return
         if not editor.isModified():
             return
@@ -215,7 +220,7 @@ class _Delegate(QStyledItemDelegate):
             value = field.read(editor.text())
         except InputError:
             return
-        if field.said(value) != index.data():
+        if _shown(field, value) != index.data():
             self._table.edited.emit(index.row(), field.name, value)
 
     def eventFilter(self, editor, event) -> bool:

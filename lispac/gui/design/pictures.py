@@ -46,22 +46,22 @@ class PicturesPanel(QWidget):
         for name in names:
             own = [each for each in found if each.scenario == name]
             title = f"{name} (thesis's wall and boards)" if name in OF_THE_THESIS else name
-            self._put(title, lambda figure, own=own: scenario_figure(own, figure))
+            self._put(title, lambda figure, own=own: scenario_figure(own, figure, say))
         self.which.setCurrentIndex(0)
 
     def show_front(self, front: Sequence[Step], label: str) -> None:
         """What less time costs."""
         from lispac.report.design_figures import front_figure
 
-        self._put(LESS_TIME, lambda figure: front_figure(front, label, figure))
-        self.which.setCurrentText(LESS_TIME)
+        self._put(LESS_TIME, lambda figure: front_figure(front, label, figure, say))
+        self.which.setCurrentIndex(self.which.findData(LESS_TIME))
 
     def show_errors(self, found: Scatter) -> None:
         """How the answers of simulated surveys scatter."""
         from lispac.report.design_figures import errors_figure
 
-        self._put(ERRORS, lambda figure: errors_figure(found, figure))
-        self.which.setCurrentText(ERRORS)
+        self._put(ERRORS, lambda figure: errors_figure(found, figure, say))
+        self.which.setCurrentIndex(self.which.findData(ERRORS))
 
     def _put(self, title: str, draw: Callable) -> None:
         from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
@@ -71,7 +71,7 @@ class PicturesPanel(QWidget):
         canvas.setAccessibleName(say(f"Figure: {title}"))
         canvas.setMinimumSize(280, 200)
         draw(canvas.figure)
-        at = self.which.findText(title)
+        at = self.which.findData(title)
         if at >= 0:
             old = self.pages.widget(at)
             self.pages.removeWidget(old)
@@ -80,6 +80,6 @@ class PicturesPanel(QWidget):
             self.pages.setCurrentIndex(self.which.currentIndex())
         else:
             self.pages.addWidget(canvas)
-            self.which.addItem(title)
+            self.which.addItem(say(title), title)
         self.empty.hide()
         self.which.show()

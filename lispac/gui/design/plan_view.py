@@ -123,10 +123,10 @@ class PlanView(Canvas):
         painter.setFont(font)
         number = f"{k + 1}"
         wide = painter.fontMetrics().horizontalAdvance(number)
-        painter.drawText(first + QPointF(-wide / 2, 4), say(number))
+        painter.drawText(first + QPointF(-wide / 2, 4), number)
         if chosen:
             line = self.workspace.titled.plan.lines[k]
-            said = f"{line.heading_deg:03.0f}°, {line.distance:g} m"
+            said = say(f"{line.heading_deg:03.0f}°, {line.distance:g} m")
             self.words(painter, (first + last) / 2 + QPointF(8, -8), said, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------

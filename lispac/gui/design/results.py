@@ -136,7 +136,7 @@ class ResultsPanel(QScrollArea):
             + "</tr>"
             for line in lines
         )  # fmt: skip
-        self.points.setText(say(f"<table><tr><td></td>{head}</tr>{rows}</table>"))
+        self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
         size = self.points.sizeHint()
         bar = self._beside.horizontalScrollBar().sizeHint().height()
         self._beside.setFixedHeight(size.height() + bar)
@@ -158,7 +158,7 @@ class ResultsPanel(QScrollArea):
             without = float(np.degrees(each.without))
             times = without / largest if known and np.isfinite(without) else None
             cells = [
-                Cell(each.name), Cell(told.sigma_words(without), without),
+                Cell(each.name, named=True), Cell(told.sigma_words(without), without),
                 Cell("" if times is None else f"{times:.2f}", times),
             ]  # fmt: skip
             rows.append(Row(cells))
@@ -171,4 +171,4 @@ class ResultsPanel(QScrollArea):
 
 def _count(counts, target: str, line: str) -> str:
     found = counts.get((target, line))
-    return f"{found:,.0f}" if found is not None else "–"
+    return say(f"{found:,.0f}") if found is not None else told.UNKNOWN

@@ -36,7 +36,7 @@ class SearchPanel(QScrollArea):
             "search_factors", list(FACTORS), "How good the POS will be on the day: the mean counts"
         )
         for choice in (self.criterion, self.factors):
-            choice.setAccessibleName(say(choice.toolTip()))
+            choice.setAccessibleName(choice.toolTip())
         self.plans = widgets.number(
             "search_plans", suffix="", decimals=0, low=100, high=1_000_000, step=1000,
             tip="About how many plans to look at where there are too many to look at all, "

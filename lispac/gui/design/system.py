@@ -45,7 +45,7 @@ class SystemPanel(QScrollArea):
             "How the adjustment takes the POS errors: drifting, or as the thesis does",
         )  # fmt: skip
         for choice in (self.grade, self.model):
-            choice.setAccessibleName(say(choice.toolTip()))
+            choice.setAccessibleName(choice.toolTip())
             choice.setSizeAdjustPolicy(choice.SizeAdjustPolicy.AdjustToContents)
         self.position = [
             _number(f"design_sigma_{axis}", "mm", 1, 0.1, 10_000.0, 1.0,

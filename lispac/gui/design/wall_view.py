@@ -72,7 +72,7 @@ class WallView(Canvas):
             self.words(painter, box.topLeft() + QPointF(0, -3), said)
             if k == self.workspace.target:
                 place = f"{each.along:+.2f}, {each.up:+.2f} m".replace("-", "−")
-                self.words(painter, box.bottomLeft() + QPointF(0, 14), place, theme.MOVED)
+                self.words(painter, box.bottomLeft() + QPointF(0, 14), say(place), theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 

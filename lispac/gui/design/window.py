@@ -58,7 +58,7 @@ ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "later": ("Line la&ter", "Later", "", "Alt+Down", "Sail the selected line a turn later"),
     "add_board": ("Add &board", "Board", "square-outline", "Ctrl+B", "Hang one more board"),
     "add_ball": ("Add b&all", "Ball", "circle-outline", "Ctrl+Shift+B", "Put up one more ball"),
-    "fit": ("&Fit the 3D view", "Fit", "fit-to-page-outline", "Ctrl+0",
+    "fit": ("&Fit the 3D view", "Fit view", "fit-to-page-outline", "Ctrl+0",
             "Look at all of the site in 3D again"),
     "scenarios": ("S&cenarios", "Scenarios", "chart-bar", "F9",
                   "Change one thing at a time, in both stochastic models"),
@@ -165,7 +165,7 @@ class DesignWindow(QMainWindow):
         self.task_bar.addWidget(self.mistake, 1)
         self.setStatusBar(self.task_bar)
         for table in (self.lines.table, self.targets.table):
-            table.mistake.connect(self.mistake.setText)
+            table.mistake.connect(lambda text: self.mistake.setText(say(text)))
         for title, names in MENUS.items():
             menu = self.menuBar().addMenu(say(title))
             for name in names:
@@ -192,7 +192,7 @@ class DesignWindow(QMainWindow):
         else:
             action.setShortcut(QKeySequence(keys))
         shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(say(f"{tip} ({shown})"))
+        action.setToolTip(f"{say(tip)} ({shown})" if shown else say(tip))
         action.setStatusTip(say(tip))
         return action
 

@@ -31,6 +31,8 @@ class Cell:
 
     text: str
     value: float | None = None
+    named: bool = False
+    """Whether it is a name, which no language changes."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ class _Item(QTableWidgetItem):
     """Sorted by its value, unknown ones last; words by themselves."""
 
     def __init__(self, cell: Cell) -> None:
-        text = say(cell.text)
+        text = cell.text if cell.named else say(cell.text)
         super().__init__(text.replace("-", "−") if cell.value is not None else text)
         self.cell = cell
 

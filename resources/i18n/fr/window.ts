@@ -1121,7 +1121,7 @@
     </message>
     <message>
         <source>add a ball</source>
-        <translation>ajouter une boule</translation>
+        <translation>ajouter une sphère</translation>
     </message>
     <message>
         <source>Looking into it</source>
@@ -7192,6 +7192,1281 @@ m/s</translation>
     <message>
         <source>Sigma of the beam&apos;s direction; at 0 the noise is the same on each axis</source>
         <translation>Écart-type de la direction du faisceau ; à 0 le bruit est le même sur chaque axe</translation>
+    </message>
+</context>
+<context>
+    <name>design</name>
+    <message>
+        <source>The plan has been changed since: this is of the plan as it was.</source>
+        <translation>Le plan a été modifié depuis : ceci vaut pour le plan tel qu&apos;il était.</translation>
+    </message>
+    <message>
+        <source>Looking at this plan</source>
+        <translation>Examen de ce plan</translation>
+    </message>
+    <message>
+        <source>Looking at this plan …</source>
+        <translation>Examen de ce plan…</translation>
+    </message>
+    <message>
+        <source>Foretelling</source>
+        <translation>Prévision</translation>
+    </message>
+    <message>
+        <source>Weighing</source>
+        <translation>Évaluation</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Panneaux</translation>
+    </message>
+    <message>
+        <source>Boards along</source>
+        <translation>Panneaux le long du mur</translation>
+    </message>
+    <message>
+        <source>Boards along, m</source>
+        <translation>Panneaux le long du mur, m</translation>
+    </message>
+    <message>
+        <source>Boards along (m)</source>
+        <translation>Panneaux le long du mur (m)</translation>
+    </message>
+    <message>
+        <source>Boards up</source>
+        <translation>Hauteur des panneaux</translation>
+    </message>
+    <message>
+        <source>Boards up, m</source>
+        <translation>Hauteur des panneaux, m</translation>
+    </message>
+    <message>
+        <source>Boards up (m)</source>
+        <translation>Hauteur des panneaux (m)</translation>
+    </message>
+    <message>
+        <source>From level</source>
+        <translation>Sur l&apos;horizontale</translation>
+    </message>
+    <message>
+        <source>From level, deg</source>
+        <translation>Sur l&apos;horizontale, °</translation>
+    </message>
+    <message>
+        <source>From level (deg)</source>
+        <translation>Sur l&apos;horizontale (°)</translation>
+    </message>
+    <message>
+        <source>From level
+(deg)</source>
+        <translation>Sur l&apos;horiz.
+(°)</translation>
+    </message>
+    <message>
+        <source>Headings</source>
+        <translation>Caps</translation>
+    </message>
+    <message>
+        <source>Headings, deg</source>
+        <translation>Caps, °</translation>
+    </message>
+    <message>
+        <source>Headings (deg)</source>
+        <translation>Caps (°)</translation>
+    </message>
+    <message>
+        <source>Distances, m</source>
+        <translation>Distances, m</translation>
+    </message>
+    <message>
+        <source>Distances (m)</source>
+        <translation>Distances (m)</translation>
+    </message>
+    <message>
+        <source>Off the wall</source>
+        <translation>Distance au mur</translation>
+    </message>
+    <message>
+        <source>Time on site</source>
+        <translation>Temps sur le site</translation>
+    </message>
+    <message>
+        <source>Where boards may hang, to the right; a list of numbers, {low:n} to {high:n} m</source>
+        <translation>Où des panneaux peuvent être posés, vers la droite ; liste de nombres, de {low} à {high} m, séparés par des points-virgules ou des blancs</translation>
+    </message>
+    <message>
+        <source>Heights of boards above the POS; a list of numbers, {low:n} to {high:n} m</source>
+        <translation>Hauteurs des panneaux au-dessus du POS ; liste de nombres, de {low} à {high} m, séparés par des points-virgules ou des blancs</translation>
+    </message>
+    <message>
+        <source>Inclinations: 90 upright, less leans back, more forward; a list of numbers, {low:n} to {high:n} deg</source>
+        <translation>Inclinaisons : 90 vertical, moins penche en arrière, plus en avant ; liste de nombres, de {low} à {high}°, séparés par des points-virgules ou des blancs</translation>
+    </message>
+    <message>
+        <source>That may be sailed; a list of numbers, {low:n} to {high:n} deg</source>
+        <translation>Qui peuvent être suivis ; liste de nombres, de {low} à {high}°, séparés par des points-virgules ou des blancs</translation>
+    </message>
+    <message>
+        <source>At which a line may pass the site; a list of numbers, {low:n} to {high:n} m</source>
+        <translation>Auxquelles une ligne peut passer le site ; liste de nombres, de {low} à {high} m, séparés par des points-virgules ou des blancs</translation>
+    </message>
+    <message>
+        <source>Boards that are hung, {low:n} to {high:n}</source>
+        <translation>Panneaux à poser, de {low} à {high}</translation>
+    </message>
+    <message>
+        <source>Lines that are sailed, {low:n} to {high:n}</source>
+        <translation>Lignes à parcourir, de {low} à {high}</translation>
+    </message>
+    <message>
+        <source>No line comes nearer to the wall than this, 0 to 100 m</source>
+        <translation>Aucune ligne ne passe plus près du mur, de 0 à 100 m</translation>
+    </message>
+    <message>
+        <source>Time on site for lines, 1 to 1440 min</source>
+        <translation>Temps sur le site pour les lignes, de 1 à 1440 min</translation>
+    </message>
+    <message>
+        <source>{what}: give at least one number in {unit}.</source>
+        <translation>{what} : donnez au moins un nombre en {unit}.</translation>
+    </message>
+    <message>
+        <source>{what}: “{part:kept}” is not a number; give {unit}.</source>
+        <translation>{what} : « {part} » n&apos;est pas un nombre ; donnez-le en {unit}.</translation>
+    </message>
+    <message>
+        <source>{what}: {value:n} is out of range; give {low:n} to {high:n} {unit}.</source>
+        <translation>{what} : {value} est hors limites ; donnez de {low} à {high} {unit}.</translation>
+    </message>
+    <message>
+        <source>{what}: {value:n} {unit} is out of range; give {low:n} to {high:n} {unit2}.</source>
+        <translation>{what} : {value} {unit} est hors limites ; donnez de {low} à {high} {unit2}.</translation>
+    </message>
+    <message>
+        <source>{what}: give 1 to 24 letters.</source>
+        <translation>{what} : donnez de 1 à 24 lettres.</translation>
+    </message>
+    <message>
+        <source>no.</source>
+        <translation>n°</translation>
+    </message>
+    <message>
+        <source>Wall and system: the plan&apos;s.</source>
+        <translation>Mur et système : ceux du plan.</translation>
+    </message>
+    <message>
+        <source>Wall and system: the site file&apos;s, “{title:kept}”.</source>
+        <translation>Mur et système : ceux du fichier de site, « {title} ».</translation>
+    </message>
+    <message>
+        <source>Wall and system: the site file&apos;s, “{title:kept}”. There anyway: {there:kept}.</source>
+        <translation>Mur et système : ceux du fichier de site, « {title} ». Déjà en place : {there}.</translation>
+    </message>
+    <message>
+        <source>In which turn it is sailed; the order counts, {low:n} to {high:n} no.</source>
+        <translation>Son rang dans l&apos;ordre de parcours ; l&apos;ordre compte ; de {low} à {high}</translation>
+    </message>
+    <message>
+        <source>Clockwise from north, {low:n} to {high:n} deg</source>
+        <translation>Dans le sens horaire depuis le nord, de {low} à {high}°</translation>
+    </message>
+    <message>
+        <source>From the middle of the site, when that is abeam, {low:n} to {high:n} m</source>
+        <translation>Depuis le milieu du site, quand il est par le travers, de {low} à {high} m</translation>
+    </message>
+    <message>
+        <source>On which side the site lies</source>
+        <translation>De quel côté se trouve le site</translation>
+    </message>
+    <message>
+        <source>Over ground, {low:n} to {high:n} m/s</source>
+        <translation>Sur le fond, de {low} à {high} m/s</translation>
+    </message>
+    <message>
+        <source>As it is painted on the board</source>
+        <translation>Tel qu&apos;il est peint sur le panneau</translation>
+    </message>
+    <message>
+        <source>To the right on the wall, as seen from the water, {low:n} to {high:n} m</source>
+        <translation>Vers la droite sur le mur, vu de l&apos;eau, de {low} à {high} m</translation>
+    </message>
+    <message>
+        <source>From the wall towards the water; negative is behind it, {low:n} to {high:n} m</source>
+        <translation>Du mur vers l&apos;eau ; négatif derrière le mur ; de {low} à {high} m</translation>
+    </message>
+    <message>
+        <source>Of its middle above the vessel&apos;s POS, {low:n} to {high:n} m</source>
+        <translation>De son milieu au-dessus du POS du navire, de {low} à {high} m</translation>
+    </message>
+    <message>
+        <source>90 is upright, less leans back, more leans forward, {low:n} to {high:n} deg</source>
+        <translation>90 est vertical, moins penche en arrière, plus penche en avant ; de {low} à {high}°</translation>
+    </message>
+    <message>
+        <source>Azimuth, {low:n} to {high:n} deg</source>
+        <translation>Azimut, de {low} à {high}°</translation>
+    </message>
+    <message>
+        <source>Of a board; diameter of a ball, {low:n} to {high:n} m</source>
+        <translation>D&apos;un panneau ; diamètre d&apos;une sphère ; de {low} à {high} m</translation>
+    </message>
+    <message>
+        <source>Of a board, along it, {low:n} to {high:n} m</source>
+        <translation>D&apos;un panneau, le long de celui-ci, de {low} à {high} m</translation>
+    </message>
+    <message>
+        <source>How far one line may see it off its shape, {low:n} to {high:n} mm. Empty: plan&apos;s</source>
+        <translation>De combien une ligne peut la voir hors de sa forme, de {low} à {high} mm. Vide : celle du plan</translation>
+    </message>
+    <message>
+        <source>plan&apos;s</source>
+        <translation>du plan</translation>
+    </message>
+    <message>
+        <source>Line
+(no.)</source>
+        <translation>Ligne
+(n°)</translation>
+    </message>
+    <message>
+        <source>Site on</source>
+        <translation>Site à</translation>
+    </message>
+    <message>
+        <source>Along
+(m)</source>
+        <translation>Le long
+(m)</translation>
+    </message>
+    <message>
+        <source>Off
+(m)</source>
+        <translation>Au mur
+(m)</translation>
+    </message>
+    <message>
+        <source>Faces
+(deg)</source>
+        <translation>Face à
+(°)</translation>
+    </message>
+    <message>
+        <source>Width
+(m)</source>
+        <translation>Largeur
+(m)</translation>
+    </message>
+    <message>
+        <source>Height
+(m)</source>
+        <translation>Hauteur
+(m)</translation>
+    </message>
+    <message>
+        <source>Flatness
+(mm)</source>
+        <translation>Planéité
+(mm)</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Le long</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Au mur</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Face à</translation>
+    </message>
+    <message>
+        <source>Flatness</source>
+        <translation>Planéité</translation>
+    </message>
+    <message>
+        <source>Line, no.</source>
+        <translation>Ligne, n°</translation>
+    </message>
+    <message>
+        <source>Heading, deg</source>
+        <translation>Cap, °</translation>
+    </message>
+    <message>
+        <source>Distance, m</source>
+        <translation>Distance, m</translation>
+    </message>
+    <message>
+        <source>Speed, m/s</source>
+        <translation>Vitesse, m/s</translation>
+    </message>
+    <message>
+        <source>Along, m</source>
+        <translation>Le long, m</translation>
+    </message>
+    <message>
+        <source>Off, m</source>
+        <translation>Au mur, m</translation>
+    </message>
+    <message>
+        <source>Up, m</source>
+        <translation>Haut, m</translation>
+    </message>
+    <message>
+        <source>Faces, deg</source>
+        <translation>Face à, °</translation>
+    </message>
+    <message>
+        <source>Width, m</source>
+        <translation>Largeur, m</translation>
+    </message>
+    <message>
+        <source>Flatness, mm</source>
+        <translation>Planéité, mm</translation>
+    </message>
+    <message>
+        <source>Lines of the plan</source>
+        <translation>Lignes du plan</translation>
+    </message>
+    <message>
+        <source>Targets of the plan</source>
+        <translation>Cibles du plan</translation>
+    </message>
+    <message>
+        <source>Add the selected line the other way round (Insert)</source>
+        <translation>Ajouter la ligne choisie en sens inverse (Inser)</translation>
+    </message>
+    <message>
+        <source>Sail the selected line again (Ctrl+D)</source>
+        <translation>Parcourir la ligne choisie une fois de plus (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Remove the selected line (Delete)</source>
+        <translation>Retirer la ligne choisie (Suppr)</translation>
+    </message>
+    <message>
+        <source>Sail it one turn earlier (Alt+Up)</source>
+        <translation>La parcourir un rang plus tôt (Alt+Haut)</translation>
+    </message>
+    <message>
+        <source>Sail it one turn later (Alt+Down)</source>
+        <translation>La parcourir un rang plus tard (Alt+Bas)</translation>
+    </message>
+    <message>
+        <source>Add board</source>
+        <translation>Ajouter un panneau</translation>
+    </message>
+    <message>
+        <source>Add ball</source>
+        <translation>Ajouter une sphère</translation>
+    </message>
+    <message>
+        <source>Hang one more board, 2 m to the right (Insert)</source>
+        <translation>Poser un panneau de plus, 2 m à droite (Inser)</translation>
+    </message>
+    <message>
+        <source>Put up a ball of 20 cm, 2 m to the right</source>
+        <translation>Poser une sphère de 20 cm, 2 m à droite</translation>
+    </message>
+    <message>
+        <source>Remove the selected target (Delete)</source>
+        <translation>Retirer la cible choisie (Suppr)</translation>
+    </message>
+    <message>
+        <source>{name:kept}: another target has this name; give it another.</source>
+        <translation>{name} : une autre cible porte ce nom ; donnez-en un autre.</translation>
+    </message>
+    <message>
+        <source>order of lines</source>
+        <translation>ordre des lignes</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Plus tôt</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+    <message>
+        <source>heading of line {k:n}</source>
+        <translation>cap de la ligne {k}</translation>
+    </message>
+    <message>
+        <source>distance of line {k:n}</source>
+        <translation>distance de la ligne {k}</translation>
+    </message>
+    <message>
+        <source>side of line {k:n}</source>
+        <translation>côté de la ligne {k}</translation>
+    </message>
+    <message>
+        <source>speed of line {k:n}</source>
+        <translation>vitesse de la ligne {k}</translation>
+    </message>
+    <message>
+        <source>name of target {k:n}</source>
+        <translation>nom de la cible {k}</translation>
+    </message>
+    <message>
+        <source>along of target {k:n}</source>
+        <translation>position le long du mur de la cible {k}</translation>
+    </message>
+    <message>
+        <source>off of target {k:n}</source>
+        <translation>distance au mur de la cible {k}</translation>
+    </message>
+    <message>
+        <source>up of target {k:n}</source>
+        <translation>hauteur au-dessus du POS de la cible {k}</translation>
+    </message>
+    <message>
+        <source>lean of target {k:n}</source>
+        <translation>inclinaison de la cible {k}</translation>
+    </message>
+    <message>
+        <source>facing of target {k:n}</source>
+        <translation>azimut de la cible {k}</translation>
+    </message>
+    <message>
+        <source>width of target {k:n}</source>
+        <translation>largeur de la cible {k}</translation>
+    </message>
+    <message>
+        <source>height of target {k:n}</source>
+        <translation>hauteur de la cible {k}</translation>
+    </message>
+    <message>
+        <source>flatness of target {k:n}</source>
+        <translation>planéité de la cible {k}</translation>
+    </message>
+    <message>
+        <source>turn line {k:n}</source>
+        <translation>tourner la ligne {k}</translation>
+    </message>
+    <message>
+        <source>move line {k:n}</source>
+        <translation>déplacer la ligne {k}</translation>
+    </message>
+    <message>
+        <source>move target</source>
+        <translation>déplacer la cible</translation>
+    </message>
+    <message>
+        <source>move {name:kept}</source>
+        <translation>déplacer {name}</translation>
+    </message>
+    <message>
+        <source>hang target</source>
+        <translation>poser la cible</translation>
+    </message>
+    <message>
+        <source>duplicate line</source>
+        <translation>dupliquer la ligne</translation>
+    </message>
+    <message>
+        <source>add line</source>
+        <translation>ajouter une ligne</translation>
+    </message>
+    <message>
+        <source>remove line</source>
+        <translation>retirer la ligne</translation>
+    </message>
+    <message>
+        <source>add ball</source>
+        <translation>ajouter une sphère</translation>
+    </message>
+    <message>
+        <source>add board</source>
+        <translation>ajouter un panneau</translation>
+    </message>
+    <message>
+        <source>remove target</source>
+        <translation>retirer la cible</translation>
+    </message>
+    <message>
+        <source>best plan</source>
+        <translation>meilleur plan</translation>
+    </message>
+    <message>
+        <source>wall faces</source>
+        <translation>orientation du mur</translation>
+    </message>
+    <message>
+        <source>system</source>
+        <translation>système</translation>
+    </message>
+    <message>
+        <source>title</source>
+        <translation>titre</translation>
+    </message>
+    <message>
+        <source>own numbers</source>
+        <translation>nombres propres</translation>
+    </message>
+    <message>
+        <source>Scenarios (F9) change one thing at a time: lines, inclination, size and combination of boards as the thesis does, and with this plan distance, height, repeated lines, speed and POS. Simulated surveys (F10) show whether the sigmas hold.</source>
+        <translation>Les scénarios (F9) changent une chose à la fois : lignes, inclinaison, taille et combinaison de panneaux comme dans la thèse et, avec ce plan, distance, hauteur, répétition des lignes, vitesse et POS. Les levés simulés (F10) montrent si les écarts-types tiennent.</translation>
+    </message>
+    <message>
+        <source>less time on site</source>
+        <translation>moins de temps sur le site</translation>
+    </message>
+    <message>
+        <source>errors of simulated surveys</source>
+        <translation>erreurs des levés simulés</translation>
+    </message>
+    <message>
+        <source>Which figure is shown</source>
+        <translation>Figure affichée</translation>
+    </message>
+    <message>
+        <source>{name} (thesis&apos;s wall and boards)</source>
+        <translation>{name} (mur et panneaux de la thèse)</translation>
+    </message>
+    <message>
+        <source>Figure: {title}</source>
+        <translation>Figure : {title}</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>lignes</translation>
+    </message>
+    <message>
+        <source>inclination</source>
+        <translation>inclinaison</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>taille</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>cibles</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distance</translation>
+    </message>
+    <message>
+        <source>repeats</source>
+        <translation>répétitions</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>Site from above: lines</source>
+        <translation>Site vu de dessus : lignes</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Vu de dessus</translation>
+    </message>
+    <message>
+        <source>east (m)</source>
+        <translation>est (m)</translation>
+    </message>
+    <message>
+        <source>north (m)</source>
+        <translation>nord (m)</translation>
+    </message>
+    <message>
+        <source>along the wall (m)</source>
+        <translation>le long du mur (m)</translation>
+    </message>
+    <message>
+        <source>height of the POS</source>
+        <translation>hauteur du POS</translation>
+    </message>
+    <message>
+        <source>{heading:n}°, {distance:n} m</source>
+        <translation>{heading}°, à {distance} m</translation>
+    </message>
+    <message>
+        <source>{along:n}, {up:n} m</source>
+        <translation>{along} ; {up} m</translation>
+    </message>
+    <message>
+        <source>Drag a line nearer or farther, its arrow to turn it (in steps of 5 deg, with Shift freely). Keys: Page up and down choose a line, Left and Right turn it, Up and Down move it; Insert adds, Delete removes.</source>
+        <translation>Faites glisser une ligne pour la rapprocher ou l&apos;éloigner, sa flèche pour la tourner (par pas de 5°, librement avec Maj). Clavier : Page précédente et suivante choisissent une ligne, Gauche et Droite la tournent, Haut et Bas la déplacent ; Inser ajoute, Suppr retire.</translation>
+    </message>
+    <message>
+        <source>Wall from the water: targets</source>
+        <translation>Mur vu de l&apos;eau : cibles</translation>
+    </message>
+    <message>
+        <source>Wall from the water</source>
+        <translation>Mur vu de l&apos;eau</translation>
+    </message>
+    <message>
+        <source>Drag a target along the wall and up (in steps of 0.1 m, with Shift of 0.01 m). Keys: Page up and down choose a target, the arrows move it; Insert adds a board, Delete removes.</source>
+        <translation>Faites glisser une cible le long du mur et en hauteur (par pas de 0,1 m, de 0,01 m avec Maj). Clavier : Page précédente et suivante choisissent une cible, les flèches la déplacent ; Inser ajoute un panneau, Suppr retire.</translation>
+    </message>
+    <message>
+        <source>this plan</source>
+        <translation>ce plan</translation>
+    </message>
+    <message>
+        <source>thesis</source>
+        <translation>thèse</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>indéterminé</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>fois</translation>
+    </message>
+    <message>
+        <source>Target or line that is left out</source>
+        <translation>Cible ou ligne laissée de côté</translation>
+    </message>
+    <message>
+        <source>largest (deg)</source>
+        <translation>le plus grand (°)</translation>
+    </message>
+    <message>
+        <source>Largest of the three sigmas without it</source>
+        <translation>Le plus grand des trois écarts-types sans elle</translation>
+    </message>
+    <message>
+        <source>That many times as large as with it</source>
+        <translation>Combien de fois plus grand qu&apos;avec elle</translation>
+    </message>
+    <message>
+        <source>Expected sigmas (deg, 1 sigma)</source>
+        <translation>Écarts-types attendus (°)</translation>
+    </message>
+    <message>
+        <source>Sigma of {angle}, this plan, degrees</source>
+        <translation>Écart-type du {angle}, ce plan, degrés</translation>
+    </message>
+    <message>
+        <source>Sigma of {angle}, thesis, degrees</source>
+        <translation>Écart-type du {angle}, thèse, degrés</translation>
+    </message>
+    <message>
+        <source>Correlations; near 1 or −1 two angles are hardly told apart</source>
+        <translation>Corrélations ; près de 1 ou de −1, deux angles se distinguent à peine</translation>
+    </message>
+    <message>
+        <source>Correlation: roll–pitch {a:n}, roll–yaw {b:n}, pitch–yaw {c:n}</source>
+        <translation>Corrélation : roulis–tangage {a} ; roulis–lacet {b} ; tangage–lacet {c}</translation>
+    </message>
+    <message>
+        <source>Correlation: roll–pitch –, roll–yaw –, pitch–yaw –</source>
+        <translation>Corrélation : roulis–tangage – ; roulis–lacet – ; tangage–lacet –</translation>
+    </message>
+    <message>
+        <source>Points per sighting</source>
+        <translation>Points par vue</translation>
+    </message>
+    <message>
+        <source>What each is worth</source>
+        <translation>Ce que vaut chacune</translation>
+    </message>
+    <message>
+        <source>What each target and line is worth</source>
+        <translation>Ce que vaut chaque cible et chaque ligne</translation>
+    </message>
+    <message>
+        <source>On site: no line yet</source>
+        <translation>Sur le site : pas encore de ligne</translation>
+    </message>
+    <message>
+        <source>On site: {min:n} min for {n:n} lines, turns included</source>
+        <translation>Sur le site : {min} min pour {n} lignes, demi-tours compris</translation>
+    </message>
+    <message>
+        <source>Nothing to calibrate with yet: add a target and at least two lines.</source>
+        <translation>Rien encore pour étalonner : ajoutez une cible et au moins deux lignes.</translation>
+    </message>
+    <message>
+        <source>POS as good as stated</source>
+        <translation>POS aussi bon qu&apos;annoncé</translation>
+    </message>
+    <message>
+        <source>POS half to twice as poor</source>
+        <translation>POS de deux fois meilleur à deux fois moins bon</translation>
+    </message>
+    <message>
+        <source>What the best plan has smallest</source>
+        <translation>Ce que le meilleur plan a de plus petit</translation>
+    </message>
+    <message>
+        <source>How good the POS will be on the day: the mean counts</source>
+        <translation>Qualité du POS le jour venu : la moyenne compte</translation>
+    </message>
+    <message>
+        <source>About how many plans to look at where there are too many to look at all, 100 to 1,000,000</source>
+        <translation>Nombre approximatif de plans à examiner quand il y en a trop pour les examiner tous, de 100 à 1 000 000</translation>
+    </message>
+    <message>
+        <source>Site file…</source>
+        <translation>Fichier de site…</translation>
+    </message>
+    <message>
+        <source>Read wall, system and limits of a site, and what stands there anyway</source>
+        <translation>Lire le mur, le système et les limites d&apos;un site, et ce qui s&apos;y trouve déjà</translation>
+    </message>
+    <message>
+        <source>Without file</source>
+        <translation>Sans fichier</translation>
+    </message>
+    <message>
+        <source>Take wall and system of the plan again</source>
+        <translation>Reprendre le mur et le système du plan</translation>
+    </message>
+    <message>
+        <source>Find the best plan</source>
+        <translation>Chercher le meilleur plan</translation>
+    </message>
+    <message>
+        <source>Search in the background; the best plan becomes this plan, and one undo goes back</source>
+        <translation>Chercher en arrière-plan ; le meilleur plan devient ce plan, et une annulation revient en arrière</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Minimiser</translation>
+    </message>
+    <message>
+        <source>Expect</source>
+        <translation>Prévoir</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Plans</translation>
+    </message>
+    <message>
+        <source>{criterion} is {value:n} deg; {n:n} plans looked at, which is all there are. The best plan is shown; undo goes back to the one before.</source>
+        <translation>{criterion} : {value}° ; {n} plans examinés, c&apos;est-à-dire tous. Le meilleur plan est affiché ; l&apos;annulation revient au précédent.</translation>
+    </message>
+    <message>
+        <source>{criterion} is {value:n} deg; {n:n} plans looked at, of many more. The best plan is shown; undo goes back to the one before.</source>
+        <translation>{criterion} : {value}° ; {n} plans examinés, parmi bien d&apos;autres. Le meilleur plan est affiché ; l&apos;annulation revient au précédent.</translation>
+    </message>
+    <message>
+        <source>The largest of the three sigmas</source>
+        <translation>Le plus grand des trois écarts-types</translation>
+    </message>
+    <message>
+        <source>The sigma of roll</source>
+        <translation>L&apos;écart-type du roulis</translation>
+    </message>
+    <message>
+        <source>The sigma of pitch</source>
+        <translation>L&apos;écart-type du tangage</translation>
+    </message>
+    <message>
+        <source>The sigma of yaw</source>
+        <translation>L&apos;écart-type du lacet</translation>
+    </message>
+    <message>
+        <source>The root mean square of the three sigmas (a-optimality)</source>
+        <translation>La moyenne quadratique des trois écarts-types (A-optimalité)</translation>
+    </message>
+    <message>
+        <source>The radius of a ball as large as the confidence ellipsoid (d-optimality)</source>
+        <translation>Le rayon d&apos;une boule aussi grande que l&apos;ellipsoïde de confiance (D-optimalité)</translation>
+    </message>
+    <message>
+        <source>Every survey has boards off their shape, LiDAR noise, POS errors that drift and a rolling vessel, and is adjusted as a real one. Their answers scatter about the truth: as much as foretold, or not. The surveys are of the plan as it stands when they begin.</source>
+        <translation>Chaque levé a des panneaux hors de leur forme, le bruit du LiDAR, des erreurs du POS qui dérivent et un navire qui roule, et il est compensé comme un vrai. Les résultats se dispersent autour de la vérité : autant que prévu, ou non. Les levés sont ceux du plan tel qu&apos;il est quand ils commencent.</translation>
+    </message>
+    <message>
+        <source>How many surveys to simulate and adjust, {a:n} to {b:n}</source>
+        <translation>Nombre de levés à simuler et à compenser, de {a} à {b}</translation>
+    </message>
+    <message>
+        <source>Seed of chance: another one gives other surveys, the same one the same</source>
+        <translation>Germe du hasard : un autre donne d&apos;autres levés, le même les mêmes</translation>
+    </message>
+    <message>
+        <source>The adjustment is told how flat the targets are</source>
+        <translation>La compensation connaît la planéité des cibles</translation>
+    </message>
+    <message>
+        <source>Otherwise it takes their flatness from the data, as with a real survey</source>
+        <translation>Sinon elle tire leur planéité des données, comme pour un vrai levé</translation>
+    </message>
+    <message>
+        <source>Simulate surveys</source>
+        <translation>Simuler des levés</translation>
+    </message>
+    <message>
+        <source>Simulate and adjust them in the background; the plan stays as it is</source>
+        <translation>Les simuler et les compenser en arrière-plan ; le plan reste tel qu&apos;il est</translation>
+    </message>
+    <message>
+        <source>Stop; {n:n} surveys or more that are finished are shown</source>
+        <translation>Arrêter ; à partir de {n} levés terminés, ceux-ci sont affichés</translation>
+    </message>
+    <message>
+        <source>Surveys</source>
+        <translation>Levés</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Germe</translation>
+    </message>
+    <message>
+        <source>Title of the plan</source>
+        <translation>Titre du plan</translation>
+    </message>
+    <message>
+        <source>Title of the plan, as it stands on the field plan</source>
+        <translation>Titre du plan, tel qu&apos;il figure sur le plan de terrain</translation>
+    </message>
+    <message>
+        <source>Class of the POS: what data sheets state for such, rounded</source>
+        <translation>Classe du POS : ce qu&apos;annoncent les fiches techniques, arrondi</translation>
+    </message>
+    <message>
+        <source>How the adjustment takes the POS errors: drifting, or as the thesis does</source>
+        <translation>Comment la compensation prend les erreurs du POS : qui dérivent, ou comme dans la thèse</translation>
+    </message>
+    <message>
+        <source>POS error north, 1 sigma, {low:n} to {high:n} mm</source>
+        <translation>Erreur du POS vers le nord, écart-type, de {low} à {high} mm</translation>
+    </message>
+    <message>
+        <source>POS error east, 1 sigma, {low:n} to {high:n} mm</source>
+        <translation>Erreur du POS vers l&apos;est, écart-type, de {low} à {high} mm</translation>
+    </message>
+    <message>
+        <source>POS error up, 1 sigma, {low:n} to {high:n} mm</source>
+        <translation>Erreur du POS vers le haut, écart-type, de {low} à {high} mm</translation>
+    </message>
+    <message>
+        <source>POS error of roll, 1 sigma, {low:n} to {high:n} deg</source>
+        <translation>Erreur du POS en roulis, écart-type, de {low} à {high}°</translation>
+    </message>
+    <message>
+        <source>POS error of pitch, 1 sigma, {low:n} to {high:n} deg</source>
+        <translation>Erreur du POS en tangage, écart-type, de {low} à {high}°</translation>
+    </message>
+    <message>
+        <source>POS error of heading, 1 sigma, {low:n} to {high:n} deg</source>
+        <translation>Erreur du POS en cap, écart-type, de {low} à {high}°</translation>
+    </message>
+    <message>
+        <source>For how long position errors stay alike, {low:n} to {high:n} s</source>
+        <translation>Durée pendant laquelle les erreurs de position restent semblables, de {low} à {high} s</translation>
+    </message>
+    <message>
+        <source>For how long position errors stay alike, {low:n} to 1e+05 s</source>
+        <translation>Durée pendant laquelle les erreurs de position restent semblables, de {low} à 100 000 s</translation>
+    </message>
+    <message>
+        <source>For how long attitude errors stay alike, {low:n} to {high:n} s</source>
+        <translation>Durée pendant laquelle les erreurs d&apos;attitude restent semblables, de {low} à {high} s</translation>
+    </message>
+    <message>
+        <source>For how long attitude errors stay alike, {low:n} to 1e+05 s</source>
+        <translation>Durée pendant laquelle les erreurs d&apos;attitude restent semblables, de {low} à 100 000 s</translation>
+    </message>
+    <message>
+        <source>How far one line sees a target off its shape, {low:n} to {high:n} mm</source>
+        <translation>De combien une ligne voit une cible hors de sa forme, de {low} à {high} mm</translation>
+    </message>
+    <message>
+        <source>Pulses of the scanner, {low:n} to {high:n} kHz</source>
+        <translation>Impulsions du scanneur, de {low} à {high} kHz</translation>
+    </message>
+    <message>
+        <source>Profiles of the scanner, {low:n} to {high:n} Hz</source>
+        <translation>Profils du scanneur, de {low} à {high} Hz</translation>
+    </message>
+    <message>
+        <source>Noise of a range, 1 sigma, {low:n} to {high:n} mm</source>
+        <translation>Bruit d&apos;une distance, écart-type, de {low} à {high} mm</translation>
+    </message>
+    <message>
+        <source>Farthest the scanner sees, {low:n} to {high:n} m</source>
+        <translation>Portée du scanneur, de {low} à {high} m</translation>
+    </message>
+    <message>
+        <source>From one line to the next, with the turn, {low:n} to {high:n} min</source>
+        <translation>D&apos;une ligne à la suivante, demi-tour compris, de {low} à {high} min</translation>
+    </message>
+    <message>
+        <source>Azimuth the wall faces; the whole site turns, {low:n} to {high:n} deg</source>
+        <translation>Azimut vers lequel le mur fait face ; tout le site tourne ; de {low} à {high}°</translation>
+    </message>
+    <message>
+        <source>Adjustment takes</source>
+        <translation>Compensation avec</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>North, east, up</source>
+        <translation>Nord, est, haut</translation>
+    </message>
+    <message>
+        <source>Roll, pitch, heading</source>
+        <translation>Roulis, tangage, cap</translation>
+    </message>
+    <message>
+        <source>Position, attitude drift in</source>
+        <translation>Dérive position, attitude en</translation>
+    </message>
+    <message>
+        <source>Targets are flat to</source>
+        <translation>Cibles planes à</translation>
+    </message>
+    <message>
+        <source>Pulses, profiles</source>
+        <translation>Impulsions, profils</translation>
+    </message>
+    <message>
+        <source>Range noise, reach</source>
+        <translation>Bruit de distance, portée</translation>
+    </message>
+    <message>
+        <source>A line takes</source>
+        <translation>Durée d&apos;une ligne</translation>
+    </message>
+    <message>
+        <source>Wall faces</source>
+        <translation>Le mur fait face à</translation>
+    </message>
+    <message>
+        <source>Title: give the plan a name.</source>
+        <translation>Titre : donnez un nom au plan.</translation>
+    </message>
+    <message>
+        <source>A plan has at most {n:n} lines; remove one first.</source>
+        <translation>Un plan a au plus {n} lignes ; retirez-en une d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>A plan has at most {n:n} targets; remove one first.</source>
+        <translation>Un plan a au plus {n} cibles ; retirez-en une d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>After the survey: open its project in the main window, and this plan here, and compare (F11). Targets go by their names, lines by their headings.</source>
+        <translation>Après le levé : ouvrez son projet dans la fenêtre principale, ce plan ici, et comparez (F11). Les cibles se retrouvent par leur nom, les lignes par leur cap.</translation>
+    </message>
+    <message>
+        <source>&amp;New plan</source>
+        <translation>&amp;Nouveau plan</translation>
+    </message>
+    <message>
+        <source>Begin with the thesis&apos;s plan</source>
+        <translation>Commencer par le plan de la thèse</translation>
+    </message>
+    <message>
+        <source>&amp;Open plan…</source>
+        <translation>&amp;Ouvrir un plan…</translation>
+    </message>
+    <message>
+        <source>Open a plan</source>
+        <translation>Ouvrir un plan</translation>
+    </message>
+    <message>
+        <source>&amp;Save plan</source>
+        <translation>&amp;Enregistrer le plan</translation>
+    </message>
+    <message>
+        <source>Save the plan</source>
+        <translation>Enregistrer le plan</translation>
+    </message>
+    <message>
+        <source>Save plan &amp;as…</source>
+        <translation>Enregistrer le plan &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Save the plan in another file</source>
+        <translation>Enregistrer le plan dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Field plan…</source>
+        <translation>&amp;Plan de terrain…</translation>
+    </message>
+    <message>
+        <source>Field plan</source>
+        <translation>Plan de terrain</translation>
+    </message>
+    <message>
+        <source>Write a page for the field as PDF: drawing, boards, lines in their order</source>
+        <translation>Écrire une page pour le terrain en PDF : dessin, panneaux, lignes dans leur ordre</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Close this window; the plan stays</source>
+        <translation>Fermer cette fenêtre ; le plan reste</translation>
+    </message>
+    <message>
+        <source>Add &amp;line</source>
+        <translation>Ajouter une &amp;ligne</translation>
+    </message>
+    <message>
+        <source>Add the selected line the other way round</source>
+        <translation>Ajouter la ligne choisie en sens inverse</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate line</source>
+        <translation>&amp;Dupliquer la ligne</translation>
+    </message>
+    <message>
+        <source>Sail the selected line again</source>
+        <translation>Parcourir la ligne choisie une fois de plus</translation>
+    </message>
+    <message>
+        <source>Line &amp;earlier</source>
+        <translation>Ligne plus &amp;tôt</translation>
+    </message>
+    <message>
+        <source>Sail the selected line a turn earlier</source>
+        <translation>Parcourir la ligne choisie un rang plus tôt</translation>
+    </message>
+    <message>
+        <source>Line la&amp;ter</source>
+        <translation>Ligne plus ta&amp;rd</translation>
+    </message>
+    <message>
+        <source>Sail the selected line a turn later</source>
+        <translation>Parcourir la ligne choisie un rang plus tard</translation>
+    </message>
+    <message>
+        <source>Add &amp;board</source>
+        <translation>Ajouter un &amp;panneau</translation>
+    </message>
+    <message>
+        <source>Hang one more board</source>
+        <translation>Poser un panneau de plus</translation>
+    </message>
+    <message>
+        <source>Add b&amp;all</source>
+        <translation>Ajouter une &amp;sphère</translation>
+    </message>
+    <message>
+        <source>Put up one more ball</source>
+        <translation>Poser une sphère de plus</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Panneau</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the 3D view</source>
+        <translation>&amp;Cadrer la vue 3D</translation>
+    </message>
+    <message>
+        <source>Look at all of the site in 3D again</source>
+        <translation>Revoir tout le site en 3D</translation>
+    </message>
+    <message>
+        <source>S&amp;cenarios</source>
+        <translation>S&amp;cénarios</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Scénarios</translation>
+    </message>
+    <message>
+        <source>Change one thing at a time, in both stochastic models</source>
+        <translation>Changer une chose à la fois, dans les deux modèles stochastiques</translation>
+    </message>
+    <message>
+        <source>Simulate &amp;surveys…</source>
+        <translation>&amp;Simuler des levés…</translation>
+    </message>
+    <message>
+        <source>Sail this plan many times in the simulator: do the sigmas hold?</source>
+        <translation>Parcourir ce plan de nombreuses fois dans le simulateur : les écarts-types tiennent-ils ?</translation>
+    </message>
+    <message>
+        <source>Compare with the &amp;open project</source>
+        <translation>C&amp;omparer au projet ouvert</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Foretold and obtained sigmas of the survey in the main window</source>
+        <translation>Écarts-types prévus et obtenus du levé de la fenêtre principale</translation>
+    </message>
+    <message>
+        <source>&amp;Work</source>
+        <translation>&amp;Calcul</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Figures</translation>
+    </message>
+    <message>
+        <source>POS and scanner</source>
+        <translation>POS et scanneur</translation>
+    </message>
+    <message>
+        <source>{title:kept}[*] – design of a site – LISPAC</source>
+        <translation>{title}[*] – plan d&apos;étalonnage d&apos;un site – LISPAC</translation>
+    </message>
+    <message>
+        <source>Done: the figures are beside the views</source>
+        <translation>Terminé : les figures sont à côté des vues</translation>
+    </message>
+    <message>
+        <source>{project:kept} against {plan:kept}: 1 sigma, deg</source>
+        <translation>{project} comparé à {plan} : écart-type, °</translation>
+    </message>
+    <message>
+        <source>Ctrl+click on a target selects it, on the wall hangs the selected one there; drag a dot beside it to move it along the wall, up, or off it</source>
+        <translation>Ctrl+clic sur une cible la choisit, sur le mur y pose la cible choisie ; faites glisser un point à côté d&apos;elle pour la déplacer le long du mur, en hauteur ou vers l&apos;eau</translation>
+    </message>
+    <message>
+        <source>No project is open: open the one that was surveyed by this plan in the main window first.</source>
+        <translation>Aucun projet n&apos;est ouvert : ouvrez d&apos;abord dans la fenêtre principale celui qui a été levé selon ce plan.</translation>
+    </message>
+    <message>
+        <source>Finding the best plan</source>
+        <translation>Recherche du meilleur plan</translation>
+    </message>
+    <message>
+        <source>Simulating surveys</source>
+        <translation>Simulation des levés</translation>
+    </message>
+    <message>
+        <source>Comparing with the survey</source>
+        <translation>Comparaison au levé</translation>
+    </message>
+    <message>
+        <source>Writing the field plan</source>
+        <translation>Écriture du plan de terrain</translation>
+    </message>
+    <message>
+        <source>A plan needs a target and a line; add one of each before saving.</source>
+        <translation>Un plan demande une cible et une ligne ; ajoutez-en une de chaque avant d&apos;enregistrer.</translation>
+    </message>
+    <message>
+        <source>Starting the search</source>
+        <translation>Démarrage de la recherche</translation>
+    </message>
+    <message>
+        <source>Starting the surveys</source>
+        <translation>Démarrage des levés</translation>
+    </message>
+    <message>
+        <source>Fit view</source>
+        <translation>Cadrer</translation>
+    </message>
+    <message>
+        <source>{what} (deg)</source>
+        <translation>{what} (°)</translation>
+    </message>
+    <message>
+        <source>surveys</source>
+        <translation>levés</translation>
+    </message>
+    <message>
+        <source>{angle}: {ratio:n} ± {sigma:n}</source>
+        <translation>{angle} : {ratio} ± {sigma}</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>une fois</translation>
+    </message>
+    <message>
+        <source>{n:n} times</source>
+        <translation>{n} fois</translation>
+    </message>
+    <message>
+        <source>{n:n} m/s</source>
+        <translation>{n} m/s</translation>
+    </message>
+    <message>
+        <source>navigation, post-processed</source>
+        <translation>navigation, post-traité</translation>
+    </message>
+    <message>
+        <source>survey, post-processed</source>
+        <translation>levé, post-traité</translation>
+    </message>
+    <message>
+        <source>survey, RTK</source>
+        <translation>levé, RTK</translation>
+    </message>
+    <message>
+        <source>tactical, post-processed</source>
+        <translation>tactique, post-traité</translation>
+    </message>
+    <message>
+        <source>tactical, RTK</source>
+        <translation>tactique, RTK</translation>
+    </message>
+    <message>
+        <source>{heading:n} deg, {distance:n} m to starboard</source>
+        <translation>{heading}°, à {distance} m à tribord</translation>
+    </message>
+    <message>
+        <source>{heading:n} deg, {distance:n} m to port</source>
+        <translation>{heading}°, à {distance} m à bâbord</translation>
+    </message>
+    <message>
+        <source>Line {k:n} ({name})</source>
+        <translation>Ligne {k} ({name})</translation>
+    </message>
+    <message>
+        <source>Design a site…</source>
+        <translation>Concevoir un site…</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>kHz</source>
+        <translation>kHz</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>POS</source>
+        <translation>POS</translation>
+    </message>
+    <message>
+        <source>simulate surveys: do the sigmas hold?</source>
+        <translation>simuler des levés : les écarts-types tiennent-ils ?</translation>
+    </message>
+    <message>
+        <source>compare the plan with the open project</source>
+        <translation>comparer le plan au projet ouvert</translation>
+    </message>
+    <message>
+        <source>F10</source>
+        <translation>F10</translation>
+    </message>
+    <message>
+        <source>F11</source>
+        <translation>F11</translation>
+    </message>
+    <message>
+        <source>{n:n} points looked at ({part:n} of {all:n})</source>
+        <translation>{n} points examinés ({part} sur {all})</translation>
     </message>
 </context>
 </TS>
