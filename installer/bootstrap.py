@@ -30,6 +30,10 @@ from environment import SetupError, say, script  # noqa: E402
 
 OLDEST_PYTHON = (3, 11)
 NEWEST_PYTHON = (3, 14)  # the locked dependencies have wheels up to here
+HANGING = [
+    "--max-worker-restart=0", "-o", "faulthandler_timeout=330",
+    "-o", "faulthandler_exit_on_timeout=true",
+]  # fmt: skip
 
 
 def python_complaint(version: tuple[int, int]) -> str | None:
@@ -84,7 +88,8 @@ def lint_commands() -> list[tuple[str, list[str]]]:
 def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, list[str]]]:
     """Name and command line of every step of `test`, `lint` or `benchmark`, in order."""
     cache = environment.ENVIRONMENT / "cache" / "pytest"
-    # A test that hangs fails with every thread's traceback instead of stopping the run for ever.
+    # A test that hangs fails with every thread's traceback instead of stopping the run for ever;
+    # one that hangs outside Python, in a dialogue that nobody closes, ends its process with them.
     pytest = [script("python"), "-m", "pytest", "-o", f"cache_dir={cache}", "--timeout=300"]
     if command == "lint":
         return lint_commands()
@@ -93,7 +98,7 @@ def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, li
         return [("benchmarks", [*pytest, *options, *arguments])]
     # Whole files go to each process: their tests share data that take long to make. Chosen tests
     # run one by one, so that they can be looked into.
-    chosen = arguments or ["--numprocesses=2", "--dist=loadfile"]
+    chosen = arguments or ["--numprocesses=2", "--dist=loadfile", *HANGING]
     return [*lint_commands(), ("pytest", [*pytest, *chosen])]
 
 
