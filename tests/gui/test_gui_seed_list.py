@@ -1,5 +1,6 @@
 """Seeds from a list of coordinates: preview, picking, table, and one step back."""
 
+import time
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,10 @@ from PySide6.QtWidgets import (
     QTableWidget,
 )
 
+from lispac.progress import Progress
+from lispac.workflow import seed_lists
 from lispac.workflow.demo import demo_seeds
+from lispac.workflow.seed_lists import pick_seeds
 from tests.gui.import_support import drop
 from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
 from tests.gui.test_gui_seed_at import hand
@@ -120,13 +124,29 @@ def test_taken_names_are_not_ticked_and_columns_can_be_stated(picked: Driver, li
     assert not picked.window.document.undo_stack.canUndo()
 
 
-def test_dropped_on_the_window_and_cancelled_while_picking(opened: Driver, listed: Path) -> None:
+def test_dropped_on_the_window_and_cancelled_while_picking(
+    opened: Driver, listed: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     before = opened.project
     titles = []
 
+    def waits(*args, progress: Progress) -> tuple:
+        """As it is, but goes on with the second seed only when it is cancelled, or far too late."""
+
+        def report(fraction: float, message: str = "") -> None:
+            late = time.monotonic() + WAIT_MS / 1000
+            while fraction and time.monotonic() < late:
+                progress(fraction, message)
+                time.sleep(0.01)
+            progress(fraction, message)
+
+        return pick_seeds(*args, progress=report)
+
+    monkeypatch.setattr(seed_lists, "pick_seeds", waits)
+
     def stop() -> None:
         task = opened.window.runner.current
-        if task is None or not task.fraction:
+        if task is None or not task.fraction or not opened.window.isActiveWindow():
             QTimer.singleShot(10, stop)
             return
         titles.append(task.title)
