@@ -7,6 +7,7 @@ from time import perf_counter
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from lispac.errors import Cancelled, LispacError
+from lispac.gui import units
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document, data_key
 from lispac.gui.panels.histograms import preload
@@ -214,9 +215,12 @@ class Estimating(QObject):
     def _note(self, project: Project, word: str) -> None:
         result = project.result
         assert result is not None
+        before, after = (
+            units.figure(1000 * each, "mm", ".1f") for each in (result.rms_before, result.rms_after)
+        )
         self._controller.noted.emit(
             f"{word} on {result.points:,} points in {result.elapsed:.2f} s; "
-            f"RMS {result.rms_before * 1000:.1f} → {result.rms_after * 1000:.1f} mm"
+            f"RMS {before} → {after} {units.unit('mm').sign}"
         )
 
 

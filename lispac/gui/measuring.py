@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject
 
 from lispac.errors import InputError
 from lispac.geometry import measuring
+from lispac.gui import units
 from lispac.gui.actions import Actions
 from lispac.gui.pointing import Pointing
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
@@ -74,10 +75,12 @@ class Measuring(QObject):
 def distance_words(first: Array, second: Array) -> str:
     """A distance with its parts, a line each."""
     found = measuring.distance(first, second)
-    up = f"{found.vertical:+.3f}".replace("-", "\N{MINUS SIGN}")
+    slope, level = (units.figure(each, "m", ".3f") for each in (found.slope, found.horizontal))
+    up = units.figure(found.vertical, "m", "+.3f").replace("-", "\N{MINUS SIGN}")
+    sign = units.unit("m").sign
     return (
-        f"Slope distance {found.slope:.3f} m\nHorizontal {found.horizontal:.3f} m\n"
-        f"Vertical {up} m\nAzimuth {np.degrees(found.azimuth):.2f}°"
+        f"Slope distance {slope} {sign}\nHorizontal {level} {sign}\n"
+        f"Vertical {up} {sign}\nAzimuth {np.degrees(found.azimuth):.2f}°"
     )
 
 
@@ -85,7 +88,9 @@ def angle_words(first: Array, corner: Array, second: Array) -> str:
     """An angle and the lengths of its sides, a line each."""
     turned = np.degrees(measuring.angle(first, corner, second))
     sides = [measuring.distance(corner, end).slope for end in (first, second)]
-    return f"Angle {turned:.2f}°\nSides {sides[0]:.3f} m and {sides[1]:.3f} m"
+    a, b = (units.figure(each, "m", ".3f") for each in sides)
+    sign = units.unit("m").sign
+    return f"Angle {turned:.2f}°\nSides {a} {sign} and {b} {sign}"
 
 
 def _sketch(points: list[Array], words: str) -> Sketch:

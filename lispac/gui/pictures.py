@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QGuiApplication
 
 from lispac.errors import InputError, LispacError
+from lispac.gui import units
 from lispac.gui.actions import Actions
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
@@ -42,7 +43,8 @@ class Pictures(QObject):
     def _save_view(self) -> None:
         path = self._dialogs.picture_file(self._start("view"), ("PNG",))
         if path is not None:
-            self._write(path, self._viewport.screenshot)
+            with units.standard():
+                self._write(path, self._viewport.screenshot)
 
     def _copy_view(self) -> None:
         QGuiApplication.clipboard().setImage(self._viewport.picture())

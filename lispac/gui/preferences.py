@@ -23,6 +23,7 @@ class Preferences:
     point_budget : points drawn at rest, at most
     convention : key of the system that reports state the boresight for too; empty for none
     scanner, pos : names in the sensor library that new projects begin with; empty for none
+    angles, lengths : keys of the units shown
     """
 
     language: str = ""
@@ -31,6 +32,8 @@ class Preferences:
     convention: str = ""
     scanner: str = ""
     pos: str = ""
+    angles: str = "degrees"
+    lengths: str = "metres"
 
     @classmethod
     def of(cls, settings: AppSettings) -> "Preferences":
@@ -38,7 +41,7 @@ class Preferences:
         scanner, pos = settings.usual_sensors
         return cls(
             settings.language_chosen, settings.point_size, settings.point_budget,
-            settings.report_choice()[2], scanner, pos,
+            settings.report_choice()[2], scanner, pos, *settings.units,
         )  # fmt: skip
 
     def keep(self, settings: AppSettings) -> None:
@@ -49,6 +52,7 @@ class Preferences:
         template, page, _, language = settings.report_choice()
         settings.keep_report_choice((template, page, self.convention, language))
         settings.usual_sensors = (self.scanner, self.pos)
+        settings.units = (self.angles, self.lengths)
         settings.sync()
 
 
@@ -62,9 +66,9 @@ class Preferring(QObject):
         window.actions_["settings"].triggered.connect(lambda _=False: self.ask())
 
     def ask(self) -> None:
-        """Ask, and apply what was chosen at once; another language needs another window."""
+        """Ask, and apply what was chosen at once; other words or units need another window."""
         window, settings = self._window, self._window.settings
-        spoken = settings.language
+        before = settings.language, settings.units
         answer = window.dialogs.preferences(Preferences.of(settings), settings)
         if answer is None:
             return
@@ -72,7 +76,7 @@ class Preferring(QObject):
         window.viewport.set_point_size(answer.point_size)
         self._draw()
         window.report.show_choice(settings.report_choice())
-        if settings.language != spoken:
+        if (settings.language, settings.units) != before:
             window.renew()
 
     def _draw(self) -> None:

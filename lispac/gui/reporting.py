@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from lispac.errors import InputError
+from lispac.gui import units
 from lispac.gui.scene import Which
 from lispac.progress import Progress
 from lispac.project import Project
@@ -157,7 +158,7 @@ class Reporting(QObject):
             "estimated": "The lines placed with the estimated boresight",
         }
         pictures = {}
-        with self._scene.one_scale():
+        with self._scene.one_scale(), units.standard():
             for which, caption in captions.items():
                 self._scene.show(which)
                 pictures[caption] = folder / f"{which}.png"

@@ -10,7 +10,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.language import speak
 from lispac.gui.main_window import MainWindow
@@ -52,6 +52,7 @@ class Session(QObject):
 
     def _made(self, former: MainWindow | None) -> MainWindow:
         speak(self._settings.language)
+        units.show_in(*self._settings.units)
         theme.apply_theme(self._application, self._settings.theme)
         document = None if former is None else former.document.handed_over()
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)

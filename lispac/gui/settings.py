@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
+from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
 from lispac.language.catalogue import LANGUAGES
 from lispac.workflow.sensors import own_sensors
@@ -153,6 +154,20 @@ class AppSettings:
     def usual_sensors(self, names: tuple[str, str]) -> None:
         for key, name in zip(("scanner", "pos"), names, strict=True):
             self._store.setValue(key, name)
+
+    @property
+    def units(self) -> tuple[str, str]:
+        """Keys of the units of angles and lengths that the window shows."""
+        angles, lengths = (str(self._store.value(key, "")) for key in ("angles", "lengths"))
+        return (
+            angles if angles in ANGLES else next(iter(ANGLES)),
+            lengths if lengths in LENGTHS else next(iter(LENGTHS)),
+        )
+
+    @units.setter
+    def units(self, keys: tuple[str, str]) -> None:
+        for name, key in zip(("angles", "lengths"), keys, strict=True):
+            self._store.setValue(name, key)
 
     def report_choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language of the report, as they were chosen last."""

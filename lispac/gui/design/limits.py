@@ -65,7 +65,7 @@ class LimitsForm(QWidget):
         self.boards = _whole("limit_boards", 0, 6, 2, "Boards that are hung")
         self.lines = _whole("limit_lines", 2, 12, 6, "Lines that are sailed")
         self.closest = widgets.number(
-            "limit_closest", suffix=" m", decimals=1, low=0.0, high=100.0, step=0.5,
+            "limit_closest", suffix=" m", decimals=1, low=0.0, high=100.0, step=0.5, fixed=True,
             tip="No line comes nearer to the wall than this, 0 to 100 m",
         )  # fmt: skip
         self.minutes = widgets.number(

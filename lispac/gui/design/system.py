@@ -19,7 +19,7 @@ OWN = "own numbers"
 def _number(name, unit, decimals, low, high, step, tip):
     return widgets.number(
         name, suffix=f" {unit}", decimals=decimals, low=low, high=high, step=step,
-        tip=f"{tip}, {low:g} to {high:g} {unit}",
+        tip=f"{tip}, {low:g} to {high:g} {unit}", fixed=True,
     )  # fmt: skip
 
 

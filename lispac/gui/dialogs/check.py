@@ -29,7 +29,7 @@ COLUMNS = (
     Column("Line", "Each line that saw the reference, and all of them", words=True),
     Column("Places", "Where line and reference were compared, the same before and after"),
     *(
-        Column(f"{name} {state} (mm)", f"{tip}, {state} the calibration, millimetres")
+        Column(f"{name} {state} (mm)", f"{tip}, {state} the calibration, millimetres", base="mm")
         for state in ("before", "after")
         for name, tip in (
             ("Mean", "Mean distance from the reference, positive towards the vessel"),

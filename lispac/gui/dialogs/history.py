@@ -19,7 +19,7 @@ COLUMNS = (
     Column("Day", "First day of the survey", words=True),
     Column("Calibration", "Its project", words=True),
     *(
-        Column(f"{angle.capitalize()}{what} (deg)", f"{tip} of {angle}, degrees")
+        Column(f"{angle.capitalize()}{what} (deg)", f"{tip} of {angle}, degrees", base="°")
         for angle in ANGLES
         for what, tip in (("", "Estimated value"), (" ±", "1 sigma"))
     ),

@@ -1,5 +1,7 @@
 """What is proposed: a list to tick in, accept or reject."""
 
+from math import degrees
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -13,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.shown import listed
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.workflow.proposing import Proposal
@@ -110,7 +112,7 @@ def _targets_said(proposal: Proposal) -> str:
     if not any(target.role == "target" for target in proposal.targets):
         return f"No further targets are proposed: what would serve is picked already ({picked})."
     sigmas = ", ".join(
-        f"{angle} {value * 57.29578:.3f}°"
+        f"{angle} {units.amount(degrees(value), '°', '.3f')}"
         for angle, value in zip(ANGLES, proposal.sigma, strict=True)
     )
     also = f" and of {picked}, picked already" if picked else ""

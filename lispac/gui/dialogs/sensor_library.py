@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.errors import InputError
+from lispac.gui import units
 from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.language import say, say_all
@@ -164,9 +165,14 @@ def told(figures: Figures) -> tuple[str, str]:
     """The sigmas and where they are from, a line for each GNSS solution."""
     if isinstance(figures, ScannerFigures):
         return (
-            say(
-                f"range {1000 * figures.range_sigma:.1f} mm, direction "
-                f"{figures.angle_sigma_deg:.4f}°, beam {figures.divergence_mrad:.2f} mrad"
+            units.signs(
+                say(
+                    f"range {units.figure(1000 * figures.range_sigma, 'mm', '.1f')} mm, direction "
+                    f"{units.figure(figures.angle_sigma_deg, '°', '.4f')}°, "
+                    f"beam {figures.divergence_mrad:.2f} mrad"
+                ),
+                "mm",
+                "°",
             ),
             origin_of(figures, say),
         )
@@ -179,6 +185,8 @@ def told(figures: Figures) -> tuple[str, str]:
 
 
 def _sigmas(state: PosState) -> str:
-    position = " / ".join(say(f"{value:.3f}") for value in state.position_sigma)
-    attitude = " / ".join(say(f"{value:.3f}") for value in state.attitude_sigma_deg)
-    return f"{position} m, {attitude}°"
+    position = " / ".join(say(units.figure(value, "m", ".3f")) for value in state.position_sigma)
+    attitude = " / ".join(
+        say(units.figure(value, "°", ".3f")) for value in state.attitude_sigma_deg
+    )
+    return units.signs(f"{position} m, {attitude}°", "m", "°")

@@ -12,10 +12,20 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.report import OTHERS
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
+from lispac.gui.units import ANGLES, LENGTHS
 from lispac.language.catalogue import LANGUAGES
 from lispac.workflow.sensors import library
 
 MILLION = 1_000_000
+UNITS = {
+    "degrees": "Degrees",
+    "milliradians": "Milliradians",
+    "minutes": "Arc minutes and seconds",
+    "metres": "Metres and millimetres",
+    "feet": "International feet (ft)",
+    "survey feet": "US survey feet (ftUS)",
+}
+"""What the units shown are called, by their keys."""
 
 
 class SettingsDialog(QDialog):
@@ -62,6 +72,8 @@ class SettingsDialog(QDialog):
             ["", *(each.key for each in OTHERS)][self.convention.currentIndex()],
             scanner,
             pos,
+            list(ANGLES)[self.angles.currentIndex()],
+            list(LENGTHS)[self.lengths.currentIndex()],
         )
 
     def show_preferences(self, given: Preferences) -> None:
@@ -74,6 +86,8 @@ class SettingsDialog(QDialog):
             keys.index(given.convention) if given.convention in keys else 0
         )
         self.choice.choose(given.scanner, given.pos)
+        self.angles.setCurrentIndex(list(ANGLES).index(given.angles))
+        self.lengths.setCurrentIndex(list(LENGTHS).index(given.lengths))
 
     def _build(self) -> None:
         self.language = widgets.Choice(
@@ -89,6 +103,15 @@ class SettingsDialog(QDialog):
             low=POINT_BUDGETS[0] / MILLION, high=POINT_BUDGETS[-1] / MILLION, step=0.5,
             tip="Points drawn while the view rests, at most; a slow computer draws fewer",
         )  # fmt: skip
+        self.angles = widgets.Choice(
+            "settings_angles", [UNITS[key] for key in ANGLES],
+            "Unit of the boresight, of attitudes and of their sigmas in the window. Headings and "
+            "inclinations stay in degrees; files, reports and scripts have their own units",
+        )  # fmt: skip
+        self.lengths = widgets.Choice(
+            "settings_lengths", [UNITS[key] for key in LENGTHS],
+            "Unit of lengths and distances in the window; files, reports and scripts stay metric",
+        )  # fmt: skip
         self.convention = widgets.Choice(
             "settings_convention", ["This program alone", *(each.name for each in OTHERS)],
             "Reports also state the boresight as another program has it",
@@ -99,6 +122,8 @@ class SettingsDialog(QDialog):
         self._form.addRow(say("Language"), self.language)
         self._form.addRow(say("Size of points"), self.point_size)
         self._form.addRow(say("Points drawn at most"), self.point_budget)
+        self._form.addRow(say("Angles"), self.angles)
+        self._form.addRow(say("Lengths"), self.lengths)
         self._form.addRow(widgets.label("Report", "heading"))
         self._form.addRow(say("Values also for"), self.convention)
         self._form.addRow(widgets.label("New projects begin with", "heading"))

@@ -6,16 +6,17 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.adjustment.result import ANGLES
+from lispac.gui import units
 from lispac.gui.dialogs.study import StudyDialog
 from lispac.gui.language import say
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.workflow.subsampling import Subsampled
 
 COLUMNS = (
-    Column("Between points (m)", "Points of a sighting nearer together are averaged"),
+    Column("Between points (m)", "Points of a sighting nearer together are averaged", base="m"),
     Column("Points", "That took part; averaged ones count once"),
     *(
-        Column(f"{angle.capitalize()}{what} (deg)", f"{tip} of {angle}, degrees")
+        Column(f"{angle.capitalize()}{what} (deg)", f"{tip} of {angle}, degrees", base="°")
         for angle in ANGLES
         for what, tip in (("", "Estimated value"), (" ±", "1 sigma"))
     ),
@@ -38,7 +39,8 @@ class SubsamplingDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self.show_rows([_row(each, each.distance == used) for each in found])
-        self.said.setText(say(f"In orange: the {used:.2f} m of the project's settings."))
+        said = say(f"In orange: the {units.figure(used, 'm', '.2f')} m of the project's settings.")
+        self.said.setText(units.signs(said, "m"))
         self.said.setVisible(any(each.distance == used for each in found))
         self.resize(860, 330)
 

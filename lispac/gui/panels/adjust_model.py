@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QWidg
 from lispac.adjustment.robust import LossName
 from lispac.adjustment.stochastic import PosErrors
 from lispac.errors import InputError
+from lispac.gui import units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
@@ -68,7 +69,7 @@ class ModelSettings(QWidget):
             "surface", "Surface sigma", "mm", _MM, "from the data",
             "How far what one line sees of a target may lie off the shape all lines share",
         )  # fmt: skip
-        form.addRow(say("Surface σ, mm"), self.surface)
+        form.addRow(units.signs(say("Surface σ, mm"), "mm"), self.surface)
         self.loss = widgets.Choice(
             "loss", [title for _, title, _ in LOSSES],
             "What is done with points that lie far off their surface",
@@ -155,7 +156,8 @@ class ModelSettings(QWidget):
         self.attitude_time.setValue(settings.attitude_time)
         self.surface.show_value(settings.surface)
         self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
-        self._same.setText(say(f"{settings.lidar_sigma * _MM:.1f} mm, as typed in step 1"))
+        sigma = units.figure(settings.lidar_sigma * _MM, "mm", ".1f")
+        self._same.setText(units.signs(say(f"{sigma} mm, as typed in step 1"), "mm"))
         for field, value in zip(
             self.axes, settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3, strict=True
         ):

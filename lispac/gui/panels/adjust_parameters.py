@@ -7,10 +7,12 @@ from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QW
 
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.shown import QUANTITIES
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
+from lispac.gui.panels.number_field import ALIKE
+from lispac.gui.units import Base
 from lispac.project import Settings
 
 
@@ -34,11 +36,23 @@ class Kind:
     tip: str
 
     def text(self, value: float, *, signed: bool = True) -> str:
-        """A value with its unit."""
-        sign = "+" if signed else ""
-        return f"{value * self.scale:{sign}.{self.decimals}f} {self.unit}".replace("-", "−")
+        """A figure in the unit shown with the sign of the base; `units.signs` puts the other."""
+        form = f"{'+' if signed else ''}.{self.decimals}f"
+        if self.unit in BASES:
+            return (
+                f"{units.figure(value * self.scale, BASES[self.unit], form)} {self.unit}".replace(
+                    "-", "−"
+                )
+            )
+        return f"{value * self.scale:{form}} {self.unit}".replace("-", "−")
+
+    @property
+    def bases(self) -> tuple[Base, ...]:
+        """Its unit, where the user may choose another."""
+        return (BASES[self.unit],) if self.unit in BASES else ()
 
 
+BASES: dict[str, Base] = {"m": "m", "°": "°"}
 _MEANING = {
     "lever_x": (100.0, "forward"),
     "lever_y": (100.0, "left"),
@@ -131,7 +145,7 @@ class ParameterSwitches(QWidget):
             switch.blockSignals(False)
             self.sigmas[name].show_value(sigma.get(name))
         for name, metres in zip(LEVER, settings.lever_arm, strict=True):
-            self._lever[name].setText(say(KINDS[name].text(metres)))
+            self._lever[name].setText(units.signs(say(KINDS[name].text(metres)), "m"))
         self._shown = dict(
             zip(
                 SCANNER,
@@ -175,8 +189,7 @@ class ParameterSwitches(QWidget):
     def _value(self, name: str) -> float:
         """Metres, degrees or seconds; what was not moved keeps all its figures."""
         typed, shown = self.priors[name].value(), self._shown.get(name, 0.0)
-        kind = KINDS[name]
-        if abs(typed - shown * _scale(name)) < 0.51 * 10.0**-kind.decimals:
+        if abs(typed - shown * _scale(name)) < ALIKE:
             return shown
         return typed / _scale(name)
 

@@ -3,6 +3,7 @@
 from PySide6.QtWidgets import QFrame, QHBoxLayout
 
 from lispac.doubles import overlap_words
+from lispac.gui import units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineLights
@@ -47,7 +48,7 @@ class CandidateBox(QFrame):
         worst = max((sighting.rms for sighting in found), default=0.0)
         text = (
             f"Found on {len(found)} of {lines} lines: {points:,} points, "
-            f"within {worst * 1000:.1f} mm RMS of their {candidate.shape}s."
+            f"within {units.amount(1000 * worst, 'mm', '.1f')} RMS of their {candidate.shape}s."
         )
         if candidate.shape == "sphere" and survey is not None:
             text += f" {_of_spheres(candidate, survey)}"

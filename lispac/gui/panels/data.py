@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
+from lispac.gui.panels.number_field import ALIKE
 from lispac.project import Project, Settings
 from lispac.workflow.survey import Survey
 
@@ -228,8 +229,8 @@ def _name_file(where, path: Path | None, otherwise: str) -> None:
 
 
 def _moved(shown: tuple[float, ...], kept: tuple[float, ...]) -> bool:
-    # The fields show four decimals; a value typed elsewhere with more has not been moved.
-    return any(abs(a - b) > 0.51e-4 for a, b in zip(shown, kept, strict=True))
+    # The fields keep all digits of what they show.
+    return any(abs(a - b) > ALIKE for a, b in zip(shown, kept, strict=True))
 
 
 def _degrees(heading: float) -> int:

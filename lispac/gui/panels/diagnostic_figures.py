@@ -6,7 +6,7 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels.adjust_parameters import KINDS
 
@@ -21,16 +21,17 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     """Distance of each angle from its last value, per iteration; the prior is iteration 0."""
     axes = _axes(figure)
     path = np.degrees(np.vstack([result.prior_boresight, result.path]))
-    away = np.abs(path - path[-1])
+    away = np.abs(path - path[-1]) * units.unit("°").factor
     count = np.arange(len(path))
     for k, angle in enumerate(ANGLES):
         shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
         axes.plot(
             count[:-1], shown, color=theme.scheme().series[k], marker=MARKERS[k], markersize=4,
             linewidth=1.3,
-            label=say(f"{angle}  {path[-1, k]:+.4f}°".replace("-", "\N{MINUS SIGN}")),
+            label=_degrees(f"{angle}  {_figure(path[-1, k], '+.4f')}°"),
         )  # fmt: skip
     sigma = float(np.degrees(result.sigma.min()))
+    sigma *= units.unit("°").factor
     axes.axhline(sigma, color=theme.MUTED, linewidth=1, linestyle="--")
     axes.annotate(
         say("smallest sigma"), (1, sigma), xycoords=("axes fraction", "data"), xytext=(-4, 3),
@@ -38,7 +39,7 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     )  # fmt: skip
     axes.set_yscale("log")
     axes.set_xlabel(say("Iteration"), fontsize=TEXT)
-    axes.set_ylabel(say("From last value, °"), fontsize=TEXT)
+    axes.set_ylabel(_degrees("From last value, °"), fontsize=TEXT)
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="lower left")
 
@@ -68,15 +69,22 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
     """Estimated POS error of each sighting, with its prior's 2-sigma band."""
     figure.clear()
     parts = (
-        ("Position, mm", 1e3, slice(0, 3), ("north", "west", "up")),
-        ("Attitude, 0.001°", float(np.degrees(1e3)), slice(3, 6), ("roll", "pitch", "heading")),
+        ("Position, mm", "mm", 1e3, slice(0, 3), ("north", "west", "up")),
+        (
+            "Attitude, 0.001°",
+            "m°",
+            float(np.degrees(1e3)),
+            slice(3, 6),
+            ("roll", "pitch", "heading"),
+        ),
     )
     items = result.reliability
     names = [f"{item.sighting.target} {item.sighting.line}" for item in items]
     place = np.arange(len(items))
-    for number, (title, scale, which, words) in enumerate(parts, start=1):
+    for number, (title, base, scale, which, words) in enumerate(parts, start=1):
         axes = figure.add_subplot(1, 2, number)
         _dress(axes)
+        scale *= units.unit(base).factor
         error = np.array([item.pos_error[which] for item in items]) * scale
         prior = np.array([item.pos_sigma[which] for item in items]) * scale
         for k, word in enumerate(words):
@@ -95,7 +103,7 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
         for text in axes.get_xticklabels():
             text.set_parse_math(False)
             text.set_fontsize(SMALL if len(items) < 20 else SMALL - 2)
-        axes.set_ylabel(say(title), fontsize=TEXT)
+        axes.set_ylabel(units.signs(say(title), base, figures=False), fontsize=TEXT)
         _legend_above(axes)
 
 
@@ -117,11 +125,22 @@ def directions(result: AdjustmentResult, figure: Figure) -> None:
                 axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
                           va="center", fontsize=SMALL, color=theme.ON_SERIES)  # fmt: skip
         left = left + share[k]
-    names = [say(f"{word}\nσ {s:.4f}°") for word, s in zip(words, sigma, strict=True)]
+    names = [
+        _degrees(f"{word}\nσ {_figure(s, '.4f')}°") for word, s in zip(words, sigma, strict=True)
+    ]
     axes.set_yticks(range(3), names)
     axes.invert_yaxis()
     axes.set_xlim(0, 100)
     axes.set_xlabel(say("Share of each angle in the direction, %"), fontsize=TEXT)
+
+
+def _figure(degrees: float, form: str) -> str:
+    return units.figure(degrees, "°", form)
+
+
+def _degrees(text: str) -> str:
+    """Said with the sign of the unit shown."""
+    return units.signs(say(text.replace("-", "\N{MINUS SIGN}")), "°")
 
 
 def short_name(name: str) -> str:

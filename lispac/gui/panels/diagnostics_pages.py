@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import diagnostics_rows as rows
 from lispac.gui.panels import widgets
@@ -100,6 +100,7 @@ class FigurePage(Page):
         from matplotlib.figure import Figure
 
         from lispac.gui.panels import diagnostic_figures
+        from lispac.gui.panels.ticks import spoken_ticks
 
         if self.canvas is None:
             figure = Figure(figsize=(4, 2), layout="constrained", facecolor=theme.PAPER)
@@ -109,6 +110,7 @@ class FigurePage(Page):
             self.canvas.setMinimumSize(200, 120)
             self._row.addWidget(self.canvas, 1)
         getattr(diagnostic_figures, self.draws)(result, self.canvas.figure)
+        spoken_ticks(self.canvas.figure)
         self.canvas.draw_idle()
 
 
@@ -240,7 +242,9 @@ class Checks(Page):
     def fill(self, project: Project, result: AdjustmentResult) -> None:
         assert project.cross_checks is not None
         self.table.show_rows(rows.check_rows(project.cross_checks))
-        self.spread.setText(say(rows.spread_words(project.cross_checks)))
+        self.spread.setText(
+            units.signs(say(rows.spread_words(project.cross_checks)), "°", figures=False)
+        )
 
 
 PAGES: tuple[type[Page], ...] = (

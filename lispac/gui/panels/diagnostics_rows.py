@@ -20,8 +20,10 @@ from lispac.adjustment.shown import (
     significance_words,
     standing,
 )
+from lispac.gui import units
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number
+from lispac.gui.units import Base
 
 MM, MDEG = 1e3, float(np.degrees(1e3))
 FOLLOW = "Double click, or Enter, goes to its points in the view"
@@ -30,14 +32,23 @@ SIGHTINGS = (
     Column("Target", "Target", True),
     Column("Line", "Line", True),
     Column("Points", "Points that took part, after averaging or thinning"),
-    Column("Before (mm)", "RMS distance to the surface with the prior boresight, mm"),
-    Column("After (mm)", "RMS distance to the adjusted surface, mm; no POS error is taken off"),
-    Column("Shift (mm)", "By how much the sighting as a whole lies off what all others say, mm"),
+    Column("Before (mm)", "RMS distance to the surface with the prior boresight, mm", base="mm"),
+    Column(
+        "After (mm)",
+        "RMS distance to the adjusted surface, mm; no POS error is taken off",
+        base="mm",
+    ),
+    Column(
+        "Shift (mm)",
+        "By how much the sighting as a whole lies off what all others say, mm",
+        base="mm",
+    ),
     Column("w", "The shift over its standard deviation (Baarda's test)"),
-    Column("Detectable (mm)", "Smallest shift the test finds with 80 % power, mm"),
+    Column("Detectable (mm)", "Smallest shift the test finds with 80 % power, mm", base="mm"),
     Column(
         "Effect (0.001°)",
         "Largest change of an angle by a shift of that size that stays unfound, 0.001°",
+        base="m°",
     ),
     Column("Strays", "Points whose own test is beyond 3.29"),
     Column(
@@ -46,9 +57,15 @@ SIGHTINGS = (
         "average of points, the mean of their times",
     ),
     Column("Redundancy", "Mean of the points' redundancy numbers, 0 (unchecked) to 1"),
-    Column("POS position (mm)", "Estimated position error and its prior sigma, mm (3D length)"),
     Column(
-        "POS attitude (0.001°)", "Estimated attitude error and its prior sigma, 0.001° (3D length)"
+        "POS position (mm)",
+        "Estimated position error and its prior sigma, mm (3D length)",
+        base="mm",
+    ),
+    Column(
+        "POS attitude (0.001°)",
+        "Estimated attitude error and its prior sigma, 0.001° (3D length)",
+        base="m°",
     ),
     Column("Remark", "What to look at", True),
 )
@@ -57,8 +74,10 @@ TARGETS = (
     Column("Shape", "Plane or sphere", True),
     Column("Lines", "Lines it was seen on"),
     Column("Points", "Points that took part, after averaging or thinning"),
-    Column("Before (mm)", "RMS distance to its best surface with the prior boresight, mm"),
-    Column("After (mm)", "RMS distance to the adjusted surface, mm"),
+    Column(
+        "Before (mm)", "RMS distance to its best surface with the prior boresight, mm", base="mm"
+    ),
+    Column("After (mm)", "RMS distance to the adjusted surface, mm", base="mm"),
     Column("Noise factor", "Noise found in the residuals over the stated one, at least 1"),
     Column("Largest w", "Largest test value of its sightings"),
     Column("Strays", "Points whose own test is beyond 3.29"),
@@ -67,11 +86,11 @@ TARGETS = (
 DIFFERENCE = "Difference from the answer of all points, or between the halves"
 CHECKS = (
     Column("Part of the data", "What was left out, or which halves were compared", True),
-    Column("Roll\ndifference (deg)", f"{DIFFERENCE}, degrees"),
+    Column("Roll\ndifference (deg)", f"{DIFFERENCE}, degrees", base="°"),
     Column("in σ", "The difference over the standard deviation it should have"),
-    Column("Pitch\ndifference (deg)", f"{DIFFERENCE}, degrees"),
+    Column("Pitch\ndifference (deg)", f"{DIFFERENCE}, degrees", base="°"),
     Column("in σ", "The difference over the standard deviation it should have"),
-    Column("Yaw\ndifference (deg)", f"{DIFFERENCE}, degrees"),
+    Column("Yaw\ndifference (deg)", f"{DIFFERENCE}, degrees", base="°"),
     Column("in σ", "The difference over the standard deviation it should have"),
     Column("Verdict", "Whether it agrees, or why there is no answer", True),
     Column("Reason", "Why there is no answer, or what disagrees", True),
@@ -136,8 +155,8 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
         number(test.strays, ",.0f"),
         _worst_point(test),
         number(test.redundancy, ".2f"),
-        _against_prior(test.pos_error[:3], test.pos_sigma[:3], MM),
-        _against_prior(test.pos_error[3:], test.pos_sigma[3:], MDEG),
+        _against_prior(test.pos_error[:3], test.pos_sigma[:3], MM, "mm"),
+        _against_prior(test.pos_error[3:], test.pos_sigma[3:], MDEG, "m°"),
         Cell(remark),
     ]
     return Row(cells, key, marked=test.released or odd, tip=FOLLOW)
@@ -148,9 +167,10 @@ def _worst_point(test: SightingReliability) -> Cell:
     return Cell(f"{test.largest_w:.1f}{when}", test.largest_w)
 
 
-def _against_prior(error: np.ndarray, sigma: np.ndarray, scale: float) -> Cell:
+def _against_prior(error: np.ndarray, sigma: np.ndarray, scale: float, base: Base) -> Cell:
     size, prior = float(np.linalg.norm(error)), float(np.linalg.norm(sigma))
-    return Cell(f"{size * scale:.1f} (σ {prior * scale:.1f})", size)
+    found, known = (units.figure(each * scale, base, ".1f") for each in (size, prior))
+    return Cell(f"{found} (σ {known})", size)
 
 
 def target_rows(result: AdjustmentResult) -> list[Row]:
@@ -191,8 +211,8 @@ def check_rows(checks: CrossChecks) -> list[Row]:
             rows.append(Row(cells, tip=check.reason))
             continue
         cells = [title]
-        for off, units in zip(check.difference, check.significance, strict=True):
-            cells += [number(float(np.degrees(off)), "+.4f"), number(float(units), "+.1f")]
+        for off, sigmas in zip(check.difference, check.significance, strict=True):
+            cells += [number(float(np.degrees(off)), "+.4f"), number(float(sigmas), "+.1f")]
         tip = "An angle differs by more than chance explains" if check.disagrees else ""
         cells += [Cell("disagrees" if check.disagrees else "agrees"), Cell(tip)]
         rows.append(Row(cells, marked=check.disagrees, tip=tip))
@@ -203,7 +223,11 @@ def spread_words(checks: CrossChecks) -> str:
     """The jackknife's spread beside the formal sigmas, as rich text."""
 
     def row(title: str, values: Sequence[float] | None) -> str:
-        numbers = ["–"] * 3 if values is None else [f"{np.degrees(v):.4f}" for v in values]
+        numbers = (
+            ["–"] * 3
+            if values is None
+            else [units.figure(float(np.degrees(v)), "°", ".4f") for v in values]
+        )
         cells = "".join(f"<td align='right' style='padding-left:10px'>{n}</td>" for n in numbers)
         return f"<tr><td>{title}</td>{cells}</tr>"
 
@@ -230,9 +254,9 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
             Row(
                 [
                     Cell(angle),
-                    Cell(f"{np.degrees(value):+.4f} °", float(value)),
-                    Cell(f"{np.degrees(result.sigma[k]):.4f} °", float(result.sigma[k])),
-                    Cell(f"{np.degrees(prior):+.4f} °", float(prior)),
+                    _angle(float(value), "+.4f"),
+                    _angle(float(result.sigma[k]), ".4f"),
+                    _angle(float(prior), "+.4f"),
                     number(None, ""),
                     number(float((value - prior) / result.sigma[k]), "+.1f"),
                     Cell("always estimated"),
@@ -243,7 +267,9 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
         kind = KINDS[estimate.name]
 
         def shown(value: float | None, kind=kind, signed: bool = True) -> Cell:
-            return Cell("–") if value is None else Cell(kind.text(value, signed=signed), value)
+            if value is None:
+                return Cell("–")
+            return Cell(kind.text(value, signed=signed), value, bases=kind.bases)
 
         remark = estimate.reason or _earns(estimate)
         cells = [
@@ -259,6 +285,10 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
         ]
         rows.append(Row(cells, marked=estimate.value is None, tip=remark))
     return rows
+
+
+def _angle(value: float, form: str) -> Cell:
+    return Cell(f"{units.figure(np.degrees(value), '°', form)} °", value, bases=("°",))
 
 
 def _earns(estimate: Estimate) -> str:

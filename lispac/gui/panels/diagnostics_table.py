@@ -7,8 +7,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from lispac.gui import theme
-from lispac.gui.language import say, say_all
+from lispac.gui import theme, units
+from lispac.gui.language import say
+from lispac.gui.units import Base
 
 Key = tuple[str, str]
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -23,6 +24,8 @@ class Column:
     tip: str
     words: bool = False
     """Whether it holds words rather than numbers."""
+    base: Base | None = None
+    """Unit of its numbers, where the user may choose another."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,10 @@ class Cell:
     value: float | None = None
     named: bool = False
     """Whether it is a name, which no language changes."""
+    figure: tuple[str, float] | None = None
+    """Form, and units of the column's base to one of the value, of a mere number."""
+    bases: tuple[Base, ...] = ()
+    """Units whose signs stand in it."""
 
 
 @dataclass(frozen=True)
@@ -49,13 +56,19 @@ class Row:
     key: Key | None = None
     marked: bool = False
     tip: str = ""
+    bases: tuple[Base, ...] = ()
+    """Units of the figures in its tip."""
 
 
 class _Item(QTableWidgetItem):
     """Sorted by its value, unknown ones last; words by themselves."""
 
-    def __init__(self, cell: Cell) -> None:
-        text = cell.text if cell.named else say(cell.text)
+    def __init__(self, cell: Cell, base: Base | None) -> None:
+        text = cell.text
+        if base is not None and cell.figure is not None and cell.value is not None:
+            form, scale = cell.figure
+            text = units.figure(cell.value * scale, base, form)
+        text = text if cell.named else units.signs(say(text), *cell.bases)
         super().__init__(text.replace("-", "−") if cell.value is not None else text)
         self.cell = cell
 
@@ -80,12 +93,11 @@ class DiagnosticsTable(QTableWidget):
         self._columns = tuple(columns)
         self._rows: list[Row] = []
         # Units in a second line: the columns stay narrow enough to be seen together.
-        self.setHorizontalHeaderLabels(
-            [say(column.title).replace(" (", "\n(") for column in columns]
-        )
+        self.setHorizontalHeaderLabels([_title(column).replace(" (", "\n(") for column in columns])
         for k, column in enumerate(columns):
             head = self.horizontalHeaderItem(k)
-            head.setToolTip(say(f"{column.tip}\nClick to sort"))
+            tip = say(f"{column.tip}\nClick to sort")
+            head.setToolTip(_in_units(tip, column))
             head.setTextAlignment(_LEFT if column.words else _RIGHT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
@@ -113,7 +125,7 @@ class DiagnosticsTable(QTableWidget):
         self.setRowCount(len(rows))
         for number, row in enumerate(rows):
             for column, cell in enumerate(row.cells):
-                item = _Item(cell)
+                item = _Item(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
                 item.setTextAlignment(_LEFT if self._columns[column].words else _RIGHT)
                 item.setFont(theme.tabular(self.font()))
@@ -121,7 +133,7 @@ class DiagnosticsTable(QTableWidget):
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
                     item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))
                 if row.tip:
-                    item.setToolTip(say(row.tip))
+                    item.setToolTip(units.signs(say(row.tip), *row.bases))
                 self.setItem(number, column, item)
         self.setSortingEnabled(True)
         self._show_arrow(header.sortIndicatorSection())
@@ -130,7 +142,7 @@ class DiagnosticsTable(QTableWidget):
 
     def as_text(self) -> str:
         """What it shows, tabs between the columns: a spreadsheet takes them apart."""
-        heads = say_all(column.title for column in self._columns)
+        heads = [_title(column) for column in self._columns]
         rows = [
             [_plain(self.item(row, column).text()) for column in range(len(heads))]
             for row in range(self.rowCount())
@@ -166,6 +178,16 @@ def _plain(text: str) -> str:
     return text.replace("−", "-").replace("\N{NARROW NO-BREAK SPACE}", "")
 
 
+def _title(column: Column) -> str:
+    return _in_units(say(column.title), column)
+
+
+def _in_units(said: str, column: Column) -> str:
+    return said if column.base is None else units.signs(said, column.base, figures=False)
+
+
 def number(value: float | None, form: str, scale: float = 1.0) -> Cell:
     """A cell with a number, or a dash."""
-    return Cell("–") if value is None else Cell(f"{value * scale:{form}}", float(value))
+    if value is None:
+        return Cell("–")
+    return Cell(f"{value * scale:{form}}", float(value), figure=(form, scale))

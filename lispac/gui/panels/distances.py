@@ -5,6 +5,7 @@ from io import StringIO
 
 import numpy as np
 
+from lispac.gui import units
 from lispac.validation.bins import BEYOND, merged
 from lispac.validation.profile import Profile
 from lispac.validation.results import PlaneComparison
@@ -14,7 +15,11 @@ TAB = "\t"
 
 
 def histogram_words(comparison: PlaneComparison, low: float, high: float) -> str:
-    """How many distances lie in a bar of the histogram, ``low`` to ``high`` metres."""
+    """How many distances lie in a bar of the histogram, ``low`` to ``high`` metres.
+
+    Here and in `profile_words` figures are in the unit shown, signs in millimetres: `units.signs`
+    puts the others.
+    """
     edges = comparison.bin_edges
     beyond = high >= float(edges[-1]) * (1.0 - 1e-9)
     said = []
@@ -23,24 +28,30 @@ def histogram_words(comparison: PlaneComparison, low: float, high: float) -> str
         inside = int(counts[(middles > low) & (middles < high)].sum())
         up_to = 100.0 * int(counts[middles < high].sum()) / max(int(counts.sum()), 1)
         said.append(f"{state} {inside:,} points ({up_to:.1f} % up to here)")
-    reach = f"{1000 * low:.4g} mm {BEYOND}" if beyond else f"{1000 * low:.4g}–{1000 * high:.4g} mm"
+    start, end = (units.figure(1000 * edge, "mm", ".4g") for edge in (low, high))
+    reach = f"{start} mm {BEYOND}" if beyond else f"{start}–{end} mm"
     return f"{reach}: {', '.join(said)}"
 
 
 def profile_words(profile: Profile, what: str, place: float) -> str:
     """The distances at a height or range, metres."""
     k = int(np.clip(np.searchsorted(profile.edges, place) - 1, 0, len(profile.n) - 1))
-    reach = f"{what} {profile.edges[k]:.1f}–{profile.edges[k + 1]:.1f} m"
+    start, end = (units.figure(edge, "m", ".1f") for edge in profile.edges[k : k + 2])
+    reach = f"{what} {start}–{end} m"
     if not np.isfinite(profile.median_before[k]):
         return f"{reach}: {profile.n[k]:,} distances, too few"
     change = [
-        f"{word} {1000 * before[k]:.1f} → {1000 * after[k]:.1f} mm"
+        f"{word} {_mm(before[k])} → {_mm(after[k])} mm"
         for word, before, after in (
             ("median", profile.median_before, profile.median_after),
             ("95 %", profile.p95_before, profile.p95_after),
         )
     ]
     return f"{reach}: {', '.join(change)}, {profile.n[k]:,} distances"
+
+
+def _mm(metres: float) -> str:
+    return units.figure(1000 * metres, "mm", ".1f")
 
 
 def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:

@@ -6,8 +6,11 @@ from PySide6.QtCore import QLocale, Qt, Signal
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from lispac.errors import InputError
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
+from lispac.gui.units import Base
+
+BASES: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
 
 
 class OptionalNumber(QLineEdit):
@@ -33,15 +36,18 @@ class OptionalNumber(QLineEdit):
     ) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName(f"{say(what)}, {say(unit)}")
-        self.setToolTip(
-            say(f"{tip}, in {unit}" if needed else f"{tip}, in {unit}. Empty: {empty}.")
-        )
-        self.setPlaceholderText(say(empty))
+        base = BASES.get(unit)
+        bases = () if base is None else (base,)
+        self.setAccessibleName(units.signs(f"{say(what)}, {say(unit)}", *bases))
+        said = say(f"{tip}, in {unit}" if needed else f"{tip}, in {unit}. Empty: {empty}.")
+        self.setToolTip(units.signs(said, *bases))
+        self.setPlaceholderText(units.signs(say(empty), *bases))
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setFont(theme.tabular(self.font()))
         self.setMinimumWidth(48)
-        self._what, self._unit, self._scale = what, unit, scale
+        shown = units.unit(base) if units.differs(base) else units.Unit(unit)
+        self._what, self._unit, self._scale = what, shown.sign, scale * shown.factor
+        self._given: tuple[str, float] | None = None
         self.textChanged.connect(self._mark)
 
     def value(self) -> float | None:
@@ -52,6 +58,8 @@ class OptionalNumber(QLineEdit):
         InputError
             Where something else than a number stands there.
         """
+        if self._given is not None and self.text() == self._given[0]:
+            return self._given[1]  # what is only shown keeps all its digits
         text = self.text().strip().replace(",", ".").replace("−", "-")
         if not text:
             return None
@@ -70,6 +78,7 @@ class OptionalNumber(QLineEdit):
         self.blockSignals(True)
         shown = "" if value is None else f"{value * self._scale:.6g}"
         self.setText(shown.replace(".", QLocale().decimalPoint()))
+        self._given = None if value is None else (self.text(), value)
         self.blockSignals(False)
         self._mark()
 

@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import distances, pairs_table, widgets
 from lispac.project import Project
-from lispac.validation.results import PlaneComparison
+from lispac.validation.results import DistanceStatistics, PlaneComparison
 
 _HEADS = ("Plane", "n", "Median", "RMS", "95th percentile")
 _TIPS = (
@@ -143,7 +143,7 @@ class HistogramsPanel(QWidget):
         self.table.setRowCount(len(comparisons))
         for row, each in enumerate(comparisons):
             for column, text in enumerate(_texts(each)):
-                item = QTableWidgetItem(say(text))
+                item = QTableWidgetItem(units.signs(say(text), "mm") if column else text)
                 item.setFont(theme.tabular(self.table.font()))
                 if column:
                     item.setTextAlignment(_RIGHT)
@@ -188,6 +188,7 @@ class HistogramsPanel(QWidget):
             histogram_figure(
                 comparison, canvas.figure, share=self.plot.currentIndex() == 1, say=say
             )
+        self._show_units(canvas.figure)
         self._zooming.keep(upright=self.plot.currentIndex() == AGAINST)
         self.reading.setText(say(ZOOM))
         canvas.draw_idle()
@@ -198,6 +199,24 @@ class HistogramsPanel(QWidget):
                 "and after in brown"
             )
         )
+
+    def _show_units(self, figure) -> None:
+        from lispac.gui.panels.ticks import in_units, spoken_ticks
+
+        against = self.plot.currentIndex() == AGAINST
+        legend = None if against or not units.differs("mm") else figure.axes[0].get_legend()
+        if legend is not None and self._current is not None:
+            each = self._current
+            for text, words in zip(
+                legend.get_texts(), (_words("before", each.before), _words("after", each.after)),
+                strict=True,
+            ):  # fmt: skip
+                text.set_text(units.signs(say(words), "mm"))
+        for axes in figure.axes:
+            in_units(axes.xaxis, "m" if against else "mm")
+            if against:
+                in_units(axes.yaxis, "mm")
+        spoken_ticks(figure)
 
     def _canvas(self):
         if self.canvas is None:
@@ -228,13 +247,15 @@ class HistogramsPanel(QWidget):
             )
             profile = comparison.by_height if what == "height" else comparison.by_range
             if profile is not None:
-                self.reading.setText(say(distances.profile_words(profile, what, event.xdata)))
+                words = distances.profile_words(profile, what, event.xdata)
+                self.reading.setText(units.signs(say(words), "mm", "m"))
             return
         edges = axes.patches[0].get_data().edges
         k = int(edges.searchsorted(event.xdata, side="right")) - 1
         if 0 <= k < len(edges) - 1:
             low, high = edges[k] / 1000.0, edges[k + 1] / 1000.0
-            self.reading.setText(say(distances.histogram_words(comparison, low, high)))
+            words = distances.histogram_words(comparison, low, high)
+            self.reading.setText(units.signs(say(words), "mm"))
 
     def _copy_picture(self) -> None:
         if self.canvas is not None:
@@ -256,9 +277,16 @@ class HistogramsPanel(QWidget):
         self.reading.setText(say("The numbers are in the clipboard, ready for a spreadsheet"))
 
 
+def _words(state: str, each: DistanceStatistics) -> str:
+    """Of the legend, as the report says them."""
+    a, b, c = (units.figure(1000 * v, "mm", ".1f") for v in (each.median, each.rms, each.p95))
+    return f"{state}: n {each.n:,}\nmedian {a}, RMS {b}, 95 % {c} mm"
+
+
 def _texts(each: PlaneComparison) -> list[str]:
-    def change(before: float, after: float) -> str:
-        return f"{before * 1000:.1f} → {after * 1000:.1f} mm"
+    def change(*states: float) -> str:
+        before, after = (units.figure(1000 * each, "mm", ".1f") for each in states)
+        return f"{before} → {after} mm"
 
     return [
         each.name,
@@ -276,7 +304,7 @@ def _table() -> QTableWidget:
     table.setHorizontalHeaderLabels(say_all(list(_HEADS)))
     for column, tip in enumerate(_TIPS):
         head = table.horizontalHeaderItem(column)
-        head.setToolTip(say(tip))
+        head.setToolTip(units.signs(say(tip), "mm", figures=False))
         if column:
             head.setTextAlignment(_RIGHT)
     table.verticalHeader().hide()

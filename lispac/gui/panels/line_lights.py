@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels.sightings_table import quality_words
 from lispac.project import PickedSighting, Target
@@ -54,8 +54,8 @@ class LineLights(QWidget):
             icon = theme.icon(WAITS, theme.MUTED) if quality is None else theme.light(quality.light)
             light.setPixmap(icon.pixmap(SIZE, SIZE))
             said = "Being judged" if quality is None else quality_words(quality)
-            points = f"{len(sighting.indices):,} points, {sighting.rms * 1000:.1f} mm RMS"
-            tip = f"{line}: {points}\n{said}"
+            rms = units.amount(1000 * sighting.rms, "mm", ".1f")
+            tip = f"{line}: {len(sighting.indices):,} points, {rms} RMS\n{said}"
             for each in (light, words):
                 each.setToolTip(say(tip))
                 each.setAccessibleName(say(f"{line}: {said}"))

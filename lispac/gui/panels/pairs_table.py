@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from math import degrees
 
+from lispac.gui import units
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.validation.plane_offset import PlaneOffset
 from lispac.validation.results import PairComparison, PairState, PlaneComparison
@@ -18,7 +19,11 @@ COLUMNS = (
     Column("Lines", "The two lines; ⇄ where they were run in opposite directions", words=True),
     Column("Points", "Distances, both directions together"),
     *(
-        Column(f"{name} {state} {unit}", f"{tip}, {state} the calibration")
+        Column(
+            f"{name} {state} {unit}",
+            f"{tip}, {state} the calibration",
+            base="°" if unit == "(deg)" else "mm",
+        )
         for name, unit, tip in _TWICE
         for state in ("before", "after")
     ),
@@ -51,7 +56,12 @@ def _row(pair: PairComparison) -> Row:
             *figures,
         ),
         tip=_tip(pair),
+        bases=("mm",),
     )
+
+
+def _mm(metres: float, form: str = ".1f") -> str:
+    return units.figure(1000 * metres, "mm", form)
 
 
 def _off(state: PairState) -> float | None:
@@ -68,11 +78,11 @@ def _tip(pair: PairComparison) -> str:
     if signed is not None:
         said.append(
             f"After: at {signed.n:,} places the 95 % interval of one is ± "
-            f"{1000 * signed.half_width:.1f} mm; {100 * signed.significant:.0f} % of them differ "
+            f"{_mm(signed.half_width)} mm; {100 * signed.significant:.0f} % of them differ "
             "from zero."
         )
     if planes is not None:
         said.append(
-            f"Planes after: {1000 * planes.offset:+.1f} ± {1000 * planes.offset_95:.1f} mm (95 %)."
+            f"Planes after: {_mm(planes.offset, '+.1f')} ± {_mm(planes.offset_95)} mm (95 %)."
         )
     return "\n".join(said).replace("-", "−")

@@ -21,7 +21,7 @@ from lispac.adjustment.doubts import HIGH_CORRELATION
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.doubles import doubles
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import result_words, widgets
 from lispac.project import Project, Triple
@@ -101,7 +101,9 @@ class ResultsPanel(QWidget):
         self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings")
         self.warnings.setTextFormat(Qt.TextFormat.RichText)
         layout.addWidget(self.warnings)
-        layout.addWidget(widgets.label("Boresight, degrees", "heading"))
+        head = widgets.label("Boresight, degrees", "heading")
+        head.setText(units.signs(head.text(), "°"))
+        layout.addWidget(head)
         self.angles = _table("angles_table", 4)
         layout.addWidget(self.angles)
         self._truth_note = widgets.label(
@@ -134,7 +136,7 @@ class ResultsPanel(QWidget):
         self.warnings.setText("<br><br>".join(escape(say(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)
-        self.parameters.setText(say(rows))
+        self.parameters.setText(units.signs(say(rows), "m", "°"))
         for each in (self._parameters_head, self.parameters):
             each.setVisible(bool(rows))
         seen = result.observability
@@ -162,9 +164,12 @@ class ResultsPanel(QWidget):
         return form
 
     def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
+        before, after = (
+            units.figure(1000 * each, "mm", ".1f") for each in (result.rms_before, result.rms_after)
+        )
         components = result_words.component_words(result)
         texts = {
-            "rms": f"{result.rms_before * 1000:.1f} → <b>{result.rms_after * 1000:.1f} mm</b>",
+            "rms": f"{before} → <b>{after} mm</b>",
             "factor": f"{result.variance_factor:.3f}",
             "chi": result_words.test_words(result),
             "points": result_words.taking_part(result),
@@ -173,7 +178,7 @@ class ResultsPanel(QWidget):
             "iterations": f"{result.iterations}, {result.elapsed:.2f} s",
         }
         for key, text in texts.items():
-            self._values[key].setText(say(text))
+            self._values[key].setText(units.signs(say(text), "mm"))
         words = result_words.verdict(result, project.cross_checks, doubles(project))
         self._verdict.setText(
             say(f"{words} Errors by the data: {components}." if components else words)
@@ -228,7 +233,9 @@ def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | 
         rows.append(("Truth", np.array(truth), "+.4f", "What the simulator put in"))
     _set_rows(table, [row[0] for row in rows])
     for k, (word, numbers, form, tip) in enumerate(rows):
-        _write_row(table, k, [f"{n:{form}}" for n in numbers], bold=word == "Estimated")
+        _write_row(
+            table, k, [units.figure(n, "°", form) for n in numbers], bold=word == "Estimated"
+        )
         table.verticalHeaderItem(k).setToolTip(say(tip))
     for column in range(len(ANGLES) if truth is not None else 0):
         off = value[column] - truth[column]
@@ -236,9 +243,12 @@ def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | 
         item = table.item(4, column)
         item.setForeground(QBrush(QColor(theme.DONE if inside else theme.WARNING)))
         item.setToolTip(
-            say(
-                f"Estimated minus truth: {off:+.4f}°, "
-                f"{'inside' if inside else 'outside'} the 95 % interval"
+            units.signs(
+                say(
+                    f"Estimated minus truth: {units.figure(off, '°', '+.4f')}°, "
+                    f"{'inside' if inside else 'outside'} the 95 % interval"
+                ),
+                "°",
             )
         )
 

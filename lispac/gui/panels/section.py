@@ -45,11 +45,11 @@ class SectionPanel(QWidget):
         )  # fmt: skip
         self.thickness = widgets.number(
             "section_thickness", suffix=" m", decimals=2, low=0.01, high=50, step=0.05,
-            tip="Thickness of the strip",
+            tip="Thickness of the strip", fixed=True,
         )  # fmt: skip
         self.size = widgets.number(
             "section_size", suffix=" m", decimals=1, low=0.2, high=200, step=0.5,
-            tip="Height of the picture, and its width across a target",
+            tip="Height of the picture, and its width across a target", fixed=True,
         )  # fmt: skip
         self.thickness.setValue(0.20)
         self.size.setValue(2.0)

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.overlay import length_text, scale_length
@@ -87,12 +87,14 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
 
 def _bar(axes: Axes, extent: Array) -> None:
     """A bar of a round length in the lower left corner."""
-    metres = scale_length(1.0, 0.3 * float(extent.min()))
+    with units.standard():  # the picture is saved as it is shown
+        metres = scale_length(1.0, 0.3 * float(extent.min()))
+        words = say(length_text(metres))
     left, low = -0.46 * extent[0], -0.45 * extent[1]
     axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
               solid_capstyle="butt")  # fmt: skip
     axes.annotate(
-        say(length_text(metres)), (left, low), xytext=(0, 4), textcoords="offset points",
+        words, (left, low), xytext=(0, 4), textcoords="offset points",
         fontsize=SMALL, color=theme.TEXT,
         bbox={"facecolor": theme.PAPER, "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
     )  # fmt: skip

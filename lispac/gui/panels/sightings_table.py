@@ -14,7 +14,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.quality import SightingQuality
@@ -187,7 +187,7 @@ class SightingsModel(QAbstractTableModel):
         if role == Role.DisplayRole:
             light = "   poor" if quality is not None and quality.light == "poor" else ""
             edited = f" {EDITED}" if sighting.by_hand else ""
-            return f"{len(sighting.indices):,}   {sighting.rms * 1000:.1f} mm{light}{edited}"
+            return f"{len(sighting.indices):,}   {_mm(sighting.rms)}{light}{edited}"
         if role == Role.DecorationRole and quality is not None:
             return theme.light(quality.light)
         if role == Role.CheckStateRole:
@@ -201,7 +201,7 @@ class SightingsModel(QAbstractTableModel):
     def _tip(self, target: Target, sighting: PickedSighting) -> str:
         lines = [
             f"{target.name} on {sighting.line}: {len(sighting.indices):,} points, "
-            f"{sighting.rms * 1000:.1f} mm RMS about their own plane"
+            f"{_mm(sighting.rms)} RMS about their own plane"
         ]
         if (quality := self._qualities.get((target.name, sighting.line))) is not None:
             lines += [quality_words(quality)]
@@ -213,8 +213,8 @@ class SightingsModel(QAbstractTableModel):
         for residual in () if result is None else result.sightings:
             if (residual.sighting.target, residual.sighting.line) == (target.name, sighting.line):
                 lines.append(
-                    f"Distance to the adjusted plane: {residual.rms_before * 1000:.1f} mm RMS "
-                    f"before, {residual.rms_after * 1000:.1f} mm after"
+                    f"Distance to the adjusted plane: {_mm(residual.rms_before)} RMS "
+                    f"before, {_mm(residual.rms_after)} after"
                 )
         lines.append("Untick to leave this sighting out")
         return "\n".join(lines)
@@ -282,27 +282,32 @@ class SightingsTable(QTableView):
             self.sighting_selected.emit(*key)
 
 
+def _mm(metres: float) -> str:
+    return units.amount(1000 * metres, "mm", ".1f")
+
+
 def quality_words(quality: SightingQuality) -> str:
     """The light, its reasons and the figures behind them, a line each."""
-    figures = [f"range {quality.range:.1f} m"]
+    figures = [f"range {units.amount(quality.range, 'm', '.1f')}"]
     if quality.density is not None:
         figures.append(f"{quality.density:,.0f} points per m²")
     if quality.incidence is not None:
         figures.append(f"{quality.incidence * 57.29578:.0f}° from the normal")
     if quality.extent is not None:
-        figures.append(f"{quality.extent[0]:.2f} × {quality.extent[1]:.2f} m")
+        wide, high = quality.extent
+        figures.append(f"{units.figure(wide, 'm', '.2f')} × {units.amount(high, 'm', '.2f')}")
     if quality.share_shown is not None:
         figures.append(f"{100 * quality.share_shown:.0f} % of what the other lines show")
     lines = [f"Quality: {quality.light}", *quality.reasons, ", ".join(figures)]
     if quality.smear is not None:
         lines.append(
-            f"Up to {quality.smear * 1000:.1f} mm (RMS) may be the error of the rough boresight; "
+            f"Up to {_mm(quality.smear)} (RMS) may be the error of the rough boresight; "
             "it does not count before the calibration"
         )
     elif quality.incidence is not None:
         lines.append(
             f"Judged with the estimated boresight, from {quality.points:,} points with an RMS of "
-            f"{quality.rms * 1000:.1f} mm"
+            f"{_mm(quality.rms)}"
         )
     return "\n".join(lines)
 

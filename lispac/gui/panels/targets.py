@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.candidate_box import CandidateBox
@@ -215,7 +215,8 @@ class TargetsPanel(QWidget):
 
         sought = Sought(self.shape, self.sphere_radius)
         usual = sought.threshold(self._project.settings.threshold) * 1000
-        self._threshold.setSpecialValueText(say(f"default ({usual:.0f} mm)"))
+        said = say(f"default ({units.figure(usual, 'mm', '.0f')} mm)")
+        self._threshold.setSpecialValueText(units.signs(said, "mm"))
 
     def _roles(self) -> QHBoxLayout:
         self._target = widgets.button(

@@ -17,8 +17,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
+from lispac.gui.panels.number_field import BASES, NumberField
 
 
 def label(text: str = "", role: str = "", *, wrap: bool = False, name: str = "") -> QLabel:
@@ -74,41 +75,32 @@ def number(
     high: float,
     step: float,
     tip: str = "",
-) -> QDoubleSpinBox:
-    """A field for a number with its unit; the mouse wheel does not change it in passing."""
-    made = _Number()
+    fixed: bool = False,
+) -> NumberField:
+    """A field for a number with its unit; the mouse wheel does not change it in passing.
+
+    Parameters
+    ----------
+    suffix, decimals, low, high, step : in the unit that `value` has
+    fixed : bool
+        Show and take this very unit, whatever the user has chosen.
+    """
+    base = None if fixed else BASES.get(suffix)
+    bases = () if base is None else (base,)
+    tip = units.signs(say(tip), *bases, figures=False)
+    made = NumberField(base)
     made.setObjectName(name)
-    made.setAccessibleName(say(tip) or name)
+    made.setAccessibleName(tip or name)
     made.setDecimals(decimals)
     made.setRange(low, high)
-    made.setSingleStep(step)
-    made.setSuffix(say(suffix))
-    made.setToolTip(say(tip))
+    made.setSingleStep(step if base is None else units.step(step, base))
+    made.setSuffix(f" {units.unit(base).sign}" if units.differs(base) else say(suffix))
+    made.setToolTip(tip)
     made.setAlignment(Qt.AlignmentFlag.AlignRight)
     made.setFont(theme.tabular(made.font()))
     made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setKeyboardTracking(True)
     return made
-
-
-class _Number(QDoubleSpinBox):
-    """Takes a decimal comma and a decimal point alike, whatever the language."""
-
-    def validate(self, text: str, place: int) -> object:
-        return super().validate(self._own(text), place)
-
-    def valueFromText(self, text: str) -> float:
-        return super().valueFromText(self._own(text))
-
-    def _own(self, text: str) -> str:
-        point = self.locale().decimalPoint()
-        return text.replace(",", point).replace(".", point)
-
-    def wheelEvent(self, event) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
 
 
 class Choice(QComboBox):

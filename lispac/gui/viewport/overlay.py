@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.schemes import LIGHT
 from lispac.gui.viewport.base import Marker, Shading
@@ -37,14 +37,19 @@ MARGIN = 14.0
 
 
 def scale_length(metres_per_pixel: float, longest: float = 150.0) -> float:
-    """Longest 1, 2 or 5 times a power of ten, in metres, that is at most ``longest`` pixels."""
-    limit = metres_per_pixel * longest
+    """Metres of the longest 1, 2 or 5 times a power of ten, in the unit shown, that is at most
+    ``longest`` pixels."""
+    factor = units.unit("m").factor
+    limit = metres_per_pixel * longest * factor
     power = 10.0 ** np.floor(np.log10(limit))
-    return float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= limit * 1.000001))
+    fitting = [step * power for step in (1.0, 2.0, 5.0) if step * power <= limit * 1.000001]
+    return float(max(fitting)) / factor
 
 
 def length_text(metres: float) -> str:
     """A round length with the unit it is read in."""
+    if units.differs("m"):
+        return f"{metres * units.unit('m').factor:.6g} {units.unit('m').sign}"
     if metres >= 1000.0:
         return f"{metres / 1000.0:g} km"
     if metres >= 1.0:

@@ -1614,16 +1614,16 @@
         <translation>Vérifications croisées en cours</translation>
     </message>
     <message>
-        <source>Estimated on {points:n} points in {time:n} s; RMS {before:n} → {after:n} mm</source>
-        <translation>Estimé sur {points} points en {time} s ; RMS {before} → {after} mm</translation>
+        <source>Estimated on {points:n} points in {time:n} s; RMS {before:n} → {after:n} {unit:kept}</source>
+        <translation>Estimé sur {points} points en {time} s ; RMS {before} → {after} {unit}</translation>
     </message>
     <message>
-        <source>Estimated again on {points:n} points in {time:n} s; RMS {before:n} → {after:n} mm</source>
-        <translation>Estimé de nouveau sur {points} points en {time} s ; RMS {before} → {after} mm</translation>
+        <source>Estimated again on {points:n} points in {time:n} s; RMS {before:n} → {after:n} {unit:kept}</source>
+        <translation>Estimé de nouveau sur {points} points en {time} s ; RMS {before} → {after} {unit}</translation>
     </message>
     <message>
-        <source>Estimated again with the points as they were selected before on {points:n} points in {time:n} s; RMS {before:n} → {after:n} mm</source>
-        <translation>Estimé de nouveau, avec les points choisis auparavant, sur {points} points en {time} s ; RMS {before} → {after} mm</translation>
+        <source>Estimated again with the points as they were selected before on {points:n} points in {time:n} s; RMS {before:n} → {after:n} {unit:kept}</source>
+        <translation>Estimé de nouveau, avec les points choisis auparavant, sur {points} points en {time} s ; RMS {before} → {after} {unit}</translation>
     </message>
     <message>
         <source>Preparing the preview</source>
@@ -1730,16 +1730,16 @@
         <translation>Cliquez pour mesurer de nouveau</translation>
     </message>
     <message>
-        <source>Slope distance {n:n} m</source>
-        <translation>Distance suivant la pente {n} m</translation>
+        <source>Slope distance {n:n} {unit:kept}</source>
+        <translation>Distance suivant la pente {n} {unit}</translation>
     </message>
     <message>
-        <source>Horizontal {n:n} m</source>
-        <translation>Horizontale {n} m</translation>
+        <source>Horizontal {n:n} {unit:kept}</source>
+        <translation>Horizontale {n} {unit}</translation>
     </message>
     <message>
-        <source>Vertical {n:n} m</source>
-        <translation>Verticale {n} m</translation>
+        <source>Vertical {n:n} {unit:kept}</source>
+        <translation>Verticale {n} {unit}</translation>
     </message>
     <message>
         <source>Azimuth {n:n}°</source>
@@ -1750,8 +1750,8 @@
         <translation>Angle {n}°</translation>
     </message>
     <message>
-        <source>Sides {a:n} m and {b:n} m</source>
-        <translation>Côtés {a} m et {b} m</translation>
+        <source>Sides {a:n} {unit:kept} and {b:n} {unit2:kept}</source>
+        <translation>Côtés {a} {unit} et {b} {unit2}</translation>
     </message>
     <message>
         <source>There is no section to take a picture of: select a target and press S</source>
@@ -4035,12 +4035,12 @@
         <translation>Plan de validation {name} (à la place de l&apos;actuel)</translation>
     </message>
     <message>
-        <source>Found on {some:n} of {all:n} lines: {points:n} points, within {rms:n} mm RMS of their planes.</source>
-        <translation>Trouvée sur {some} lignes sur {all} : {points} points, à {rms} mm RMS de leurs plans.</translation>
+        <source>Found on {some:n} of {all:n} lines: {points:n} points, within {rms} RMS of their planes.</source>
+        <translation>Trouvée sur {some} lignes sur {all} : {points} points, à {rms} RMS de leurs plans.</translation>
     </message>
     <message>
-        <source>Found on {some:n} of {all:n} lines: {points:n} points, within {rms:n} mm RMS of their spheres.</source>
-        <translation>Trouvée sur {some} lignes sur {all} : {points} points, à {rms} mm RMS de leurs sphères.</translation>
+        <source>Found on {some:n} of {all:n} lines: {points:n} points, within {rms} RMS of their spheres.</source>
+        <translation>Trouvée sur {some} lignes sur {all} : {points} points, à {rms} RMS de leurs sphères.</translation>
     </message>
     <message>
         <source>Not found on {lines:kept}.</source>
@@ -4099,8 +4099,8 @@
         <translation>{line} : évaluation en cours</translation>
     </message>
     <message>
-        <source>{line:kept}: {points:n} points, {rms:n} mm RMS</source>
-        <translation>{line} : {points} points, {rms} mm RMS</translation>
+        <source>{line:kept}: {points:n} points, {rms} RMS</source>
+        <translation>{line} : {points} points, {rms} RMS</translation>
     </message>
     <message>
         <source>{line:kept}: Quality: {light}</source>
@@ -5663,20 +5663,20 @@ m/s</translation>
         <translation>{line} : décocher pour y écarter toutes les cibles, cocher pour les employer toutes</translation>
     </message>
     <message>
-        <source>{n:n}   {rms:n} mm</source>
-        <translation>{n}   {rms} mm</translation>
+        <source>{n:n}   {rms}</source>
+        <translation>{n}   {rms}</translation>
     </message>
     <message>
-        <source>{n:n}   {rms:n} mm   poor</source>
-        <translation>{n}   {rms} mm   mauvaise</translation>
+        <source>{n:n}   {rms}   poor</source>
+        <translation>{n}   {rms}   mauvaise</translation>
     </message>
     <message>
-        <source>{n:n}   {rms:n} mm 🖎</source>
-        <translation>{n}   {rms} mm 🖎</translation>
+        <source>{n:n}   {rms} 🖎</source>
+        <translation>{n}   {rms} 🖎</translation>
     </message>
     <message>
-        <source>{target:name} on {line:name}: {n:n} points, {rms:n} mm RMS about their own plane</source>
-        <translation>{target} sur {line} : {n} points, {rms} mm RMS par rapport à leur propre plan</translation>
+        <source>{target:name} on {line:name}: {n:n} points, {rms} RMS about their own plane</source>
+        <translation>{target} sur {line} : {n} points, {rms} RMS par rapport à leur propre plan</translation>
     </message>
     <message>
         <source>Points edited with the lasso; they stay as they were chosen</source>
@@ -5687,8 +5687,8 @@ m/s</translation>
         <translation>Tiré d&apos;un point sur {n} parmi les nombreux points autour du germe</translation>
     </message>
     <message>
-        <source>Distance to the adjusted plane: {a:n} mm RMS before, {b:n} mm after</source>
-        <translation>Distance au plan compensé : {a} mm RMS avant, {b} mm après</translation>
+        <source>Distance to the adjusted plane: {a} RMS before, {b} after</source>
+        <translation>Distance au plan compensé : {a} RMS avant, {b} après</translation>
     </message>
     <message>
         <source>Untick to leave this sighting out</source>
@@ -5703,8 +5703,8 @@ m/s</translation>
         <translation>à {n}° de la normale</translation>
     </message>
     <message>
-        <source>{a:n} × {b:n} m</source>
-        <translation>{a} × {b} m</translation>
+        <source>{a:n} × {b:n} {unit:kept}</source>
+        <translation>{a} × {b} {unit}</translation>
     </message>
     <message>
         <source>{n:n} % of what the other lines show</source>
@@ -5727,12 +5727,12 @@ m/s</translation>
         <translation>mauvaise</translation>
     </message>
     <message>
-        <source>Up to {n:n} mm (RMS) may be the error of the rough boresight; it does not count before the calibration</source>
-        <translation>Jusqu&apos;à {n} mm (RMS) peuvent venir de l&apos;erreur des angles de visée approchés ; cela ne compte pas avant l&apos;étalonnage</translation>
+        <source>Up to {n} (RMS) may be the error of the rough boresight; it does not count before the calibration</source>
+        <translation>Jusqu&apos;à {n} (RMS) peuvent venir de l&apos;erreur des angles de visée approchés ; cela ne compte pas avant l&apos;étalonnage</translation>
     </message>
     <message>
-        <source>Judged with the estimated boresight, from {n:n} points with an RMS of {rms:n} mm</source>
-        <translation>Évaluée avec les angles de visée estimés, d&apos;après {n} points de RMS {rms} mm</translation>
+        <source>Judged with the estimated boresight, from {n:n} points with an RMS of {rms}</source>
+        <translation>Évaluée avec les angles de visée estimés, d&apos;après {n} points de RMS {rms}</translation>
     </message>
     <message>
         <source>{name:name}: takes part in the adjustment</source>
@@ -6096,8 +6096,8 @@ m/s</translation>
         <translation>distance {n} m, {rest}</translation>
     </message>
     <message>
-        <source>range {n:n} m</source>
-        <translation>distance {n} m</translation>
+        <source>range {n:n} {unit:kept}</source>
+        <translation>distance {n} {unit}</translation>
     </message>
     <message>
         <source>{n:n} points, {k:n} sightings</source>
@@ -7336,11 +7336,11 @@ m/s</translation>
     </message>
     <message>
         <source>{what}: {value:n} is out of range; give {low:n} to {high:n} {unit}.</source>
-        <translation>{what} : {value} est hors limites ; donnez de {low} à {high} {unit}.</translation>
+        <translation>{what} : {value} est hors limites ; donnez de {low} à {high} {unit}.</translation>
     </message>
     <message>
         <source>{what}: {value:n} {unit} is out of range; give {low:n} to {high:n} {unit2}.</source>
-        <translation>{what} : {value} {unit} est hors limites ; donnez de {low} à {high} {unit2}.</translation>
+        <translation>{what} : {value} {unit} est hors limites ; donnez de {low} à {high} {unit2}.</translation>
     </message>
     <message>
         <source>{what}: give 1 to 24 letters.</source>
@@ -8467,6 +8467,76 @@ m/s</translation>
     <message>
         <source>{n:n} points looked at ({part:n} of {all:n})</source>
         <translation>{n} points examinés ({part} sur {all})</translation>
+    </message>
+</context>
+<context>
+    <name>units</name>
+    <message>
+        <source>{n:n} ft</source>
+        <translation>{n} ft</translation>
+    </message>
+    <message>
+        <source>{n:n} ftUS</source>
+        <translation>{n} ftUS</translation>
+    </message>
+    <message>
+        <source>{n:n} mrad</source>
+        <translation>{n} mrad</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>ftUS</source>
+        <translation>ftUS</translation>
+    </message>
+    <message>
+        <source>mrad</source>
+        <translation>mrad</translation>
+    </message>
+</context>
+<context>
+    <name>gui/dialogs/settings.py</name>
+    <message>
+        <source>Angles</source>
+        <translation>Angles</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Degrés</translation>
+    </message>
+    <message>
+        <source>Milliradians</source>
+        <translation>Milliradians</translation>
+    </message>
+    <message>
+        <source>Arc minutes and seconds</source>
+        <translation>Minutes et secondes d&apos;arc</translation>
+    </message>
+    <message>
+        <source>Metres and millimetres</source>
+        <translation>Mètres et millimètres</translation>
+    </message>
+    <message>
+        <source>Unit of the boresight, of attitudes and of their sigmas in the window. Headings and inclinations stay in degrees; files, reports and scripts have their own units</source>
+        <translation>Unité des angles de visée, des attitudes et de leurs écarts-types dans la fenêtre. Les caps et les inclinaisons restent en degrés ; fichiers, rapports et scripts gardent leurs unités</translation>
+    </message>
+    <message>
+        <source>Unit of lengths and distances in the window; files, reports and scripts stay metric</source>
+        <translation>Unité des longueurs et des distances dans la fenêtre ; fichiers, rapports et scripts restent métriques</translation>
+    </message>
+    <message>
+        <source>International feet (ft)</source>
+        <translation>Pieds internationaux (ft)</translation>
+    </message>
+    <message>
+        <source>US survey feet (ftUS)</source>
+        <translation>Pieds d&apos;arpentage américains (ftUS)</translation>
     </message>
 </context>
 </TS>

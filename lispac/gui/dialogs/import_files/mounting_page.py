@@ -11,6 +11,9 @@ from lispac.io.sensor_file import PosState, ScannerFigures
 from lispac.project import Settings
 from lispac.workflow.sensors import Library
 
+GEOGRAPHIC = ("new_latitude", "new_longitude")
+"""Typed in degrees, whatever angles are shown in."""
+
 
 class MountingPage(QScrollArea):
     """Lever arm, prior boresight, origin and sigmas."""
@@ -160,5 +163,11 @@ def _form() -> QFormLayout:
 
 def _plain(name: str, suffix: str, decimals: int, low: float, high: float):
     return widgets.number(
-        name, suffix=suffix, decimals=decimals, low=low, high=high, step=10.0 ** (1 - decimals)
+        name,
+        suffix=suffix,
+        decimals=decimals,
+        low=low,
+        high=high,
+        step=10.0 ** (1 - decimals),
+        fixed=name in GEOGRAPHIC,
     )

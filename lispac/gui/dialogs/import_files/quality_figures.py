@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.envelope import envelope
 from lispac.gui.language import say
+from lispac.gui.panels.ticks import in_units
 from lispac.io.line_times import LineTimes
 from lispac.io.trajectory_facts import motion_of
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
@@ -84,6 +85,8 @@ def accuracies(quality: Quality, figure: Figure) -> None:
         _draw(lower, quality, sigmas.time, values, k, name)
     upper.set_ylabel(say("Position\nσ, m"), fontsize=TEXT)
     lower.set_ylabel(say("Attitude\nσ, °"), fontsize=TEXT)
+    in_units(upper.yaxis, "m")
+    in_units(lower.yaxis, "°")
     for axes in (upper, lower):
         axes.set_ylim(0, 1.15 * axes.dataLim.y1 or 1.0)
         _legend(axes)
@@ -121,6 +124,8 @@ def track(quality: Quality, figure: Figure) -> None:
     axes.set_aspect("equal", adjustable="datalim")
     axes.set_xlabel(say("East, m"), fontsize=TEXT)
     axes.set_ylabel(say("North, m"), fontsize=TEXT)
+    for axis in (axes.xaxis, axes.yaxis):
+        in_units(axis, "m")
     axes.grid(color=theme.GRID, linewidth=0.8)
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="center left",
                 bbox_to_anchor=(1.01, 0.5))  # fmt: skip
@@ -144,6 +149,7 @@ def motion(quality: Quality, figure: Figure) -> None:
     top.set_ylabel(say("Speed\nm/s"), fontsize=TEXT)
     top.set_ylim(bottom=0)
     middle.set_ylabel(say("Roll, pitch\n°"), fontsize=TEXT)
+    in_units(middle.yaxis, "°")
     _legend(middle)
     bottom.set_ylabel(say("Heading\n°"), fontsize=TEXT)
 

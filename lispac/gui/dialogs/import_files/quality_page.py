@@ -88,6 +88,7 @@ class QualityPage(QWidget):
         from matplotlib.figure import Figure
 
         from lispac.gui.dialogs.import_files.quality_figures import PAGES, Quality
+        from lispac.gui.panels.ticks import spoken_ticks
 
         if self.canvas is None:
             self.canvas = FigureCanvasQTAgg(Figure(layout="constrained", facecolor=theme.PAPER))
@@ -99,6 +100,7 @@ class QualityPage(QWidget):
         name = NAMES[self.choice.checkedId()]
         self._hint.setText(say("Coloured: the lines." if name == "Track" else "Shaded: the lines."))
         PAGES[name](quality, self.canvas.figure)
+        spoken_ticks(self.canvas.figure)
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(say(f"{name} of the trajectory over time, lines marked"))
         self.drawn.emit()

@@ -1,0 +1,69 @@
+"""Figures beside the axes of a plot: in the unit shown, and with the language's decimal sign."""
+
+from collections.abc import Sequence
+
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.ticker import Formatter, FuncFormatter, MaxNLocator, ScalarFormatter
+from PySide6.QtCore import QLocale
+
+from lispac.gui import units
+from lispac.gui.units import Base
+
+
+def in_units(axis: Axis, base: Base) -> None:
+    """Show an axis that is drawn in a base in the unit chosen, at round figures of that."""
+    if not units.differs(base):
+        return
+    factor = units.unit(base).factor
+    axis.set_major_locator(_Round(factor))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: _spoken(f"{value * factor:.6g}")))
+    axis.set_label_text(units.signs(axis.get_label_text(), base, figures=False))
+
+
+def spoken_ticks(figure: Figure) -> None:
+    """Write the decimals of all plain axes as the language does."""
+    if QLocale().decimalPoint() == ".":
+        return
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            plain = axis.get_major_formatter()
+            if type(plain) is ScalarFormatter:
+                axis.set_major_formatter(_Spoken(plain))
+
+
+def _spoken(text: str) -> str:
+    return text.replace(".", QLocale().decimalPoint()).replace("-", "\N{MINUS SIGN}")
+
+
+class _Round(MaxNLocator):
+    """Places that are round in another unit."""
+
+    def __init__(self, factor: float) -> None:
+        super().__init__(nbins="auto", steps=[1, 2, 2.5, 5, 10])
+        self._factor = factor
+
+    def tick_values(self, vmin: float, vmax: float) -> Sequence[float]:
+        found = super().tick_values(vmin * self._factor, vmax * self._factor)
+        return [float(each) / self._factor for each in found]
+
+
+class _Spoken(Formatter):
+    """As another one, with the language's decimal sign."""
+
+    def __init__(self, plain: ScalarFormatter) -> None:
+        self._plain = plain
+
+    def __call__(self, value: float, place: int | None = None) -> str:
+        return _spoken(self._plain(value, place))
+
+    def set_axis(self, axis: Axis) -> None:
+        super().set_axis(axis)
+        self._plain.set_axis(axis)
+
+    def set_locs(self, locs: Sequence[float]) -> None:
+        super().set_locs(locs)
+        self._plain.set_locs(locs)
+
+    def get_offset(self) -> str:
+        return _spoken(self._plain.get_offset())

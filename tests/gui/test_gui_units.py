@@ -1,0 +1,232 @@
+"""Units of display: shown and typed in the window, and nowhere else."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QLineEdit
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import units
+from lispac.gui.language import speak
+from lispac.gui.measuring import distance_words
+from lispac.gui.panels import widgets
+from lispac.gui.panels.distances import histogram_text
+from lispac.gui.panels.fields import OptionalNumber
+from lispac.gui.panels.number_field import NumberField
+from lispac.gui.session import Session
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.project import Project
+from tests.gui.support import Demo, Driver, ScriptedDialogs
+
+FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
+"""Metres, by definition: of 1959, and of 1893."""
+MRAD, MINUTE = 180 / math.pi / 1000, 1 / 60
+"""Degrees."""
+SOON_MS = 20_000
+
+
+@pytest.fixture
+def imperial() -> Iterator[None]:
+    """Feet and milliradians, which end with the test."""
+    units.show_in("milliradians", "feet")
+    yield
+    units.show_in("degrees", "metres")
+
+
+@pytest.fixture
+def program(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
+    """A program with a window in English, in feet and milliradians."""
+    kept = AppSettings(tmp_path / "settings.ini")
+    kept.language, kept.units = "en", ("milliradians", "feet")
+    made = Session(qapp, RecordingViewport, kept, ScriptedDialogs())
+    qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
+    yield made
+    made.window.retire()
+    made.window.deleteLater()
+    made.deleteLater()
+    units.show_in("degrees", "metres")
+    speak("en")
+
+
+def field(suffix: str, decimals: int) -> NumberField:
+    return widgets.number(
+        "field", suffix=suffix, decimals=decimals, low=-1000, high=1000, step=0.01,
+        tip="A thing, metres, usually 10 mm",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("code", ["en", "fr"])
+@pytest.mark.parametrize("lengths", units.LENGTHS)
+@pytest.mark.parametrize("angles", units.ANGLES)
+@settings(
+    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(value=st.floats(-990, 990), suffix=st.sampled_from([" m", " mm", " °"]))
+def test_what_is_only_shown_stays_to_the_last_digit(
+    qapp: QApplication, code: str, lengths: str, angles: str, value: float, suffix: str
+) -> None:
+    value = round(value, 9)
+    speak(code)
+    units.show_in(angles, lengths)
+    try:
+        shown = field(suffix, 4)
+        shown.setValue(value)
+        shown.interpretText()  # as Enter does
+        assert shown.value() == value
+        typed = field(suffix, 4)
+        typed.lineEdit().setText(shown.text())
+        typed.interpretText()
+        factor = units.unit(suffix.strip()).factor
+        half = 0.5 * 10.0 ** -shown.decimals() / factor
+        assert typed.value() == pytest.approx(value, abs=1.001 * half + 1e-12)
+        assert typed.text() == shown.text()
+    finally:
+        units.show_in("degrees", "metres")
+        speak("en")
+
+
+@pytest.mark.parametrize(
+    ("angles", "lengths", "suffix", "text", "value"),
+    [
+        ("degrees", "feet", " m", "10", 10 * FOOT),
+        ("degrees", "feet", " mm", "0.01", 10 * FOOT),
+        ("degrees", "survey feet", " m", "10", 10 * SURVEY_FOOT),
+        ("degrees", "survey feet", " mm", "0.01", 10 * SURVEY_FOOT),
+        ("milliradians", "metres", " °", "2.5", 2.5 * MRAD),
+        ("minutes", "metres", " °", "-90", -90 * MINUTE),
+        ("milliradians", "feet", " s", "2.5", 2.5),
+    ],
+)
+def test_what_is_typed_is_converted(
+    qapp: QApplication, angles: str, lengths: str, suffix: str, text: str, value: float
+) -> None:
+    units.show_in(angles, lengths)
+    try:
+        typed = field(suffix, 4)
+        typed.lineEdit().setText(text)
+        typed.interpretText()
+        assert typed.value() == pytest.approx(value, abs=1e-12)
+        assert float(typed.cleanText()) == float(text)
+    finally:
+        units.show_in("degrees", "metres")
+
+
+def test_a_tooltip_names_the_unit_of_its_field_and_keeps_other_figures(
+    qapp: QApplication, imperial: None
+) -> None:
+    assert field(" m", 4).toolTip() == "A thing, ft, usually 10 mm"
+    assert field(" m", 4).suffix() == " ft"
+
+
+def test_an_empty_field_and_one_that_is_only_shown(qapp: QApplication, imperial: None) -> None:
+    sigma = OptionalNumber("s", "Sigma", "mm", 1e3, "not known", "How well")
+    assert sigma.value() is None
+    sigma.show_value(0.00123456789)
+    assert sigma.value() == 0.00123456789
+    sigma.setText("0.01")
+    assert sigma.value() == pytest.approx(0.01 * FOOT)
+    assert sigma.toolTip() == "How well, in ft. Empty: not known."
+
+
+def test_the_window_shows_one_unit_and_the_project_stays(
+    program: Session, demo: Demo, estimated: Project, qtbot: QtBot
+) -> None:
+    window = program.window
+    lever_arm = (-0.185596123, 0.037658456, 2.419063789)
+    given = estimated.with_settings(
+        replace(estimated.settings, lever_arm=lever_arm, range_offset=0.001234567)
+    )
+    given = replace(given, result=estimated.result)
+    window.document.open(given, demo.survey)
+    qtbot.waitUntil(lambda: not window.runner.active, timeout=SOON_MS)
+    assert window.document.project is not None
+
+    arm = window.data.lever_arm.fields
+    assert [f.text() for f in arm] == [f"{v / FOOT:.4f} ft" for v in lever_arm]
+    for each in window.findChildren(NumberField):
+        each.interpretText()
+    assert not window.data.apply.isEnabled()
+    assert window.adjust.settings() == given.settings
+    assert not window.document.is_modified
+
+    angles = window.results.angles
+    assert estimated.result is not None
+    for column, value in enumerate(np.degrees(estimated.result.boresight)):
+        shown = float(angles.item(1, column).text().replace("−", "-"))
+        assert shown == pytest.approx(value / MRAD, abs=6e-4)
+    fit = window.results.findChild(object, "result_rms").text()
+    assert f"{estimated.result.rms_after / FOOT:.4f} ft" in fit.replace("\u00a0", " ")
+
+    for page in window.diagnostics.findChildren(object):
+        if hasattr(page, "as_text"):
+            head = page.as_text().split("\n")[0]
+            assert "(mm)" not in head
+            assert "°" not in head
+
+    arm[0].lineEdit().setText("1.0000")
+    arm[0].interpretText()
+    qtbot.mouseClick(window.data.apply, Qt.MouseButton.LeftButton)
+    settled = window.document.project.settings.lever_arm
+    assert settled == (pytest.approx(FOOT, abs=1e-12), *lever_arm[1:])
+
+
+def test_every_typed_field_of_the_adjustment_says_its_unit(program: Session) -> None:
+    for each in program.window.adjust.findChildren(QLineEdit):
+        assert "mm" not in each.placeholderText()
+        assert "°" not in each.placeholderText()
+
+
+def test_measured_in_feet(imperial: None) -> None:
+    words = distance_words(np.zeros(3), np.array([3.0, 0.0, -4.0]))
+    assert words.split("\n")[0] == f"Slope distance {5 / FOOT:.3f} ft"
+    assert words.split("\n")[2] == f"Vertical −{4 / FOOT:.3f} ft"
+    assert words.endswith("°")  # an azimuth is one of the compass
+
+
+def test_the_scale_is_round_in_feet_and_metric_in_files(imperial: None) -> None:
+    assert length_text(scale_length(0.01, 150)) == "2 ft"
+    with units.standard():
+        assert length_text(scale_length(0.01, 150)) == "1 m"
+    assert length_text(scale_length(0.01, 150)) == "2 ft"
+
+
+def test_comparisons_are_in_feet_and_copied_in_millimetres(
+    driver: Driver, demo: Demo, estimated: Project, imperial: None
+) -> None:
+    from lispac.workflow.validation import validate
+
+    validated = validate(estimated, demo.survey)
+    driver.window.document.open(validated, demo.survey)
+    driver.rest()
+    panel, first = driver.window.histograms, validated.validation[0]
+    assert panel.table.item(0, 3).text().replace("\u00a0", " ") == (
+        f"{first.before.rms / FOOT:.4f} → {first.after.rms / FOOT:.4f} ft"
+    )
+    axes = panel.canvas.figure.axes[0]
+    assert "(ft)" in axes.get_xlabel()
+    ticks = axes.xaxis.get_major_locator()()
+    shown = [float(axes.xaxis.get_major_formatter()(tick)) for tick in ticks]
+    assert shown == pytest.approx([tick / 1000 / FOOT for tick in ticks], rel=1e-5)
+    assert f"RMS {first.before.rms / FOOT:.4f}" in axes.get_legend().get_texts()[0].get_text()
+    assert histogram_text(first, 0.1, 10).startswith("From (mm)\tTo (mm)")
+
+
+def test_another_unit_makes_the_window_anew(program: Session, qtbot: QtBot, demo: Demo) -> None:
+    former = program.window
+    former.document.open(demo.picked, demo.survey)
+    project = former.document.project
+    former.settings.units = ("minutes", "survey feet")
+    former.renew()
+    qtbot.waitUntil(lambda: program.window is not former, timeout=SOON_MS)
+    assert program.window.document.project is project
+    assert program.window.data.lever_arm.fields[0].suffix() == " ftUS"
+    assert program.window.data.boresight.fields[0].suffix() == " ′"
