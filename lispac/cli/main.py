@@ -3,10 +3,12 @@
 A list of seeds of which some led to no target ends with 1 too; the others are saved.
 """
 
+import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
 
+from lispac import caches
 from lispac.cli.console import UsageError
 from lispac.cli.parser import build_parser
 from lispac.cli.values import plain_numbers
@@ -20,6 +22,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         # Its own module only, after parsing: --version and --help answer without NumPy and
         # Numba, and no command waits for what another needs.
+        caches.use(os.environ)
         module = import_module(f"lispac.cli.{arguments.command}")
         getattr(module, arguments.command)(arguments)
     except UsageError as error:

@@ -10,6 +10,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 import lispac
+from lispac import caches
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -29,6 +30,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     application.setApplicationName("LISPAC")
     application.setApplicationVersion(lispac.__version__)
 
+    caches.use(os.environ)
     # Imported when the application exists: VTK and Qt set up their graphics together.
     from lispac.gui.logbook import Logbook
     from lispac.gui.session import Session

@@ -3,8 +3,9 @@
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QStandardPaths, Signal
+from PySide6.QtCore import QObject, Signal
 
+from lispac.caches import DEMO, cache_place
 from lispac.errors import LispacError
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
@@ -341,6 +342,5 @@ class Controller(QObject):
 
 
 def demo_folder() -> Path:
-    """Where the demo survey is kept: the user's cache."""
-    cache = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.GenericCacheLocation)
-    return Path(cache) / "lispac" / "demo"
+    """Where the demo survey is kept: the cache."""
+    return cache_place() / DEMO

@@ -1,10 +1,12 @@
 """What the user prefers for all projects: read from the settings, kept there, and applied."""
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from lispac.errors import InputError
 from lispac.gui.settings import POINT_SIZE, AppSettings
 from lispac.gui.viewport.decimation import Budget
 
@@ -24,6 +26,7 @@ class Preferences:
     convention : key of the system that reports state the boresight for too; empty for none
     scanner, pos : names in the sensor library that new projects begin with; empty for none
     angles, lengths : keys of the units shown
+    cache : folder that the cache lies in; None for the system's
     """
 
     language: str = ""
@@ -34,6 +37,7 @@ class Preferences:
     pos: str = ""
     angles: str = "degrees"
     lengths: str = "metres"
+    cache: Path | None = None
 
     @classmethod
     def of(cls, settings: AppSettings) -> "Preferences":
@@ -42,10 +46,18 @@ class Preferences:
         return cls(
             settings.language_chosen, settings.point_size, settings.point_budget,
             settings.report_choice()[2], scanner, pos, *settings.units,
+            settings.cache_folder,
         )  # fmt: skip
 
     def keep(self, settings: AppSettings) -> None:
-        """Remember them."""
+        """Remember them.
+
+        Raises
+        ------
+        InputError
+            Where the cache cannot be where it is wanted, or the choice of it not be written; all
+            else is kept.
+        """
         settings.language = self.language
         settings.point_size = self.point_size
         settings.point_budget = self.point_budget
@@ -54,6 +66,7 @@ class Preferences:
         settings.usual_sensors = (self.scanner, self.pos)
         settings.units = (self.angles, self.lengths)
         settings.sync()
+        settings.cache_folder = self.cache
 
 
 class Preferring(QObject):
@@ -72,7 +85,10 @@ class Preferring(QObject):
         answer = window.dialogs.preferences(Preferences.of(settings), settings)
         if answer is None:
             return
-        answer.keep(settings)
+        try:
+            answer.keep(settings)
+        except InputError as error:
+            window.controller.refused.emit(error)
         window.viewport.set_point_size(answer.point_size)
         self._draw()
         window.report.show_choice(settings.report_choice())

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
+from lispac import caches
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
 from lispac.language.catalogue import LANGUAGES
@@ -36,6 +37,7 @@ class AppSettings:
         path = Path(cache) / "lispac" / "window.ini" if file is None else file
         self.folder = path.parent
         # One's own sensors are work, so they are kept where nothing is thrown away.
+        self._config = None if file is None else path.parent
         self._sensors = own_sensors() if file is None else path.parent / "sensors"
         self._store = QSettings(str(path), QSettings.Format.IniFormat)
 
@@ -168,6 +170,15 @@ class AppSettings:
     def units(self, keys: tuple[str, str]) -> None:
         for name, key in zip(("angles", "lengths"), keys, strict=True):
             self._store.setValue(name, key)
+
+    @property
+    def cache_folder(self) -> Path | None:
+        """The folder that the cache lies in; None for the system's."""
+        return caches.chosen_folder(self._config)
+
+    @cache_folder.setter
+    def cache_folder(self, folder: Path | None) -> None:
+        caches.choose(folder, self._config)
 
     def report_choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language of the report, as they were chosen last."""

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QLocale, Qt
+from PySide6.QtCore import QLocale, QLockFile, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -13,6 +13,7 @@ from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.preferences import Preferences
+from lispac.gui.safekeeping import LOCK_NAME
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording import RecordingViewport
@@ -250,3 +251,63 @@ def test_chosen_sensors_fill_fields_that_can_be_changed(
     )  # fmt: skip
     assert project.identity.scanner == "RIEGL VUX-1UAV"
     assert project.identity.pos == "Exail (iXblue) Hydrins"
+
+
+def test_the_cache_goes_where_it_is_wanted(
+    driver: Driver, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    wanted = Preferences(language=driver.window.settings.language_chosen, cache=tmp_path / "fast")
+    answers(driver, monkeypatch, wanted)
+    driver.window.actions_["settings"].trigger()
+    assert driver.window.settings.cache_folder == tmp_path / "fast"
+    assert Preferences.of(driver.window.settings) == wanted
+
+    (tmp_path / "file").write_text("")
+    answers(driver, monkeypatch, Preferences(point_size=7, cache=tmp_path / "file"))
+    driver.window.actions_["settings"].trigger()
+    assert "cannot be written there" in str(driver.dialogs.errors[-1])
+    assert driver.window.settings.cache_folder == tmp_path / "fast"
+    assert driver.window.settings.point_size == 7
+
+
+def test_a_cache_is_shown_and_emptied_after_a_question(
+    page: SettingsDialog, qtbot: QtBot, tmp_path: Path
+) -> None:
+    place = tmp_path / "disk" / "lispac"
+    (place / "numba").mkdir(parents=True)
+    (place / "numba" / "kernel").write_bytes(bytes(2_500_000))
+    (tmp_path / "file").write_text("")
+    page.cache.take(tmp_path / "file")
+    assert "the cache cannot be written there" in page.cache.said.text()
+    page.cache.take(tmp_path / "disk")
+    assert page.preferences.cache == tmp_path / "disk"
+    assert page.cache.place.text() == str(place)
+    assert page.cache.size.text() == "2.5 MB"
+    assert page.cache.said.text() == ""
+
+    def answer(button: str) -> None:
+        box = QApplication.activeModalWidget()
+        found = next(each for each in box.buttons() if each.text().replace("&", "") == button)
+        qtbot.mouseClick(found, Left)
+
+    for button, left in (("Cancel", True), ("Empty", False)):
+        QTimer.singleShot(200, lambda button=button: answer(button))
+        qtbot.mouseClick(page.cache.empty, Left)
+        assert (place / "numba").exists() is left
+    assert page.cache.size.text() == "empty"
+    assert not page.cache.empty.isEnabled()
+    qtbot.mouseClick(page.cache.usual, Left)
+    assert page.preferences.cache is None
+
+
+def test_an_open_demo_is_not_removed(page: SettingsDialog, qtbot: QtBot, tmp_path: Path) -> None:
+    demo = tmp_path / "lispac" / "demo"
+    (demo / "raw").mkdir(parents=True)
+    (demo / "raw" / "demo").write_text("ours")
+    page.cache.take(tmp_path)
+    lock = QLockFile(str(demo / LOCK_NAME))
+    assert lock.tryLock(0)
+    qtbot.mouseClick(page.cache.empty, Left)
+    assert page.cache.said.text().startswith("The demo survey is open")
+    assert (demo / "raw" / "demo").is_file()
+    lock.unlock()

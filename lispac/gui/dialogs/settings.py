@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
 from lispac.gui import theme
+from lispac.gui.dialogs.cache_box import CacheBox
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.dialogs.sensor_library import SensorLibraryPage
 from lispac.gui.language import say
@@ -74,6 +75,7 @@ class SettingsDialog(QDialog):
             pos,
             list(ANGLES)[self.angles.currentIndex()],
             list(LENGTHS)[self.lengths.currentIndex()],
+            self.cache.folder,
         )
 
     def show_preferences(self, given: Preferences) -> None:
@@ -88,6 +90,7 @@ class SettingsDialog(QDialog):
         self.choice.choose(given.scanner, given.pos)
         self.angles.setCurrentIndex(list(ANGLES).index(given.angles))
         self.lengths.setCurrentIndex(list(LENGTHS).index(given.lengths))
+        self.cache.show_folder(given.cache)
 
     def _build(self) -> None:
         self.language = widgets.Choice(
@@ -116,6 +119,7 @@ class SettingsDialog(QDialog):
             "settings_convention", ["This program alone", *(each.name for each in OTHERS)],
             "Reports also state the boresight as another program has it",
         )  # fmt: skip
+        self.cache = CacheBox()
         for field in (self.point_size, self.point_budget):
             field.setMaximumWidth(160)
         self._form.addRow(widgets.label("Window", "heading"))
@@ -126,6 +130,8 @@ class SettingsDialog(QDialog):
         self._form.addRow(say("Lengths"), self.lengths)
         self._form.addRow(widgets.label("Report", "heading"))
         self._form.addRow(say("Values also for"), self.convention)
+        self._form.addRow(widgets.label("Cache", "heading"))
+        self._form.addRow(say("Folder"), self.cache)
         self._form.addRow(widgets.label("New projects begin with", "heading"))
         self._place_choice()
 

@@ -5028,4 +5028,15 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>de mémoire, à vérifier sur la fiche technique</translation>
     </message>
 </context>
+<context>
+    <name>caches</name>
+    <message>
+        <source>{folder:file}: the cache cannot be written there ({error:foreign}); choose another folder.</source>
+        <translation>{folder} : le cache ne peut pas y être écrit ({error}) ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>{part:file}: cannot be removed ({error:foreign}); close other programs that may use it and try again.</source>
+        <translation>{part} : suppression impossible ({error}) ; fermez les programmes qui peuvent l&apos;utiliser et recommencez.</translation>
+    </message>
+</context>
 </TS>

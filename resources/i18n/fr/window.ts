@@ -2203,10 +2203,6 @@
         <translation>Exporter</translation>
     </message>
     <message>
-        <source>Folder</source>
-        <translation>Dossier</translation>
-    </message>
-    <message>
         <source>Heights</source>
         <translation>Hauteurs</translation>
     </message>
@@ -4606,10 +4602,6 @@
     <message>
         <source>None</source>
         <translation>Aucun</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
     </message>
     <message>
         <source>Without</source>
@@ -8537,6 +8529,69 @@ m/s</translation>
     <message>
         <source>US survey feet (ftUS)</source>
         <translation>Pieds d&apos;arpentage américains (ftUS)</translation>
+    </message>
+</context>
+<context>
+    <name>cache</name>
+    <message>
+        <source>Cache</source>
+        <translation>Cache</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Usual folder</source>
+        <translation>Dossier habituel</translation>
+    </message>
+    <message>
+        <source>Empty the cache…</source>
+        <translation>Vider le cache…</translation>
+    </message>
+    <message>
+        <source>Empty the cache?</source>
+        <translation>Vider le cache ?</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>Vider</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>vide</translation>
+    </message>
+    <message>
+        <source>{n:n} MB</source>
+        <translation>{n} Mo</translation>
+    </message>
+    <message>
+        <source>Folder for the cache</source>
+        <translation>Dossier du cache</translation>
+    </message>
+    <message>
+        <source>Another folder for the demo survey, compiled code and lists of fonts; projects stay where they are, and what lies in the former folder too</source>
+        <translation>Un autre dossier pour le levé de démonstration, le code compilé et les listes de polices ; les projets restent où ils sont, et le contenu de l&apos;ancien dossier aussi</translation>
+    </message>
+    <message>
+        <source>The folder for caches of the system</source>
+        <translation>Le dossier de cache du système</translation>
+    </message>
+    <message>
+        <source>Remove what the program can make again</source>
+        <translation>Supprimer ce que le programme peut refaire</translation>
+    </message>
+    <message>
+        <source>The demo survey is open; close it, then empty the cache.</source>
+        <translation>Le levé de démonstration est ouvert ; fermez-le, puis videz le cache.</translation>
+    </message>
+    <message>
+        <source>The demo survey goes, with what was picked in it, and code that is compiled again when it is needed. Projects, settings and sensors stay.</source>
+        <translation>Le levé de démonstration disparaît, avec ce qui y a été désigné, ainsi que du code qui sera recompilé au besoin. Projets, paramètres et capteurs restent.</translation>
     </message>
 </context>
 </TS>

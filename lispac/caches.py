@@ -1,0 +1,150 @@
+"""The cache: what the program can make again (built-in survey, compiled code, lists of fonts).
+
+Its place is the user's choice, for the window and the command line alike. Nothing that the program
+has not put there is ever removed from it.
+"""
+
+import os
+import shutil
+import sys
+from collections.abc import MutableMapping
+from contextlib import suppress
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.installed import user_folder
+
+CHOICE = "cache-folder.txt"
+"""Beside what else the user has for all projects."""
+NAME = "lispac"
+"""Of our folder in the chosen one."""
+DEMO = "demo"
+VARIABLES = {"NUMBA_CACHE_DIR": "numba", "MPLCONFIGDIR": "matplotlib"}
+"""Parts of the cache that other packages fill, by the variable that tells them where."""
+
+
+def usual_folder() -> Path:
+    """The user's cache folder, as the system has it."""
+    home = Path.home()
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local")) / "cache"
+    if sys.platform == "darwin":
+        return home / "Library" / "Caches"
+    return Path(os.environ.get("XDG_CACHE_HOME") or home / ".cache")
+
+
+def chosen_folder(config: Path | None = None) -> Path | None:
+    """The folder that was chosen; None for the usual one.
+
+    Parameters
+    ----------
+    config : Path or None
+        Folder of what the user has for all projects, where it is another than `user_folder`.
+    """
+    try:
+        text = ((config or user_folder()) / CHOICE).read_text(encoding="utf-8").strip()
+    except (OSError, UnicodeDecodeError):
+        return None
+    return Path(text) if text else None
+
+
+def place_in(folder: Path | None) -> Path:
+    """Where the cache lies when this folder is chosen; None for the usual one."""
+    return (folder or usual_folder()) / NAME
+
+
+def cache_place(config: Path | None = None) -> Path:
+    """Where the cache lies; it need not exist."""
+    return place_in(chosen_folder(config))
+
+
+def require_writable(folder: Path) -> None:
+    """Refuse a folder that no cache can be written to.
+
+    Raises
+    ------
+    InputError
+    """
+    place, present = place_in(folder), folder.is_dir()
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        trial = place / f".trial-{os.getpid()}"
+        trial.write_bytes(b"")
+        trial.unlink()
+    except OSError as error:
+        raise InputError(
+            f"{folder}: the cache cannot be written there ({error.strerror or error}); choose "
+            "another folder."
+        ) from error
+    finally:
+        with suppress(OSError):
+            place.rmdir()
+            if not present:
+                folder.rmdir()
+
+
+def choose(folder: Path | None, config: Path | None = None) -> None:
+    """Keep the cache in a folder from now on, None for the usual one; what there is stays.
+
+    Raises
+    ------
+    InputError
+        Where it cannot be written.
+    """
+    from lispac.io.files import written_whole
+
+    if folder == chosen_folder(config):
+        return
+    if folder is not None:
+        require_writable(folder)
+    with written_whole((config or user_folder()) / CHOICE) as path:
+        path.write_text("" if folder is None else f"{folder}\n", encoding="utf-8")
+
+
+def size(place: Path) -> int:
+    """Bytes of what the program has put there."""
+    found = 0
+    for part in _parts(place):
+        for folder, _, names in os.walk(part):
+            for name in names:
+                with suppress(OSError):
+                    found += os.lstat(os.path.join(folder, name)).st_size
+    return found
+
+
+def empty(place: Path) -> None:
+    """Remove what the program has put there, and nothing else.
+
+    Raises
+    ------
+    InputError
+        Where something of it could not be removed.
+    """
+    for part in _parts(place):
+        try:
+            shutil.rmtree(part)
+        except OSError as error:
+            raise InputError(
+                f"{part}: cannot be removed ({error.strerror or error}); close other programs that "
+                "may use it and try again."
+            ) from error
+
+
+def use(variables: MutableMapping[str, str]) -> None:
+    """Tell the packages that keep something where to; what is set already stays.
+
+    Parameters
+    ----------
+    variables : of the environment of this process
+    """
+    place = cache_place()
+    for variable, part in VARIABLES.items():
+        variables.setdefault(variable, str(place / part))
+
+
+def _parts(place: Path) -> list[Path]:
+    parts = [place / part for part in VARIABLES.values()]
+    # A folder called demo may be anybody's; ours is marked.
+    if (place / DEMO / "raw" / DEMO).is_file():
+        parts.append(place / DEMO)
+    return [part for part in parts if part.is_dir() and not part.is_symlink()]
