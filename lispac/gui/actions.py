@@ -57,7 +57,7 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                   "Pick all targets of a list of coordinates, from a total station for example"),
     "propose": ("&Propose targets", "Propose", "auto-fix", "F5",
                 "Find flat surfaces on all lines and propose targets and validation planes"),
-    "find_again": ("&Find again with other settings…", "Find again", "refresh", "Shift+F5",
+    "find_again": ("F&ind again with other settings…", "Find again", "refresh", "Shift+F5",
                    "Seek the selected target with another threshold or search radius"),
     "accept": ("&Accept the plane found", "Accept", "check-bold", ("Return", "Enter"),
                "Keep the plane just found"),

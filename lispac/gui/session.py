@@ -56,6 +56,8 @@ class Session(QObject):
         theme.apply_theme(self._application, self._settings.theme)
         document = None if former is None else former.document.handed_over()
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
+        if former is not None:
+            window.log.take_over(former.log)
         # Queued: the action that asks for it belongs to the window that goes.
         window.renewal_asked.connect(self.renew, Qt.ConnectionType.QueuedConnection)
         window.show()

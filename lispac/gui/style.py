@@ -2,7 +2,8 @@
 
 from PySide6.QtGui import QColor, QPalette
 
-from lispac.gui.schemes import Scheme
+from lispac.gui.schemes import DARK, Scheme
+from lispac.installed import resource
 
 
 def palette(scheme: Scheme) -> QPalette:
@@ -63,6 +64,14 @@ def framed(scheme: Scheme) -> QPalette:
     return made
 
 
+def _dock_icons(scheme: Scheme) -> str:
+    """On a dark ground Qt's own, which are black, would not be seen."""
+    if scheme is not DARK:
+        return ""
+    icons = [resource(f"icons/dock-{name}-dark.png").as_posix() for name in ("close", "float")]
+    return f'titlebar-close-icon: url("{icons[0]}"); titlebar-normal-icon: url("{icons[1]}");'
+
+
 def rules(scheme: Scheme) -> str:
     """The style sheet of the application."""
     s = scheme
@@ -70,7 +79,7 @@ def rules(scheme: Scheme) -> str:
 QToolTip {{ color: {s.text}; background: {s.paper}; border: 1px solid {s.border}; padding: 4px; }}
 QMainWindow::separator {{ background: {s.window}; width: 5px; height: 5px; }}
 QMainWindow::separator:hover {{ background: {s.chosen_edge}; }}
-QDockWidget {{ font-weight: 600; }}
+QDockWidget {{ font-weight: 600; {_dock_icons(scheme)} }}
 QDockWidget::title {{ background: {s.title}; padding: 5px 8px;
     border-bottom: 1px solid {s.border}; }}
 QToolBar {{ background: {s.bar}; border: none; border-bottom: 1px solid {s.border};

@@ -16,7 +16,7 @@ THEMED = {choice: f"theme_{choice}" for choice in THEMES}
 
 VIEW_ACTIONS: dict[str, Described] = {
     "fit": ("&Fit all", "Fit all", "fit-to-page-outline", "F", "Bring everything into view"),
-    "fit_selection": ("Fit &selection", "Selection", "target", "Shift+F",
+    "fit_selection": ("Fit s&election", "Selection", "target", "Shift+F",
                       "Bring the selected target or sighting into view"),
     "isometric": ("&Isometric", "3D", "cube-outline", "1", "Look from above at an angle"),
     "top": ("&Top", "Top", "arrow-down-bold-box-outline", "2", "Look straight down, north up"),
@@ -28,7 +28,7 @@ VIEW_ACTIONS: dict[str, Described] = {
                "Look squarely at the selected target"),
     "orthographic": ("&Orthographic", "Ortho", "", "O",
                      "Draw without perspective: equal lengths look equal at every distance"),
-    "larger": ("&Larger points", "Larger", "magnify-plus-outline", "+", "Draw larger points"),
+    "larger": ("La&rger points", "Larger", "magnify-plus-outline", "+", "Draw larger points"),
     "smaller": ("S&maller points", "Smaller", "magnify-minus-outline", "-",
                 "Draw smaller points"),
     "colour_next": ("&Next colouring", "Colours", "palette-outline", "C",
@@ -41,7 +41,7 @@ VIEW_ACTIONS: dict[str, Described] = {
                      "Colour the points by their distance from the scanner"),
     "colour_time": ("Colour by ti&me", "Time", "", "",
                     "Colour the points by the time they were measured"),
-    "picture": ("Save the &picture…", "Picture", "camera-outline", "P",
+    "picture": ("Sa&ve the picture…", "Picture", "camera-outline", "P",
                 "Write what the view shows as PNG"),
     "copy_picture": ("Cop&y the picture", "Copy", "", "Shift+P",
                      "Copy what the view shows, to be pasted elsewhere"),
@@ -69,7 +69,7 @@ INSPECT_ACTIONS: dict[str, Described] = {
                       "Click a point, the corner and another point"),
     "clip": ("&Clip box", "Clip", "crop", "X",
              "Draw only what lies in a box about the selected target"),
-    "wipe": ("Before and after in one &picture", "Wipe", "", "W",
+    "wipe": ("Before and after in o&ne picture", "Wipe", "", "W",
              "Before on the left, after on the right of a line that the mouse moves"),
     "hover": ("S&how what a click would take", "Hover", "", "H",
               "Outline the plane under the resting mouse"),
@@ -106,7 +106,7 @@ VIEW_MENU: Menu = (
     "",
     ("&Panels", ("DOCKS",)),
     ("T&heme", tuple(THEMED.values())),
-    ("Language · &Langue", ("english", "french")),
+    ("Lan&guage · Langue", ("english", "french")),
 )
 INSPECT_MENU: Menu = (
     "section",

@@ -9,9 +9,11 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.language import language, say, speak
 from lispac.gui.main_window import MainWindow
+from lispac.gui.panels.widgets import TallArea
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
+from lispac.project import Project
 from tests.gui.support import Demo, ScriptedDialogs
 
 SOON_MS = 20_000
@@ -98,3 +100,33 @@ def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo)
     assert not document.is_modified
     document.undo_stack.undo()
     assert document.is_modified
+
+
+def test_the_log_stays(session: Session, qtbot: QtBot) -> None:
+    former = session.window
+    former.log.note("Something happened")
+    said = former.log.toPlainText()
+    former.renew()
+    qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
+    assert session.window.log.toPlainText().startswith(said)
+
+
+def test_nothing_is_cut_off_in_a_small_french_window(
+    session: Session, qtbot: QtBot, demo: Demo, estimated: Project
+) -> None:
+    english = session.window
+    english.settings.language = "fr"
+    english.renew()
+    qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
+    window = session.window
+    window.setGeometry(0, 0, 1366, 768)
+    window.document.open(estimated, demo.survey)
+    qtbot.waitUntil(lambda: not window.runner.active, timeout=SOON_MS)
+    for step in range(5):
+        window.workflow.open(step)
+        qtbot.wait(50)
+        for panel in (window.results, window.workflow):
+            for area in panel.findChildren(TallArea):
+                if area.isVisible():
+                    assert area.width() >= area.minimumSizeHint().width()
+    assert window.width() == 1366

@@ -57,7 +57,7 @@ class AnglesTable(QWidget):
                 shown = widgets.label(cell.replace("-", "−"), "" if row else "muted")
                 shown.setFont(theme.tabular(shown.font()))
                 if row:
-                    shown.setAccessibleName(say(f"{name}, {angle}"))
+                    shown.setAccessibleName(f"{say(name)}, {say(angle)}")
                 self._grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
         self.words.setText(say("\n".join(words)))
         self.hint.hide()

@@ -2,6 +2,7 @@
 
 import numpy as np
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
 
 from lispac.adjustment.result import ANGLES
@@ -55,6 +56,9 @@ class ResultsPanel(QScrollArea):
                 font = theme.tabular(shown.font(), bold=column == 1)
                 font.setPixelSize(size)
                 shown.setFont(font)
+                # There is room for the first numbers before they come
+                shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
+                shown.setAlignment(Qt.AlignmentFlag.AlignRight)
                 shown.setAccessibleName(say(f"Sigma of {angle}, {HEADS[column]}, degrees"))
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
                 held[angle] = shown
@@ -65,7 +69,7 @@ class ResultsPanel(QScrollArea):
             say("Correlations; near 1 or −1 two angles are hardly told apart")
         )
         layout.addWidget(self.correlation)
-        self.minutes = widgets.label("", "muted", name="design_minutes")
+        self.minutes = widgets.label("", "muted", wrap=True, name="design_minutes")
         layout.addWidget(self.minutes)
         self.cautions = widgets.label("", "warning", wrap=True, name="design_cautions")
         layout.addWidget(self.cautions)

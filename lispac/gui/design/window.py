@@ -60,7 +60,7 @@ ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "add_ball": ("Add b&all", "Ball", "circle-outline", "Ctrl+Shift+B", "Put up one more ball"),
     "fit": ("&Fit the 3D view", "Fit view", "fit-to-page-outline", "Ctrl+0",
             "Look at all of the site in 3D again"),
-    "scenarios": ("S&cenarios", "Scenarios", "chart-bar", "F9",
+    "scenarios": ("Sc&enarios", "Scenarios", "chart-bar", "F9",
                   "Change one thing at a time, in both stochastic models"),
     "surveys": ("Simulate &surveys…", "Surveys", "dice-multiple-outline", "F10",
                 "Sail this plan many times in the simulator: do the sigmas hold?"),

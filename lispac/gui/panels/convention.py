@@ -54,7 +54,6 @@ class ConventionPanel(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setMinimumWidth(380)
         self._all_digits = self._all_angles = ""
         self.given, self.current, self.imu = GivenBoresight(), CurrentSettings(), ImuAxes()
         self._build()
@@ -112,7 +111,7 @@ class ConventionPanel(QWidget):
         layout.addWidget(self.given)
         layout.addWidget(self._matrix_box())
         layout.addStretch(1)
-        area = widgets.TallArea(body)
+        area = widgets.TallArea(body, 380)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.addWidget(area)

@@ -22,6 +22,10 @@ class LogPanel(QPlainTextEdit):
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
 
+    def take_over(self, former: "LogPanel") -> None:
+        """Begin with what another one says, for a window made anew."""
+        self.setPlainText(former.toPlainText())
+
     def note(self, text: str) -> None:
         """Add a line."""
         self.appendPlainText(f"{datetime.now():%H:%M:%S}  {say(text)}")

@@ -46,7 +46,6 @@ class ResultsPanel(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setMinimumWidth(380)
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.column(empty)
@@ -129,7 +128,7 @@ class ResultsPanel(QWidget):
         layout.addWidget(widgets.label("Convention", "heading"))
         layout.addWidget(widgets.label(CONVENTION, "muted", wrap=True, name="convention"))
         around.addStretch(1)
-        return widgets.TallArea(outer)
+        return widgets.TallArea(outer, 380)
 
     def _fill_words(self, project: Project, result: AdjustmentResult) -> None:
         warnings = result_words.warnings(result, project.cross_checks, doubles(project))

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
@@ -125,19 +125,34 @@ class Choice(QComboBox):
 
 
 class TallArea(QScrollArea):
-    """Scrolls up and down only, and is as wide as what is in it: words are not cut off."""
+    """Scrolls up and down only, and is as wide as what is in it: words are not cut off.
 
-    def __init__(self, inside: QWidget) -> None:
+    Parameters
+    ----------
+    least : pixels that it is wide at least
+    """
+
+    def __init__(self, inside: QWidget, least: int) -> None:
         super().__init__()
+        self._least, self._asked = least, 0
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(inside)
 
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Ask for room when what is in it has become wider."""
+        if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
+            wide = self.minimumSizeHint().width()
+            if wide != self._asked:
+                self._asked = wide
+                self.updateGeometry()
+        return super().eventFilter(watched, event)
+
     def minimumSizeHint(self) -> QSize:
         inside = self.widget().minimumSizeHint().width()
         bar = self.verticalScrollBar().sizeHint().width()
-        return QSize(inside + bar, super().minimumSizeHint().height())
+        return QSize(max(inside + bar, self._least), super().minimumSizeHint().height())
 
 
 class Triple(QWidget):

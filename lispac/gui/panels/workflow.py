@@ -33,7 +33,6 @@ class WorkflowPanel(QWidget):
 
     def __init__(self, panels: Sequence[QWidget]) -> None:
         super().__init__()
-        self.setMinimumWidth(340)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.setSpacing(0)
@@ -41,7 +40,7 @@ class WorkflowPanel(QWidget):
         self._areas = []
         for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
             header.clicked.connect(lambda _=False, k=k: self.open(k))
-            area = widgets.TallArea(_on_top(panel))
+            area = widgets.TallArea(_on_top(panel), 340)
             self._areas.append(area)
             outer.addWidget(header)
             outer.addWidget(area, 1)

@@ -112,7 +112,7 @@
     </message>
     <message>
         <source>the radius of a ball as large as the confidence ellipsoid (D-optimality)</source>
-        <translation>le rayon d&apos;une boule aussi grande que l&apos;ellipsoïde de confiance (D-optimalité)</translation>
+        <translation>le rayon d&apos;une sphère aussi grande que l&apos;ellipsoïde de confiance (D-optimalité)</translation>
     </message>
     <message>
         <source>This plan does not determine the boresight; add lines in other directions.</source>
@@ -1258,7 +1258,7 @@
     </message>
     <message>
         <source>{path:file}: {key2:kept} is validation; a ball can only be a target.</source>
-        <translation>{path} : {key2} est validation ; une boule ne peut être que cible.</translation>
+        <translation>{path} : {key2} est validation ; une sphère ne peut être que cible.</translation>
     </message>
     <message>
         <source>{path:file}: {key2:kept} is missing; say how far off the lines pass.</source>
@@ -2534,7 +2534,7 @@
     </message>
     <message>
         <source>ball</source>
-        <translation>boule</translation>
+        <translation>sphère</translation>
     </message>
     <message>
         <source>{path:file}: line {number:n} is no sound vertex ({text:foreign}); export the mesh again.</source>

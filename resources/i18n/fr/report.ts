@@ -2424,7 +2424,7 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     </message>
     <message>
         <source>Only {points:n} points lie within {reach:n} m of {place}, where a sphere {sought} would be, fewer than the {least:n} a target needs; set the seed on the ball.</source>
-        <translation>Il n&apos;y a que {points} points à moins de {reach} m de {place}, là où serait une sphère {sought}, moins que les {least} qu&apos;il faut à une cible ; placez le germe sur la boule.</translation>
+        <translation>Il n&apos;y a que {points} points à moins de {reach} m de {place}, là où serait une sphère {sought}, moins que les {least} qu&apos;il faut à une cible ; placez le germe sur la sphère.</translation>
     </message>
     <message>
         <source>No sphere {sought} holds the points around {place} within {threshold:n} m.</source>
@@ -2448,19 +2448,19 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     </message>
     <message>
         <source>The nearest sphere lies {distance:n} m from {place}; set the seed on the ball.</source>
-        <translation>La sphère la plus proche est à {distance} m de {place} ; placez le germe sur la boule.</translation>
+        <translation>La sphère la plus proche est à {distance} m de {place} ; placez le germe sur la sphère.</translation>
     </message>
     <message>
         <source>A sphere {sought} around {place} touches {points:n} points, but the surface goes on beside it with {more:n} more: it is no ball, or one of another radius or with more noise than the threshold allows.</source>
-        <translation>Une sphère {sought} autour de {place} touche {points} points, mais la surface se poursuit à côté avec {more} autres : ce n&apos;est pas une boule, ou elle a un autre rayon ou plus de bruit que le seuil n&apos;en admet.</translation>
+        <translation>Une sphère {sought} autour de {place} touche {points} points, mais la surface se poursuit à côté avec {more} autres : ce n&apos;est pas une sphère, ou elle a un autre rayon ou plus de bruit que le seuil n&apos;en admet.</translation>
     </message>
     <message>
         <source>The points around {place} show {share:n} % of a sphere&apos;s surface, too little to call it a ball; at least {least:n} % are needed.</source>
-        <translation>Les points autour de {place} montrent {share} % de la surface d&apos;une sphère, trop peu pour y voir une boule ; il en faut au moins {least} %.</translation>
+        <translation>Les points autour de {place} montrent {share} % de la surface d&apos;une sphère, trop peu pour y voir une sphère ; il en faut au moins {least} %.</translation>
     </message>
     <message>
         <source>The surface around {place} is flat rather than a ball.</source>
-        <translation>La surface autour de {place} est plane et non une boule.</translation>
+        <translation>La surface autour de {place} est plane et non une sphère.</translation>
     </message>
     <message>
         <source>The sphere found has a radius of {radius:n} m, but in the line clicked it has {other:n} m.</source>

@@ -445,7 +445,7 @@
         <translation>Chercher des surfaces planes sur toutes les lignes et proposer des cibles et des plans de validation</translation>
     </message>
     <message>
-        <source>&amp;Find again with other settings…</source>
+        <source>F&amp;ind again with other settings…</source>
         <translation>Chercher de &amp;nouveau avec d&apos;autres réglages…</translation>
     </message>
     <message>
@@ -597,7 +597,7 @@
         <translation>Faire entrer tout dans la vue 3D</translation>
     </message>
     <message>
-        <source>Fit &amp;selection</source>
+        <source>Fit s&amp;election</source>
         <translation>Montrer la &amp;sélection</translation>
     </message>
     <message>
@@ -705,7 +705,7 @@
         <translation>Dessiner sans perspective : des longueurs égales paraissent égales à toute distance</translation>
     </message>
     <message>
-        <source>&amp;Larger points</source>
+        <source>La&amp;rger points</source>
         <translation>Points plus &amp;gros</translation>
     </message>
     <message>
@@ -793,7 +793,7 @@
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Save the &amp;picture…</source>
+        <source>Sa&amp;ve the picture…</source>
         <translation>Enregistrer l&apos;i&amp;mage…</translation>
     </message>
     <message>
@@ -901,7 +901,7 @@
         <translation>Ne dessiner que ce qui est dans une boîte autour de la cible sélectionnée</translation>
     </message>
     <message>
-        <source>Before and after in one &amp;picture</source>
+        <source>Before and after in o&amp;ne picture</source>
         <translation>Avant et après en &amp;une image</translation>
     </message>
     <message>
@@ -926,7 +926,7 @@
     </message>
     <message>
         <source>A&amp;dd points with a lasso</source>
-        <translation>Aj&amp;outer des points au lasso</translation>
+        <translation>Ajouter des points au &amp;lasso</translation>
     </message>
     <message>
         <source>Add</source>
@@ -3920,7 +3920,7 @@
     </message>
     <message>
         <source>Radius of the ball, not its diameter; 0 where it is unknown: balls of 0.05 to 0.5 m are then sought and the radius is estimated</source>
-        <translation>Rayon de la boule, non son diamètre ; 0 s&apos;il est inconnu : des boules de 0,05 à 0,5 m sont alors cherchées et le rayon est estimé</translation>
+        <translation>Rayon de la sphère, non son diamètre ; 0 s&apos;il est inconnu : des sphères de 0,05 à 0,5 m sont alors cherchées et le rayon est estimé</translation>
     </message>
     <message>
         <source>Choose one line to seed it alone, where the search from another line failed</source>
@@ -3932,11 +3932,11 @@
     </message>
     <message>
         <source>Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the larger of 10 mm and 3 × the LiDAR noise, for spheres at least 30 mm (a small ball: 0.3 of its radius)</source>
-        <translation>Distance maximale d&apos;un point à son plan ou à sa sphère (seuil de RANSAC) ; 0 donne la plus grande de 10 mm et 3 × le bruit du LiDAR, pour les sphères au moins 30 mm (petite boule : 0,3 de son rayon)</translation>
+        <translation>Distance maximale d&apos;un point à son plan ou à sa sphère (seuil de RANSAC) ; 0 donne la plus grande de 10 mm et 3 × le bruit du LiDAR, pour les sphères au moins 30 mm (petite sphère : 0,3 de son rayon)</translation>
     </message>
     <message>
         <source>Ball radius</source>
-        <translation>Rayon de la boule</translation>
+        <translation>Rayon de la sphère</translation>
     </message>
     <message>
         <source>Seek on</source>
@@ -6687,7 +6687,7 @@ m/s</translation>
         <translation>&amp;English</translation>
     </message>
     <message>
-        <source>Language · &amp;Langue</source>
+        <source>Lan&amp;guage · Langue</source>
         <translation>Langue · &amp;Language</translation>
     </message>
     <message>
@@ -6715,7 +6715,7 @@ m/s</translation>
     <name>script</name>
     <message>
         <source>S&amp;cript of this project…</source>
-        <translation>S&amp;cript de ce projet…</translation>
+        <translation>Scri&amp;pt de ce projet…</translation>
     </message>
     <message>
         <source>Script</source>
@@ -7966,7 +7966,7 @@ m/s</translation>
     </message>
     <message>
         <source>The radius of a ball as large as the confidence ellipsoid (d-optimality)</source>
-        <translation>Le rayon d&apos;une boule aussi grande que l&apos;ellipsoïde de confiance (D-optimalité)</translation>
+        <translation>Le rayon d&apos;une sphère aussi grande que l&apos;ellipsoïde de confiance (D-optimalité)</translation>
     </message>
     <message>
         <source>Every survey has boards off their shape, LiDAR noise, POS errors that drift and a rolling vessel, and is adjusted as a real one. Their answers scatter about the truth: as much as foretold, or not. The surveys are of the plan as it stands when they begin.</source>
@@ -8210,7 +8210,7 @@ m/s</translation>
     </message>
     <message>
         <source>&amp;Duplicate line</source>
-        <translation>&amp;Dupliquer la ligne</translation>
+        <translation>D&amp;upliquer la ligne</translation>
     </message>
     <message>
         <source>Sail the selected line again</source>
@@ -8226,7 +8226,7 @@ m/s</translation>
     </message>
     <message>
         <source>Line la&amp;ter</source>
-        <translation>Ligne plus ta&amp;rd</translation>
+        <translation>Ligne plus tar&amp;d</translation>
     </message>
     <message>
         <source>Sail the selected line a turn later</source>
@@ -8265,7 +8265,7 @@ m/s</translation>
         <translation>Revoir tout le site en 3D</translation>
     </message>
     <message>
-        <source>S&amp;cenarios</source>
+        <source>Sc&amp;enarios</source>
         <translation>S&amp;cénarios</translation>
     </message>
     <message>
@@ -8459,6 +8459,14 @@ m/s</translation>
     <message>
         <source>{n:n} points looked at ({part:n} of {all:n})</source>
         <translation>{n} points examinés ({part} sur {all})</translation>
+    </message>
+    <message>
+        <source>{message}, {n:n} surveys/s</source>
+        <translation>{message}, {n} levés/s</translation>
+    </message>
+    <message>
+        <source>{message}, {n:n} plans/s</source>
+        <translation>{message}, {n} plans/s</translation>
     </message>
 </context>
 <context>
