@@ -19,11 +19,13 @@ class _State:
     ----------
     follows : whether its result is computed without being asked for
     refusal : why there is no such result, in words
+    refused_since : why an estimate was refused that was asked for after the result, in words
     """
 
     project: Project
     follows: bool = False
     refusal: str = ""
+    refused_since: str = ""
 
 
 class _Edit(QUndoCommand):
@@ -84,6 +86,11 @@ class Document(QObject):
         return "" if self._state is None else self._state.refusal
 
     @property
+    def refused_since(self) -> str:
+        """Why an estimate was refused that was asked for after the result; empty where none was."""
+        return "" if self._state is None else self._state.refused_since
+
+    @property
     def is_modified(self) -> bool:
         """Whether there is something to save."""
         return self.project is not None and not self.undo_stack.isClean()
@@ -136,6 +143,8 @@ class Document(QObject):
             return
         again = follows and (self._state.project.result is not None or self._state.follows)
         before, after = self._state, _State(self._here(project), follows=again)
+        if project.result is before.project.result is not None:
+            after.refused_since = before.refused_since
         if survey is not None:
             self.survey, self._key = survey, data_key(project)
         self.undo_stack.push(_Edit(text, self, before, after))
@@ -155,6 +164,12 @@ class Document(QObject):
         assert self._state is not None
         self._state.refusal = reason
         self.changed.emit()
+
+    def keep_older(self, reason: str) -> None:
+        """Keep why an estimate was refused: the result is that of one before."""
+        if self._state is not None and self._state.project.result is not None:
+            self._state.refused_since = reason
+            self.changed.emit()
 
     def mark_saved(self) -> None:
         """The project on disk is the one in memory."""

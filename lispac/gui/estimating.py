@@ -80,6 +80,8 @@ class Estimating(QObject):
         document.survey_changed.connect(self._watch)
         document.opened.connect(self._forget)
         runner.idle.connect(self._watch)
+        runner.failed.connect(self._keep_older)
+        self._asked: Task | None = None
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight with these settings, then show the lines placed with it."""
@@ -108,6 +110,7 @@ class Estimating(QObject):
             self.estimated.emit()
 
         task = self._runner.run("Estimating the boresight", work, done, key="estimate")
+        self._asked = task
         self._controller.based_on_project(task)
 
     def stop(self) -> None:
@@ -122,6 +125,12 @@ class Estimating(QObject):
         project = self._document.project
         self._selection, self._unchecked = None, None
         self._wants_checks = project is not None and project.cross_checks is not None
+
+    def _keep_older(self, error: BaseException) -> None:
+        """Remember that what was asked for was refused, where an older result stays."""
+        asked = self._asked
+        if asked is not None and asked.error is error and isinstance(error, LispacError):
+            self._document.keep_older(str(error))
 
     # -- what follows from a click -----------------------------------------------------------
 
@@ -178,6 +187,7 @@ class Estimating(QObject):
             "Estimating again", work, done, quiet=selection is not None, key="follow"
         )
         self._following = (task, project)
+        self._asked = task
         self._controller.based_on_project(task)
 
     def _check(self) -> None:

@@ -1,6 +1,7 @@
 """The report from the window: its details, how it is wanted, and writing it."""
 
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -138,7 +139,8 @@ class Reporting(QObject):
     def _options(self) -> ReportOptions | None:
         """How the report is wanted; None where that has been refused."""
         try:
-            return self._panel.options()
+            options = self._panel.options()
+            return replace(options, refused_since=self._document.refused_since)
         except InputError as error:
             self._controller.refused.emit(error)
             return None

@@ -50,7 +50,10 @@ class Showing(QObject):
         window.validate.show_project(project, statuses[VALIDATE], busy)
         window.report.show_status(statuses[REPORT], survey is not None, busy)
         window.table.show_project(project, survey)
-        window.results.show_project(project, waiting=waiting, refusal=window.document.refusal)
+        window.results.show_project(
+            project, waiting=waiting, refusal=window.document.refusal,
+            older=window.document.refused_since,
+        )  # fmt: skip
         window.diagnostics.show_project(project, waiting=waiting)
         window.convention.show_project(project)
         window.histograms.show_project(project)

@@ -14,6 +14,7 @@ from lispac.adjustment.critical import critical_w
 from lispac.adjustment.doubts import doubts
 from lispac.adjustment.error_budget import ErrorBudget
 from lispac.adjustment.observability import one_facing
+from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubles
 from lispac.progress import Progress, no_progress, part
@@ -68,6 +69,7 @@ def report_content(
     convention: str = "",
     budget: ErrorBudget | None = None,
     trajectory: Sequence[TrajectoryOnLine] = (),
+    refused: str = "",
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Gather what a report says about a project, finished or not.
@@ -85,6 +87,7 @@ def report_content(
     convention : key of another program, to state the boresight as that has it; empty for none
     budget : of the system, where something was estimated
     trajectory : how good it was on each line
+    refused : why an estimate was refused that was asked for after that of the project
 
     Raises
     ------
@@ -136,6 +139,8 @@ def report_content(
         trajectory=tuple(trajectory),
     )
     also = doubles(project)
+    if refused:
+        also = (*also, refused_since(refused))
     found = doubts(project.result, project.cross_checks, also) if project.result else also
     return replace(content, cautions=cautions_of(content, found))
 

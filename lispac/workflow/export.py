@@ -30,6 +30,7 @@ def content_of(
     *,
     generated: datetime | None = None,
     convention: str = "",
+    refused: str = "",
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Numbers of the report."""
@@ -48,6 +49,7 @@ def content_of(
         convention=convention,
         budget=None if project.result is None else budget_of(project, survey),
         trajectory=trajectory_on_lines(survey),
+        refused=refused,
     )
 
 
@@ -83,6 +85,7 @@ def write_report(
     progress(0.0, "Collecting the report")
     content = content_of(
         project, survey, generated=generated, convention=options.convention,
+        refused=options.refused_since,
         progress=part(progress, 0.0, 0.3),
     )  # fmt: skip
     progress(0.3, f"Writing {path.name}")
@@ -132,8 +135,9 @@ def preview_report(
 
     progress(0.0, "Collecting the report")
     content = content_of(
-        project, survey, convention=options.convention, progress=part(progress, 0.0, 0.5)
-    )
+        project, survey, convention=options.convention, refused=options.refused_since,
+        progress=part(progress, 0.0, 0.5),
+    )  # fmt: skip
     progress(0.5, "Setting the pages")
     preview = preview_of(content, pictures or {}, options, ppi=ppi)
     progress(1.0, "Pages set")

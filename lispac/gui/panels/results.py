@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.adjustment.doubts import HIGH_CORRELATION
+from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.doubles import doubles
@@ -58,7 +59,12 @@ class ResultsPanel(QWidget):
         self._stack.addWidget(self._scrolled())
 
     def show_project(
-        self, project: Project | None, *, waiting: bool = False, refusal: str = ""
+        self,
+        project: Project | None,
+        *,
+        waiting: bool = False,
+        refusal: str = "",
+        older: str = "",
     ) -> None:
         """Show the result, where there is one.
 
@@ -68,6 +74,8 @@ class ResultsPanel(QWidget):
             The next result is on its way: the old one stays, greyed.
         refusal : str
             Why there is none.
+        older : str
+            Why an estimate was refused that was asked for after the result.
         """
         result = None if project is None else project.result
         greyed = waiting and self._stack.currentIndex() == 1
@@ -82,7 +90,7 @@ class ResultsPanel(QWidget):
         if project is not None and result is not None:
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
-            self._fill_words(project, result)
+            self._fill_words(project, result, older)
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
 
@@ -130,8 +138,11 @@ class ResultsPanel(QWidget):
         around.addStretch(1)
         return widgets.TallArea(outer, 380)
 
-    def _fill_words(self, project: Project, result: AdjustmentResult) -> None:
-        warnings = result_words.warnings(result, project.cross_checks, doubles(project))
+    def _fill_words(self, project: Project, result: AdjustmentResult, older: str) -> None:
+        also = list(doubles(project))
+        if older:
+            also.insert(0, refused_since(older))
+        warnings = result_words.warnings(result, project.cross_checks, also)
         self.warnings.setText("<br><br>".join(escape(say(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)

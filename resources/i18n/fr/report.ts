@@ -3940,4 +3940,11 @@ trou (s)</translation>
         <translation>95 % après (mm)</translation>
     </message>
 </context>
+<context>
+    <name>older</name>
+    <message>
+        <source>An estimate asked for after this one was refused: {reason} The angles are those of the estimate before.</source>
+        <translation>Une estimation demandée après celle-ci a été refusée : {reason} Les angles sont ceux de l&apos;estimation précédente.</translation>
+    </message>
+</context>
 </TS>

@@ -1,0 +1,40 @@
+"""An estimate that is refused leaves the one before, and nobody takes that for the new one."""
+
+import json
+from dataclasses import replace
+from html import unescape
+from pathlib import Path
+
+from lispac.gui.language import say, speak
+from lispac.gui.reporting import Reporting
+from lispac.workflow.export import write_report
+from tests.gui.support import Driver
+
+
+def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_path: Path) -> None:
+    before = adjusted.project.result
+    asked = replace(adjusted.project.settings, surface=-1.0)
+    adjusted.window.estimating.estimate(asked, False)
+    adjusted.rest()
+    assert adjusted.project.result is before
+    [refusal] = map(str, adjusted.dialogs.errors)
+    words = f"An estimate asked for after this one was refused: {refusal}"
+    assert words in unescape(adjusted.window.results.warnings.text())
+    reporting = adjusted.window.findChild(Reporting)
+    report = tmp_path / "r.json"
+    write_report(
+        adjusted.project, adjusted.window.document.survey, report, options=reporting._options()
+    )
+    told = [each for each in json.loads(report.read_text())["cautions"] if words in each["text"]]
+    assert [(each["severity"], each["code"]) for each in told] == [("serious", "refused_since")]
+    speak("fr")
+    assert say(told[0]["text"]).startswith("Une estimation demandée après celle-ci a été refusée")
+    speak("en")
+
+    adjusted.window.controller.rename("T1", "North wall")  # the result stays, and so does this
+    assert words in unescape(adjusted.window.results.warnings.text())
+    adjusted.window.estimating.estimate(adjusted.project.settings, False)
+    adjusted.rest()
+    assert adjusted.project.result is not before
+    assert adjusted.window.document.refused_since == ""
+    assert words not in unescape(adjusted.window.results.warnings.text())
