@@ -52,6 +52,13 @@ class Designing(QObject):
         self._path: Path | None = None
         window.actions_["design"].triggered.connect(lambda _=False: self.open())
 
+    def take_sensors(self) -> None:
+        """Ask for sensors of the library, and put their sigmas into the plan."""
+        chosen = self._dialogs.sensors_of_plan(self._main.settings)
+        if chosen is None or chosen == (None, None):
+            return
+        self.workspace.edit("sensors", edits.with_sensors(self.workspace.titled, *chosen))
+
     def open(self) -> None:
         """Show the window, in front."""
         if self.window is None:
@@ -69,6 +76,7 @@ class Designing(QObject):
         }.items():  # fmt: skip
             window.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
         window.search.asked.connect(self.search)
+        window.system.library_asked.connect(self.take_sensors)
         window.search.cancel_asked.connect(self.runner.cancel)
         window.surveys.asked.connect(self.surveys)
         window.surveys.cancel_asked.connect(self.runner.cancel)

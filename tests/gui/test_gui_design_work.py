@@ -1,7 +1,14 @@
 """Long work of the workspace: the search and the scenarios, in the background."""
 
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialog
+
 from lispac.gui.design import campaigns
 from lispac.gui.design.window import DesignWindow
+from lispac.gui.dialogs.sensors_of_plan import SensorsDialog
+from lispac.workflow.sensors import library
 from tests.gui.design_support import plan, settled
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click
 
@@ -87,3 +94,36 @@ def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch)
     driver.bot.keyClick(design, Key.Key_F9)
     settled(driver)
     assert pictures.which.count() == 2
+
+
+def test_sigmas_come_from_the_sensor_library(
+    driver: Driver, design: DesignWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[SensorsDialog] = []
+
+    def choose(dialog: SensorsDialog) -> int:
+        asked.append(dialog)
+        dialog.choice.choose("zf-9012", "apogee:ppk")
+        return QDialog.DialogCode.Accepted
+
+    monkeypatch.setattr(SensorsDialog, "exec", choose)
+    before = design.workspace.titled.plan.system
+    design.tabs.setCurrentWidget(design.system)
+    driver.bot.mouseClick(design.system.library, Qt.MouseButton.LeftButton)
+    known = library(driver.window.settings.sensors)
+    figures, now = known.scanner("zf-9012"), design.workspace.titled.plan.system
+    assert now.scanner.range_sigma == figures.range_sigma
+    assert np.degrees(now.scanner.angle_sigma) == pytest.approx(figures.angle_sigma_deg)
+    assert now.scanner.pulses_per_second == before.scanner.pulses_per_second
+    state = next(s for p in known.pos if p.name == "apogee" for s in p.figures.states
+                 if s.name == "ppk")  # fmt: skip
+    assert now.pos.sigma_position == state.position_sigma
+    assert np.degrees(now.pos.sigma_attitude) == pytest.approx(state.attitude_sigma_deg)
+    assert design.system.range_sigma.value() == pytest.approx(1000 * figures.range_sigma)
+    design.workspace.undo()
+    assert design.workspace.titled.plan.system == before
+
+    monkeypatch.setattr(SensorsDialog, "exec", lambda _dialog: QDialog.DialogCode.Accepted)
+    driver.bot.mouseClick(design.system.library, Qt.MouseButton.LeftButton)
+    assert design.workspace.titled.plan.system == before
+    assert len(asked) == 1

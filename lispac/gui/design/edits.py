@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import radians
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from lispac.design.choices import thesis_plan
 from lispac.design.plan import Line, Plan, System
 from lispac.design.site import Site, Wall
 from lispac.io.plan_file import TitledPlan
+from lispac.io.sensor_file import PosState, ScannerFigures
 from lispac.simulation.closed_form import Ball, Board
 
 NEAREST, FARTHEST = 1.0, 200.0
@@ -164,6 +166,29 @@ def free_name(titled: TitledPlan, letter: str) -> str:
 def with_system(titled: TitledPlan, system: System) -> TitledPlan:
     """Another system on the vessel."""
     return replace(titled, plan=replace(titled.plan, system=system))
+
+
+def with_sensors(
+    titled: TitledPlan, figures: ScannerFigures | None, state: PosState | None
+) -> TitledPlan:
+    """The sigmas of sensors of the library; None leaves what there is."""
+    system = titled.plan.system
+    if figures is not None:
+        scanner = replace(
+            system.scanner,
+            range_sigma=figures.range_sigma,
+            angle_sigma=radians(figures.angle_sigma_deg),
+            divergence=figures.divergence_mrad / 1000.0,
+        )
+        system = replace(system, scanner=scanner)
+    if state is not None:
+        north, east, up = state.position_sigma
+        roll, pitch, heading = map(radians, state.attitude_sigma_deg)
+        pos = replace(
+            system.pos, sigma_position=(north, east, up), sigma_attitude=(roll, pitch, heading)
+        )
+        system = replace(system, pos=pos)
+    return with_system(titled, system)
 
 
 def wall_faces(titled: TitledPlan, facing_deg: float) -> TitledPlan:

@@ -58,7 +58,7 @@ class ResultsPanel(QScrollArea):
                 shown.setFont(font)
                 # There is room for the first numbers before they come
                 shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
-                shown.setAlignment(Qt.AlignmentFlag.AlignRight)
+                shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 shown.setAccessibleName(say(f"Sigma of {angle}, {HEADS[column]}, degrees"))
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
                 held[angle] = shown

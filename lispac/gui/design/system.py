@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QScrollArea, QWidget
 
 from lispac.design.plan import System
@@ -25,6 +26,9 @@ def _number(name, unit, decimals, low, high, step, tip):
 
 class SystemPanel(QScrollArea):
     """Every field is an edit of the plan, and follows undo."""
+
+    library_asked = Signal()
+    """Sigmas are to come from the sensor library."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
@@ -77,11 +81,17 @@ class SystemPanel(QScrollArea):
                                "From one line to the next, with the turn")  # fmt: skip
         self.facing = _number("design_facing", "deg", 0, 0.0, 359.0, 5.0,
                               "Azimuth the wall faces; the whole site turns")  # fmt: skip
+        self.library = widgets.button(
+            "From the sensor library…", "design_sensors",
+            tip="Take the sigmas of a scanner and of an INS/GNSS from the library",
+        )  # fmt: skip
+        self.library.clicked.connect(lambda _=False: self.library_asked.emit())
         form = QFormLayout()
         form.setFieldGrowthPolicy(form.FieldGrowthPolicy.FieldsStayAtSizeHint)
         self.title.setMinimumWidth(300)
         for label, fields in (
-            ("Title", [self.title]), ("POS", [self.grade]), ("Adjustment takes", [self.model]),
+            ("Title", [self.title]), ("Sensors", [self.library]), ("POS", [self.grade]),
+            ("Adjustment takes", [self.model]),
             ("North, east, up", self.position), ("Roll, pitch, heading", self.attitude),
             ("Position, attitude drift in", self.times), ("Targets are flat to", [self.flatness]),
             ("Pulses, profiles", [self.pulses, self.profiles]),

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from PySide6.QtWidgets import QDialog, QFileDialog
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
 
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.budget import BudgetDialog
@@ -24,6 +24,7 @@ from lispac.gui.dialogs.questions import Questions
 from lispac.gui.dialogs.script import ScriptDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
+from lispac.gui.dialogs.sensors_of_plan import Sensors, SensorsDialog
 from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
@@ -250,6 +251,13 @@ class Dialogs(Questions):
         """What the user prefers for all projects; the sensor library is edited beside it."""
         dialog = SettingsDialog(present, settings.sensors, self.parent)
         answer = dialog.preferences if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def sensors_of_plan(self, settings: AppSettings) -> Sensors | None:
+        """Sensors of the library for a plan; None where it stays as it is."""
+        dialog = SensorsDialog(settings.sensors, QApplication.activeWindow() or self.parent)
+        answer = dialog.sensors if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 

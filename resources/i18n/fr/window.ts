@@ -7698,7 +7698,7 @@ m/s</translation>
     </message>
     <message>
         <source>own numbers</source>
-        <translation>nombres propres</translation>
+        <translation>valeurs saisies</translation>
     </message>
     <message>
         <source>Scenarios (F9) change one thing at a time: lines, inclination, size and combination of boards as the thesis does, and with this plan distance, height, repeated lines, speed and POS. Simulated surveys (F10) show whether the sigmas hold.</source>
@@ -8467,6 +8467,30 @@ m/s</translation>
     <message>
         <source>{message}, {n:n} plans/s</source>
         <translation>{message}, {n} plans/s</translation>
+    </message>
+    <message>
+        <source>Sensors of the plan</source>
+        <translation>Capteurs du plan</translation>
+    </message>
+    <message>
+        <source>The sigmas of what is chosen go into the plan; what is not chosen stays as it is.</source>
+        <translation>Les écarts-types de ce qui est choisi passent dans le plan ; ce qui n&apos;est pas choisi reste tel quel.</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>From the sensor library…</source>
+        <translation>De la bibliothèque de capteurs…</translation>
+    </message>
+    <message>
+        <source>Take the sigmas of a scanner and of an INS/GNSS from the library</source>
+        <translation>Reprendre de la bibliothèque les écarts-types d&apos;un scanner et d&apos;un INS/GNSS</translation>
+    </message>
+    <message>
+        <source>sensors</source>
+        <translation>capteurs</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,71 @@
+"""Which sensors of the library a plan is sailed with."""
+
+from pathlib import Path
+
+from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QWidget
+
+from lispac.gui import theme
+from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
+from lispac.gui.language import say
+from lispac.gui.panels import widgets
+from lispac.io.sensor_file import PosState, ScannerFigures
+from lispac.workflow.sensors import library
+
+Sensors = tuple[ScannerFigures | None, PosState | None]
+
+
+class SensorsDialog(QDialog):
+    """Scanner and INS/GNSS; what is not chosen stays as the plan has it.
+
+    Parameters
+    ----------
+    folder : of the user's own sensors
+    """
+
+    def __init__(self, folder: Path, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("plan_sensors")
+        self.setWindowTitle(say("Sensors of the plan"))
+        self.setMinimumWidth(520)
+        self._scanner: ScannerFigures | None = None
+        self._pos: PosState | None = None
+        layout = widgets.column(self, 16)
+        layout.addWidget(
+            widgets.label(
+                "The sigmas of what is chosen go into the plan; what is not chosen stays as it is.",
+                wrap=True,
+            )
+        )
+        self.choice = SensorChoice(library(folder), "plan")
+        self.choice.scanner_chosen.connect(self._take_scanner)
+        self.choice.pos_chosen.connect(self._take_pos)
+        form = QFormLayout()
+        form.setVerticalSpacing(theme.SPACE)
+        form.addRow(say("Scanner"), self.choice.scanner)
+        form.addRow("", self.choice.scanner_origin)
+        form.addRow(say("INS/GNSS"), self.choice.pos)
+        form.addRow("", self.choice.pos_origin)
+        layout.addLayout(form)
+        self.take = widgets.button("Take", "plan_sensors_take", primary=True)
+        self.take.setDefault(True)
+        self.take.clicked.connect(self.accept)
+        cancel = widgets.button("Cancel", "plan_sensors_cancel")
+        cancel.setAutoDefault(False)
+        cancel.clicked.connect(self.reject)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(cancel)
+        row.addWidget(self.take)
+        layout.addLayout(row)
+
+    @property
+    def sensors(self) -> Sensors:
+        """What is chosen; None for what stays."""
+        scanner, pos = self.choice.names
+        return (self._scanner if scanner else None, self._pos if pos else None)
+
+    def _take_scanner(self, figures: ScannerFigures) -> None:
+        self._scanner = figures
+
+    def _take_pos(self, state: PosState) -> None:
+        self._pos = state
