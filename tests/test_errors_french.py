@@ -78,9 +78,6 @@ NOT_SAID: dict[str, set[str]] = {
         "A board that leans back shows roll more than an upright one, since beams climb to it by "
         "18 deg; the thesis considers 0 to 90 deg only, and of these the upright one is best here "
         "too",
-        "7 mm and 7 deg at 7 deg",
-        "Why is not known",
-        "7. The lines differ by 7.",
     },
     "the script of a project, and what its comments say, which is Python with English names": {
         "folder / 7.json",

@@ -20,12 +20,15 @@ from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.gui.language import speak, unsaid
 from lispac.gui.settings import AppSettings
+from lispac.gui.studies import SITES
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.io.project_file import write_project
 from lispac.project import Project
 from lispac.report.budget_values import Budget
+from lispac.simulation.visibility_study import visibility
 from lispac.workflow.budget import budget_of
 from lispac.workflow.validation import validate
 from tests.gui.design_support import followed, opened_by_keys, type_cell
@@ -198,3 +201,19 @@ def test_files_are_written_alike_in_both_languages(
         write_project(replace(estimated, folder=folder))
         written.append((folder / "project.json").read_bytes())
     assert written[0] == written[1]
+
+
+def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QApplication) -> None:
+    found = [visibility(site) for site in SITES.values()]
+    speak("fr")
+    try:
+        dialog = VisibilityDialog(found)
+        qtbot.addWidget(dialog)
+        for site in range(dialog.site.count()):
+            dialog.site.setCurrentIndex(site)
+            for error in range(dialog.error.count()):
+                dialog.error.setCurrentIndex(error)
+            dialog.numbers()
+        assert unsaid() == ()
+    finally:
+        speak("en")

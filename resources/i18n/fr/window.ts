@@ -8486,7 +8486,7 @@ m/s</translation>
     </message>
     <message>
         <source>Take the sigmas of a scanner and of an INS/GNSS from the library</source>
-        <translation>Reprendre de la bibliothèque les écarts-types d&apos;un scanner et d&apos;un INS/GNSS</translation>
+        <translation>Reprendre de la bibliothèque les écarts-types d&apos;un scanneur et d&apos;un INS/GNSS</translation>
     </message>
     <message>
         <source>sensors</source>
@@ -8624,6 +8624,93 @@ m/s</translation>
     <message>
         <source>The demo survey goes, with what was picked in it, and code that is compiled again when it is needed. Projects, settings and sensors stay.</source>
         <translation>Le levé de démonstration disparaît, avec ce qui y a été désigné, ainsi que du code qui sera recompilé au besoin. Projets, paramètres et capteurs restent.</translation>
+    </message>
+</context>
+<context>
+    <name>study of visibility</name>
+    <message>
+        <source>Terrestrial</source>
+        <translation>Terrestre</translation>
+    </message>
+    <message>
+        <source>Marine</source>
+        <translation>Marin</translation>
+    </message>
+    <message>
+        <source>terrestrial</source>
+        <translation>terrestre</translation>
+    </message>
+    <message>
+        <source>marine</source>
+        <translation>marin</translation>
+    </message>
+    <message>
+        <source>Roll {n:n} deg</source>
+        <translation>Roulis {n}°</translation>
+    </message>
+    <message>
+        <source>Pitch {n:n} deg</source>
+        <translation>Tangage {n}°</translation>
+    </message>
+    <message>
+        <source>Yaw {n:n} deg</source>
+        <translation>Lacet {n}°</translation>
+    </message>
+    <message>
+        <source>Lever arm {axis:kept} {n:n} cm</source>
+        <translation>Bras de levier {axis} {n} cm</translation>
+    </message>
+    <message>
+        <source>Range offset {n:n} cm</source>
+        <translation>Décalage de distance {n} cm</translation>
+    </message>
+    <message>
+        <source>Scan-angle offset {n:n} deg</source>
+        <translation>Décalage d&apos;angle de balayage {n}°</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>différent</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>identique</translation>
+    </message>
+    <message>
+        <source>The choice of table 3.2 lies near the board that faces the beams ({n:n} deg here), where a roll error moves points along it.</source>
+        <translation>Le choix du tableau 3.2 est proche du panneau face aux faisceaux ({n}° ici), où une erreur de roulis déplace les points le long de celui-ci.</translation>
+    </message>
+    <message>
+        <source>Appendix C.2.1 names {a:n} and then {b:n} deg for the same figure; {c:n} is the upper end of what it keeps, and so is the best here.</source>
+        <translation>L&apos;annexe C.2.1 donne {a}° puis {b}° pour la même figure ; {c}° est la borne supérieure de ce qu&apos;elle retient, et c&apos;est aussi le meilleur ici.</translation>
+    </message>
+    <message>
+        <source>The lines differ by {a:n} mm and {b:n} deg at {c:n} deg, {d:n} mm and {e:n} deg at {f:n} deg.</source>
+        <translation>Les lignes diffèrent de {a} mm et {b}° à {c}°, de {d} mm et {e}° à {f}°.</translation>
+    </message>
+    <message>
+        <source>Table 3.2 chooses an inclination that appendix C.2.6 does not keep ({a:n} to {b:n} deg).</source>
+        <translation>Le tableau 3.2 choisit une inclinaison que l&apos;annexe C.2.6 ne retient pas ({a}° à {b}°).</translation>
+    </message>
+    <message>
+        <source>At {n:n} deg parallel and diagonal lines meet the board at nearly equal angles, so that the offset shifts both alike.</source>
+        <translation>À {n}°, les lignes parallèles et diagonales rencontrent le panneau sous des angles presque égaux, si bien que ce décalage les déplace de même.</translation>
+    </message>
+    <message>
+        <source>With the scanner along the body axes this offset is a roll, to the last digit; the thesis has {a:n} deg for the one, {b:n} for the other, and {c:n} in appendix C.2.7, where the error is {d:n} and not {e:n} deg.</source>
+        <translation>Avec le scanneur le long des axes du navire, ce décalage est un roulis, au dernier chiffre près ; la thèse a {a}° pour l&apos;un, {b}° pour l&apos;autre, et {c}° à l&apos;annexe C.2.7, où l&apos;erreur est de {d}° et non de {e}°.</translation>
+    </message>
+    <message>
+        <source>A board that leans back shows roll more than an upright one, since beams climb to it by {n:n} deg; the thesis considers {a:n} to {b:n} deg only, and of these the upright one is best here too.</source>
+        <translation>Un panneau penché en arrière montre mieux le roulis qu&apos;un panneau vertical, car les faisceaux y montent de {n}° ; la thèse ne considère que {a}° à {b}°, et parmi ces inclinaisons la verticale est ici aussi la meilleure.</translation>
+    </message>
+    <message>
+        <source>Why is not known.</source>
+        <translation>On ne sait pas pourquoi.</translation>
+    </message>
+    <message>
+        <source>The lines differ by {a:n} mm and {b:n} deg at {c:n} deg.</source>
+        <translation>Les lignes diffèrent de {a} mm et {b}° à {c}°.</translation>
     </message>
 </context>
 </TS>
