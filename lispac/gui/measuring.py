@@ -58,10 +58,13 @@ class Measuring(QObject):
         if len(self._points) == wanted:
             self._points = []
         self._points.append(np.array(point.position))
-        words = ""
+        words = metric = ""
         if len(self._points) == wanted:
             try:
-                words = angle_words(*self._points) if wanted == 3 else distance_words(*self._points)
+                tell = angle_words if wanted == 3 else distance_words
+                words = tell(*self._points)
+                with units.standard():
+                    metric = tell(*self._points)
             except InputError as error:
                 self._note(str(error))
                 self.restart()
@@ -69,7 +72,7 @@ class Measuring(QObject):
             self._note(words.replace("\n", ", "))
         hints = (*HINTS[tool], AGAIN)
         self._pointing.hint(hints[len(self._points)])
-        self._viewport.show_sketch(SKETCH, _sketch(self._points, words))
+        self._viewport.show_sketch(SKETCH, _sketch(self._points, words, metric))
 
 
 def distance_words(first: Array, second: Array) -> str:
@@ -93,11 +96,11 @@ def angle_words(first: Array, corner: Array, second: Array) -> str:
     return f"Angle {turned:.2f}°\nSides {a} {sign} and {b} {sign}"
 
 
-def _sketch(points: list[Array], words: str) -> Sketch:
+def _sketch(points: list[Array], words: str, metric: str) -> Sketch:
     places = tuple((float(p[0]), float(p[1]), float(p[2])) for p in points)
     edges = tuple((k, k + 1) for k in range(len(places) - 1))
     at = None
     if words:
         middle = points[1] if len(points) == 3 else 0.5 * (points[0] + points[1])
         at = (float(middle[0]), float(middle[1]), float(middle[2]))
-    return Sketch(places, edges, COLOUR, dots=True, label=words, at=at)
+    return Sketch(places, edges, COLOUR, dots=True, label=words, at=at, metric=metric)

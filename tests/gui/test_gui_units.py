@@ -15,15 +15,17 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui import units
 from lispac.gui.language import speak
-from lispac.gui.measuring import distance_words
+from lispac.gui.measuring import Measuring, distance_words
 from lispac.gui.panels import widgets
 from lispac.gui.panels.distances import histogram_text
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.viewport.overlay import length_text, scale_length
 from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.sketching import words_of
 from lispac.project import Project
 from tests.gui.support import Demo, Driver, ScriptedDialogs
 
@@ -230,3 +232,16 @@ def test_another_unit_makes_the_window_anew(program: Session, qtbot: QtBot, demo
     assert program.window.document.project is project
     assert program.window.data.lever_arm.fields[0].suffix() == " ftUS"
     assert program.window.data.boresight.fields[0].suffix() == " ′"
+
+
+def test_what_was_measured_is_metric_in_a_picture_for_a_file(
+    opened: Driver, imperial: None
+) -> None:
+    measuring = opened.window.findChild(Measuring)
+    opened.window.actions_["measure_distance"].trigger()
+    for place in ((0.0, 0.0, 0.0), (3.0, 0.0, -4.0)):
+        measuring._take(PickedPoint(opened.project.lines[0].name, place))
+    sketch = opened.viewport.sketches["measure"]
+    assert words_of(sketch).startswith(f"Slope distance {5 / FOOT:.3f} ft")
+    with units.standard():
+        assert words_of(sketch).startswith("Slope distance 5.000 m")

@@ -90,6 +90,7 @@ class Sketch:
     edges : pairs of places in ``points``
     dots : whether the points are marked
     label, at : words, and the place they stand beside
+    metric : the words in metres where those are in another unit, for a picture that is a file
     """
 
     points: tuple[tuple[float, float, float], ...]
@@ -99,6 +100,7 @@ class Sketch:
     label: str = ""
     at: tuple[float, float, float] | None = None
     handles: tuple[Handle, ...] = ()
+    metric: str = ""
 
 
 MouseMode = Literal["navigate", "point", "outline"]

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, Size
@@ -222,6 +222,11 @@ def _paint_division(painter: QPainter, x: float, size: Size) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
+def words_of(sketch: Sketch) -> str:
+    """Its words in the unit shown just now, which is the metre in a picture for a file."""
+    return sketch.metric if sketch.metric and not units.differs("m") else sketch.label
+
+
 def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size) -> None:
     colour = QColor(*sketch.colour)
     painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -241,7 +246,7 @@ def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size)
     if sketch.label and sketch.at is not None:
         x, y, _ = camera.project(np.array([sketch.at]), size)[0]
         if np.isfinite(x) and np.isfinite(y):
-            _paint_words(painter, sketch.label, QPointF(x, y), colour, size)
+            _paint_words(painter, words_of(sketch), QPointF(x, y), colour, size)
 
 
 def _paint_dots(painter: QPainter, spots: Array, colour: QColor, radius: float) -> None:
