@@ -12,7 +12,9 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.doubts import MOST_NAMED, Doubt
+from lispac.adjustment.doubt import MOST_NAMED, Doubt
+from lispac.adjustment.doubts import doubts
+from lispac.causes import Cause
 from lispac.picks import PickedSighting, Target
 from lispac.project import Project
 
@@ -109,21 +111,22 @@ def doubles(project: Project) -> tuple[Doubt, ...]:
     found = overlaps(project.targets)
     twice = [each for each in found if role[each.one] == role[each.other] == "target"]
     mixed = [each for each in found if role[each.one] != role[each.other]]
-    doubts = []
+    told = []
     if twice:
         each_two = "the two" if len(twice) == 1 else "each two"
-        doubts.append(
+        told.append(
             Doubt(
                 "counted_twice",
                 True,
                 f"Targets have points in common: {_named(twice)}. These points count twice, and "
                 f"the sigmas of the angles come out too small; leave one of {each_two} out.",
+                _at(twice[0]),
             )
         )
     if mixed:
         turned = [each if role[each.one] == "validation" else _turned(each) for each in mixed]
         one = len(mixed) == 1
-        doubts.append(
+        told.append(
             Doubt(
                 "no_independent_check",
                 False,
@@ -131,9 +134,20 @@ def doubles(project: Project) -> tuple[Doubt, ...]:
                 f"with {'a target' if one else 'targets'}: {_named(turned)}. "
                 f"{'It is' if one else 'They are'} no independent check of the angles; leave one "
                 f"of {'the' if one else 'each'} two out.",
+                _at(mixed[0]),
             )
         )
-    return tuple(doubts)
+    return tuple(told)
+
+
+def doubts_of(project: Project, also: Iterable[Doubt] = ()) -> tuple[Doubt, ...]:
+    """All doubts about a project, with an answer or without one, serious things first."""
+    also = (*doubles(project), *also)
+    return doubts(project.result, project.cross_checks, also) if project.result else also
+
+
+def _at(found: Overlap) -> Cause:
+    return Cause.of_sighting(found.smaller, found.line)
 
 
 def _turned(found: Overlap) -> Overlap:

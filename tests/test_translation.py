@@ -187,6 +187,7 @@ MODULES: dict[str, set[str] | None] = {
         and not path.name.startswith(("visibility_", "design_", "field_plan"))  # not in a report
     },
     "adjustment/doubts.py": None,
+    "adjustment/doubts_of_sightings.py": None,
     "adjustment/error_budget.py": None,
     "adjustment/shown.py": None,
     "adjustment/observability.py": None,

@@ -5,37 +5,26 @@ function, in `RULES`; what a new one yields is told in all three.
 """
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
-from lispac.adjustment.critical import critical_w, rarely_more
+from lispac.adjustment.doubt import Doubt, some
+from lispac.adjustment.doubts_of_sightings import contradicted, noise, strays
 from lispac.adjustment.observability import one_facing
-from lispac.adjustment.observations import Sighting
 from lispac.adjustment.omitted import OF_CONSEQUENCE
-from lispac.adjustment.result import (
-    ANGLES,
-    AdjustmentResult,
-    CrossCheck,
-    CrossChecks,
-    SightingReliability,
-    TargetResidual,
-)
+from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks
 from lispac.adjustment.shown import (
-    UNCHECKED,
     amount,
     capitalised,
-    counted,
     listed,
     mm,
     named_parts,
     parameter,
-    plain,
     signed,
-    standing,
     surface_sigmas,
     times,
 )
+from lispac.causes import Cause
 
 LARGE_SIGMA_DEG = 0.1
 """An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
@@ -49,51 +38,6 @@ HIGH_CORRELATION = 0.9
 
 FLAT = 0.005
 """Metres: sigma of the surfaces that no flat board has."""
-
-MUCH_NOISE = 2.0
-"""Factor on the stated LiDAR noise that is no matter of a few tenths of a millimetre any more."""
-
-ANOTHER_SURFACE = 30.0
-"""Factor that no rough ground reaches; that has half of it at most."""
-
-STRAY_CHANCE = 0.001
-"""Share of points beyond the test's critical value by chance."""
-
-FEW_STRAYS = 0.005
-"""Share of strays that any survey has; fewer are not worth the reader's time."""
-
-MOST_JUMPED = 0.2
-"""Share of the lines beyond which lines that were let go of make the rest doubtful."""
-
-SHIFTED = 2.0
-"""Test value below which a sighting that was let go of is not off by its shift."""
-
-MOST_NAMED = 4
-"""Sightings, parts or targets named one by one; more are counted."""
-
-
-@dataclass(frozen=True)
-class Doubt:
-    """Something to know before using the angles.
-
-    Attributes
-    ----------
-    code : str
-        Names the rule, whatever the words.
-    serious : bool
-        Whether it makes the answer doubtful, or is to be kept in mind.
-    text : str
-        One or two sentences, with true minus signs and fixed spaces.
-    """
-
-    code: str
-    serious: bool
-    text: str
-
-    @property
-    def plain(self) -> str:
-        """The text in plain characters, for a terminal."""
-        return plain(self.text)
 
 
 def doubts(
@@ -112,6 +56,7 @@ def _thesis_mode(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Do
             "Thesis mode: every point is taken to have a POS error of its own, while in truth "
             "neighbouring points share theirs. The sigmas of the angles are several times too "
             "small; choose the correlated model for sigmas to rely on.",
+            Cause.of_field("pos_errors"),
         )
 
 
@@ -133,6 +78,7 @@ def _contradictions(result: AdjustmentResult, _: CrossChecks | None) -> Iterator
             f"{amount(found.name, abs(found.change))} {larger} "
             f"(\u00b1\u00a0{amount(found.name, found.sigma)}, w\u00a0{signed(found.w, 1)})"
             f"{so}. Measure it again, or have it estimated.",
+            Cause.of_parameter(found.name),
         )
 
 
@@ -151,6 +97,7 @@ def _surfaces(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt
         f"From line to line the targets seem to lie {mm(most)}\u00a0mm (1 sigma) off their common "
         f"shape{told}, beyond what the stated sigmas explain; the chi-square test allows for it. "
         f"{why}",
+        Cause.of_page("Sightings"),
     )
 
 
@@ -192,9 +139,15 @@ def _one_facing(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Dou
             True,
             f"{targets[0].target} is the only target: {headings}, and nothing shows whether it is "
             f"bent or moved. {remedy}",
+            Cause.of_target(targets[0].target),
         )
     else:
-        yield Doubt("one_facing", True, f"All targets face the same way: {headings}. {remedy}")
+        yield Doubt(
+            "one_facing",
+            True,
+            f"All targets face the same way: {headings}. {remedy}",
+            Cause.of_target(targets[0].target),
+        )
 
 
 def _correlations(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
@@ -212,6 +165,9 @@ def _correlations(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[D
                     False,
                     f"{capitalised(parameter(first))} and {parameter(names[j])} are hardly told "
                     f"apart (correlation {signed(matrix[i, j], 2)}): {advice}.",
+                    Cause.of_page("Correlations")
+                    if j < len(ANGLES)
+                    else Cause.of_parameter(names[j]),
                 )
 
 
@@ -222,125 +178,8 @@ def _surface_held(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[D
             False,
             "The surface sigma is held at 0, so no sighting is tested against the others; take it "
             "from the data to have them tested.",
+            Cause.of_field("surface"),
         )
-
-
-def _sightings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
-    critical = critical_w(result)
-    if critical is None:
-        return
-    found = [(standing(item, critical), item) for item in result.reliability]
-    released = [item for finding, item in found if finding == "left out"]
-    if released:
-        yield Doubt(
-            "released",
-            False,
-            f"Left out of the answer, because the other sightings contradict "
-            f"{'it' if len(released) == 1 else 'them'}: {_named(released)}. Look at the points and "
-            "the trajectory there.",
-        )
-    if result.suspect_lines:
-        jumped, lines = sorted(result.suspect_lines), {item.sighting.line for _, item in found}
-        yield Doubt(
-            "line_jumped",
-            len(jumped) > MOST_JUMPED * len(lines),
-            f"Every target is off on {'line' if len(jumped) == 1 else 'lines'} {listed(jumped)}: "
-            "the position may have jumped there, targets are mixed up, or a stated value of the "
-            "mounting is wrong.",
-        )
-    doubtful = [item for finding, item in found if finding == "disagrees"]
-    if doubtful:
-        one = len(doubtful) == 1
-        yield Doubt(
-            "sighting_disagrees",
-            False,
-            f"{'Takes' if one else 'Take'} part though the other sightings contradict "
-            f"{'it' if one else 'them'}: {_named(doubtful)}.",
-        )
-
-
-def _named(items: list[SightingReliability]) -> str:
-    return _some([_off(item) for item in sorted(items, key=lambda item: -abs(item.w))])
-
-
-def _off(item: SightingReliability) -> str:
-    where = _where(item.sighting)
-    if not item.detectable < UNCHECKED or abs(item.w) < SHIFTED:
-        return where  # not checked, or turned rather than shifted
-    return f"{where} (off by {mm(abs(item.shift))}\u00a0mm, w\u00a0{signed(item.w, 1)})"
-
-
-def _where(sighting: Sighting) -> str:
-    return f"{sighting.target} on line {sighting.line}"
-
-
-def _some(named: list[str]) -> str:
-    """The first few, and how many more there are."""
-    rest = len(named) - MOST_NAMED
-    return listed([*named[:MOST_NAMED], f"{rest} more"] if rest > 0 else named)
-
-
-def _strays(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
-    counts = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
-    tested = [
-        (item.sighting, item.strays, counts[item.sighting.target, item.sighting.line])
-        for item in result.reliability
-    ]
-    strays, points = sum(each[1] for each in tested), sum(each[2] for each in tested)
-    most = rarely_more(points, STRAY_CHANCE)
-    if strays <= max(float(most), FEW_STRAYS * points):
-        return
-    worst, here, of = max(tested, key=lambda each: each[1] / each[2])
-    say = {
-        "none": "They have full say: choose a loss.",
-        "huber": "They have less say than the others.",
-        "tukey": "They have little or no say in the answer.",
-    }[result.model.loss]
-    yield Doubt(
-        "strays",
-        False,
-        f"{counted(strays, 'stray point')} of {points:,}, where chance explains about "
-        f"{max(1, round(STRAY_CHANCE * points))}; most on {_where(worst)} ({here} of {of:,}). "
-        f"{say}",
-    )
-
-
-def _noise(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
-    worst_first = sorted(result.targets, key=lambda target: -target.noise)
-    other = [t for t in worst_first if t.noise > ANOTHER_SURFACE]
-    if other:
-        several = len(other) > 1
-        yield Doubt(
-            "another_surface",
-            False,
-            f"The points of {_noises(other)} the LiDAR noise off their surface and count for "
-            f"little: {'are they' if several else 'is it'} the same "
-            f"{'surfaces' if several else 'surface'} on every line?",
-        )
-    rough = [t for t in worst_first if MUCH_NOISE < t.noise <= ANOTHER_SURFACE]
-    if len(rough) == 1:
-        target = rough[0]
-        shape = "sphere" if target.sphere else "plane"
-        what = f"of {target.target} are {times(target.noise)} the LiDAR noise"
-        why = f"{target.target} is rougher than a {shape}"
-    elif rough:
-        what, why = f"of {_noises(rough)} the LiDAR noise", "these targets are rough"
-    else:
-        return
-    yield Doubt(
-        "noise",
-        False,
-        f"The residuals {what}: either {why}, or the LiDAR sigma is stated too small. The sigmas "
-        "of the angles are computed with the noise found.",
-    )
-
-
-def _noises(targets: list[TargetResidual]) -> str:
-    """``T1 and T2 are up to 4.1 times``; the largest noise first."""
-    names = _some([target.target for target in targets])
-    if len(targets) == 1:
-        return f"{names} are {times(targets[0].noise)}"
-    return f"{names} are up to {times(targets[0].noise)}"
 
 
 def _parts(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Doubt]:
@@ -353,7 +192,8 @@ def _parts(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Doubt]:
         yield Doubt(
             "cross_check",
             False,
-            f"Parts of the data disagree by more than chance explains: {_some(apart)}.",
+            f"Parts of the data disagree by more than chance explains: {some(apart)}.",
+            Cause.of_page("Cross-checks"),
         )
 
 
@@ -379,6 +219,7 @@ def _spread(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Doubt]:
                 f"The answers without one line each spread {times(spread / sigma)} as widely in "
                 f"{angle} as its sigma says: rely on {spread:.4f}\u00a0deg (1 sigma) rather than "
                 f"on {sigma:.4f}\u00a0deg.",
+                Cause.of_page("Cross-checks"),
             )
 
 
@@ -390,9 +231,9 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], 
     _correlations,
     _surface_held,
     _surfaces,
-    _sightings,
-    _strays,
-    _noise,
+    contradicted,
+    strays,
+    noise,
     _parts,
     _spread,
 )

@@ -1,6 +1,6 @@
 """An answer that stands although another one was asked for since."""
 
-from lispac.adjustment.doubts import Doubt
+from lispac.adjustment.doubt import Doubt
 
 
 def refused_since(reason: str) -> Doubt:

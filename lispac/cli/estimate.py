@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.doubts import Doubt, doubts
+from lispac.adjustment.doubt import Doubt
+from lispac.adjustment.doubts import doubts
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.result import (
     ANGLES,

@@ -87,6 +87,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
               "Show the lines placed with the estimated boresight"),
     "toggle": ("&Switch before / after", "Switch", "swap-horizontal", "B",
                "Switch the view between prior and estimated boresight"),
+    "warnings": ("&Warnings", "Warnings", "alert-outline", "F12",
+                 "All there is to be warned of; each leads to its cause"),
     **VIEW_ACTIONS,
     **INSPECT_ACTIONS,
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMainWindow
 
 from lispac.gui import docks, status
 from lispac.gui.actions import Actions
+from lispac.gui.cautioning import Cautioning
 from lispac.gui.computing import Computing
 from lispac.gui.controller import Controller
 from lispac.gui.designing import Designing
@@ -36,6 +37,8 @@ from lispac.gui.panels.section import TITLE as SECTION
 from lispac.gui.panels.sightings_table import SightingsTable
 from lispac.gui.panels.targets import TargetsPanel
 from lispac.gui.panels.validate import ValidatePanel
+from lispac.gui.panels.warnings import TITLE as WARNINGS
+from lispac.gui.panels.warnings import WarningsPanel
 from lispac.gui.panels.workflow import WorkflowPanel
 from lispac.gui.preferences import Preferring
 from lispac.gui.reporting import Reporting
@@ -114,7 +117,7 @@ class MainWindow(QMainWindow):
         self._join_actions()
         self._join_work()
         self.showing = Showing(self)
-        TargetWork(self)
+        self.target_work = TargetWork(self)
         Seeding(self)
         Reporting(self)
         Studies(self)
@@ -122,6 +125,8 @@ class MainWindow(QMainWindow):
         Preferring(self)
         self.designing = Designing(self)
         self.safekeeping = Safekeeping(self)
+        self.cautioning = Cautioning(self)
+        self.cautioning.selected.connect(self._select)
         self.notifying = Notifying(self, self.runner)
         self.tour = Tour(self, self.stage.card)
         FileDrops(self).dropped.connect(self.life.take_in)
@@ -138,7 +143,7 @@ class MainWindow(QMainWindow):
         self.workflow = WorkflowPanel(
             (self.data, self.targets, self.adjust, self.validate, self.report)
         )
-        self.results, self.log = ResultsPanel(), LogPanel()
+        self.results, self.log, self.warnings = ResultsPanel(), LogPanel(), WarningsPanel()
         self.convention = ConventionPanel()
         self.table, self.histograms = SightingsTable(), HistogramsPanel()
         self.diagnostics = DiagnosticsPanel()
@@ -174,6 +179,7 @@ class MainWindow(QMainWindow):
                 DIAGNOSTICS: (self.diagnostics, below),
                 "Histograms": (self.histograms, below),
                 **self.tools.panels,
+                WARNINGS: (self.warnings, below),
                 "Log": (self.log, below),
             },
         )
@@ -338,6 +344,7 @@ class MainWindow(QMainWindow):
         """Stop all work, and go without asking."""
         self.adjust.stop()
         self.estimating.stop()
+        self.cautioning.stop()
         self.runner.close()
         self.safekeeping.stop()
         self.viewport.close()

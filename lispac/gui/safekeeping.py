@@ -28,6 +28,8 @@ Signature = tuple[int, int]
 class Safekeeping(QObject):
     """Joined to the window's parts."""
 
+    troubled = Signal()
+    """`trouble` is another."""
     _failed = Signal(object)
 
     def __init__(self, window: "MainWindow") -> None:
@@ -41,6 +43,8 @@ class Safekeeping(QObject):
         self._lock: QLockFile | None = None
         self._keeps = False
         self._saved: Signature | None = None
+        self.trouble = ""
+        """Why unsaved work is not kept, in words; empty where it is."""
         window.controller.may_save = self._may_save
         window.document.opened.connect(self._take)
         window.document.changed.connect(self._keep)
@@ -57,6 +61,7 @@ class Safekeeping(QObject):
         project = self._document.project
         self.forget()
         self.let_go()
+        self._tell("")
         if project is None:
             return
         self._folder, self._keeps = project.folder, True
@@ -151,7 +156,12 @@ class Safekeeping(QObject):
 
     def _cannot_keep(self, error: BaseException) -> None:
         self._keeps = False
-        self._note(f"Unsaved work is not kept against a crash: {error}")
+        self._tell(f"Unsaved work is not kept against a crash: {error}")
+        self._note(self.trouble)
+
+    def _tell(self, trouble: str) -> None:
+        self.trouble = trouble
+        self.troubled.emit()
 
 
 def _signature(folder: Path) -> Signature | None:

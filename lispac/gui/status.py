@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from lispac.adjustment.doubts import doubts
-from lispac.doubles import doubles
+from lispac.doubles import doubts_of
 from lispac.project import Project
 from lispac.workflow.survey import Survey
+from lispac.workflow.warnings import SINGLE
 
 State = Literal["empty", "todo", "done", "warning"]
 
@@ -110,7 +110,7 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
         return StepStatus(
             "warning",
             sentence,
-            "Nothing checks a single target: pick another that faces elsewhere.",
+            SINGLE,
             ready=True,
         )
     advice = (
@@ -127,10 +127,7 @@ def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str
     if project.result is not None:
         factor = project.result.variance_factor
         passed = project.result.chi_square.passed
-        serious = any(
-            doubt.serious
-            for doubt in doubts(project.result, project.cross_checks, doubles(project))
-        )
+        serious = any(doubt.serious for doubt in doubts_of(project))
         if serious:
             advice = "Do not use the angles before you have read the warnings on the right."
         elif passed:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.gui.panels.warnings import WarningsButton
 from lispac.gui.tasks import Task
 from lispac.survey.store.pace import spoken
 
@@ -23,6 +24,9 @@ class TaskBar(QStatusBar):
     def __init__(self) -> None:
         super().__init__()
         self.setSizeGripEnabled(False)
+        self.warnings = WarningsButton()
+        self.addPermanentWidget(self.warnings)
+        self.warnings.hide()
         self.text = QLabel()
         self.text.setObjectName("task_text")
         self.bar = QProgressBar()

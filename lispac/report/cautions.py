@@ -1,24 +1,32 @@
 """What the reader of a report must be told before the figures.
 
 Doubts about the answer are those of the window and the command line; the rules here look at the
-content only, so that a report and a test see the same. One rule a function.
+content only, so that a report and a test see the same. One rule a function; each says besides
+where the cause lies, which the window goes to.
 """
 
 from collections.abc import Iterator, Sequence
 
-from lispac.adjustment.doubts import Doubt
+from lispac.adjustment.doubt import Doubt
+from lispac.causes import RESULT, Cause
 from lispac.report.absolute_cautions import absolute_cautions
 from lispac.report.validation_values import ValidationPlane
 from lispac.report.values import (
     Caution,
     Chi2,
     ExtraParameter,
+    PickedPlane,
     ReportContent,
     SightingJudged,
     mild,
     serious,
 )
 from lispac.report.wording import listed, parameter, quantity, title
+
+Told = tuple[Caution, Cause]
+"""A caution, and where its cause lies."""
+
+DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Validate"))
 
 ELSEWHERE = {"cross_check": "See the section on cross-checks."}
 """Where the report says more of a doubt, by its code."""
@@ -31,6 +39,11 @@ def cautions_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Cautio
     ----------
     doubts : of the answer, as the window and the command line tell them
     """
+    return tuple(caution for caution, _ in told_of(content, doubts))
+
+
+def told_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Told, ...]:
+    """As `cautions_of`, each with its cause."""
     found = [
         *_calibration(content),
         *_fit(content),
@@ -39,30 +52,36 @@ def cautions_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Cautio
         *_targets(content),
         *_sightings(content),
         *_validation(content),
-        *absolute_cautions(content.absolute),
+        *_absolute(content),
         *_files(content),
     ]
-    return tuple(sorted(found, key=lambda caution: caution.severity != "serious"))
+    return tuple(sorted(found, key=lambda told: told[0].severity != "serious"))
 
 
-def _doubts(doubts: Sequence[Doubt]) -> Iterator[Caution]:
+def _doubts(doubts: Sequence[Doubt]) -> Iterator[Told]:
     for doubt in doubts:
         words = f"{doubt.text} {ELSEWHERE.get(doubt.code, '')}".rstrip()
-        yield (serious if doubt.serious else mild)(doubt.code, words)
+        yield (serious if doubt.serious else mild)(doubt.code, words), doubt.cause
 
 
-def _calibration(content: ReportContent) -> Iterator[Caution]:
+def _calibration(content: ReportContent) -> Iterator[Told]:
     if not content.calibrated:
-        yield serious(
-            "not_calibrated",
-            "Not calibrated: no boresight has been estimated. The angles in this report are the "
-            "prior ones, with nothing known about their uncertainty.",
+        yield (
+            serious(
+                "not_calibrated",
+                "Not calibrated: no boresight has been estimated. The angles in this report are "
+                "the prior ones, with nothing known about their uncertainty.",
+            ),
+            ADJUST,
         )
     if content.simulated:
-        yield mild(
-            "simulated",
-            "The survey is simulated: its boresight was put in by the program and says nothing "
-            "about a real system.",
+        yield (
+            mild(
+                "simulated",
+                "The survey is simulated: its boresight was put in by the program and says nothing "
+                "about a real system.",
+            ),
+            RESULT,
         )
     outside = [
         angle.name
@@ -72,23 +91,23 @@ def _calibration(content: ReportContent) -> Iterator[Caution]:
         and abs(angle.error_deg) > angle.interval95_deg
     ]
     if outside:
-        yield mild(
-            "truth_outside",
-            f"The true value lies outside the 95 % interval of {listed(outside)}.",
-        )
+        words = f"The true value lies outside the 95 % interval of {listed(outside)}."
+        yield mild("truth_outside", words), RESULT
 
 
-def _fit(content: ReportContent) -> Iterator[Caution]:
+def _fit(content: ReportContent) -> Iterator[Told]:
     if content.adjustment is None:
         return
     independent = content.settings.pos_errors == "independent"
     noisy = any(target.noise_factor > 1 for target in content.adjustment.targets)
-    yield from _chi_square(content.adjustment.chi_square, independent, noisy)
+    for caution in _chi_square(content.adjustment.chi_square, independent, noisy):
+        yield caution, RESULT
 
 
-def _parameters(content: ReportContent) -> Iterator[Caution]:
+def _parameters(content: ReportContent) -> Iterator[Told]:
     for found in content.adjustment.parameters if content.adjustment else ():
-        yield from _parameter(found)
+        for caution in _parameter(found):
+            yield caution, Cause.of_parameter(found.name)
 
 
 def _parameter(found: ExtraParameter) -> Iterator[Caution]:
@@ -135,34 +154,39 @@ def _chi_square(test: Chi2, independent: bool, noisy: bool) -> Iterator[Caution]
         )
 
 
-def _targets(content: ReportContent) -> Iterator[Caution]:
+def _targets(content: ReportContent) -> Iterator[Told]:
     total = len(content.lines)
     for plane in content.planes:
-        what = "Target" if plane.role == "target" else "Validation plane"
-        if not plane.used:
-            yield mild("left_out", f"{what} {plane.name} is left out.")
-            continue
-        seen = len(plane.lines)
-        if seen < 2:
-            where = f"one line only ({plane.lines[0]})" if seen else "no line"
-            so = (
-                "it says nothing about the boresight"
-                if plane.role == "target"
-                else "it cannot be compared"
-            )
-            yield serious("few_lines", f"{what} {plane.name} is used on {where} of {total}: {so}.")
-        elif 2 * seen < total:
-            yield mild(
-                "few_lines",
-                f"{what} {plane.name} is used on {seen} of {total} lines only "
-                f"({', '.join(plane.lines)}).",
-            )
-        if plane.left_out:
-            yield mild("left_out", f"{what} {plane.name} is left out on {listed(plane.left_out)}.")
+        for caution in _target(plane, total):
+            yield caution, Cause.of_target(plane.name)
     yield from _not_found(content)
 
 
-def _not_found(content: ReportContent) -> Iterator[Caution]:
+def _target(plane: PickedPlane, total: int) -> Iterator[Caution]:
+    what = "Target" if plane.role == "target" else "Validation plane"
+    if not plane.used:
+        yield mild("left_out", f"{what} {plane.name} is left out.")
+        return
+    seen = len(plane.lines)
+    if seen < 2:
+        where = f"one line only ({plane.lines[0]})" if seen else "no line"
+        so = (
+            "it says nothing about the boresight"
+            if plane.role == "target"
+            else "it cannot be compared"
+        )
+        yield serious("few_lines", f"{what} {plane.name} is used on {where} of {total}: {so}.")
+    elif 2 * seen < total:
+        yield mild(
+            "few_lines",
+            f"{what} {plane.name} is used on {seen} of {total} lines only "
+            f"({', '.join(plane.lines)}).",
+        )
+    if plane.left_out:
+        yield mild("left_out", f"{what} {plane.name} is left out on {listed(plane.left_out)}.")
+
+
+def _not_found(content: ReportContent) -> Iterator[Told]:
     """Planes that are missing on the same lines in one sentence."""
     together: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     for plane in content.planes:
@@ -171,14 +195,14 @@ def _not_found(content: ReportContent) -> Iterator[Caution]:
     for (role, lines), names in together.items():
         many = len(names) > 1
         what = "target" if role == "target" else "validation plane"
-        yield mild(
-            "not_found",
+        words = (
             f"{title(what)}{'s' if many else ''} {listed(names)} {'were' if many else 'was'} not "
-            f"found on {listed(lines)}; the reasons stand in the section on targets.",
+            f"found on {listed(lines)}; the reasons stand in the section on targets."
         )
+        yield mild("not_found", words), Cause.of_target(names[0])
 
 
-def _sightings(content: ReportContent) -> Iterator[Caution]:
+def _sightings(content: ReportContent) -> Iterator[Told]:
     """How many that are used are not good, and the worst; of targets rather than of others."""
     target = {plane.name: plane.role == "target" for plane in content.planes}
     used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
@@ -194,25 +218,35 @@ def _sightings(content: ReportContent) -> Iterator[Caution]:
         return is_poor, target[each.target], len(each.reasons), oblique
 
     worst = max((*poor, *doubtful), key=bad)
-    yield mild(
-        "sightings",
+    words = (
         f"Of {len(judged)} sightings used, poor: {len(poor)}, doubtful: {len(doubtful)}. The "
         f"worst, {worst.target} on {worst.line}: {' '.join(worst.reasons)} See the section on the "
-        "quality of the sightings.",
+        "quality of the sightings."
     )
+    yield mild("sightings", words), Cause.of_sighting(worst.target, worst.line)
 
 
-def _validation(content: ReportContent) -> Iterator[Caution]:
+def _validation(content: ReportContent) -> Iterator[Told]:
     if content.calibrated and not content.validation:
-        yield mild(
-            "not_validated",
-            "Not validated: no plane outside the adjustment has been compared between the lines.",
+        words = (
+            "Not validated: no plane outside the adjustment has been compared between the lines."
         )
+        yield mild("not_validated", words), VALIDATE
     for reason in content.not_compared:
-        yield mild("not_compared", reason)
+        yield mild("not_compared", reason), VALIDATE
     for plane in content.validation:
         if plane.after.rms_m > plane.before.rms_m:
-            yield _worse(plane)
+            yield _worse(plane), Cause.of_target(plane.name)
+
+
+def _absolute(content: ReportContent) -> Iterator[Told]:
+    """The line that is farthest off is where the cause of single ones lies."""
+    for caution in absolute_cautions(content.absolute):
+        cause = VALIDATE
+        if caution.code == "absolute_line_off" and content.absolute is not None:
+            farthest = max(content.absolute.lines, key=lambda each: abs(each.after.signed.mean_m))
+            cause = Cause.of_line(farthest.line)
+        yield caution, cause
 
 
 def _worse(plane: ValidationPlane) -> Caution:
@@ -224,10 +258,8 @@ def _worse(plane: ValidationPlane) -> Caution:
     )
 
 
-def _files(content: ReportContent) -> Iterator[Caution]:
+def _files(content: ReportContent) -> Iterator[Told]:
     lost = [file.name for file in content.files if file.sha256 is None]
     if lost:
-        yield serious(
-            "file_missing",
-            f"The input {listed(lost)} could not be read for its size and digest.",
-        )
+        words = f"The input {listed(lost)} could not be read for its size and digest."
+        yield serious("file_missing", words), DATA

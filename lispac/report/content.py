@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 
 import lispac
 from lispac.adjustment.critical import critical_w
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.error_budget import ErrorBudget
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.doubles import doubles
+from lispac.doubles import doubts_of
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
 from lispac.report.absolute_values import Absolute
@@ -70,6 +69,7 @@ def report_content(
     budget: ErrorBudget | None = None,
     trajectory: Sequence[TrajectoryOnLine] = (),
     refused: str = "",
+    digests: bool = True,
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Gather what a report says about a project, finished or not.
@@ -88,6 +88,7 @@ def report_content(
     budget : of the system, where something was estimated
     trajectory : how good it was on each line
     refused : why an estimate was refused that was asked for after that of the project
+    digests : whether to read the input files for theirs; without, no files are listed
 
     Raises
     ------
@@ -127,7 +128,7 @@ def report_content(
         planes=tuple(_picked(target) for target in project.targets),
         lines=lines,
         settings=settings_used(project),
-        files=_files(project, progress),
+        files=_files(project, progress) if digests else (),
         notes=tuple(notes),
         qualities=tuple(
             _judged(*key, each, by_hand=key in edited) for key, each in (qualities or {}).items()
@@ -138,11 +139,8 @@ def report_content(
         budget=None if budget is None else Budget.of(budget),
         trajectory=tuple(trajectory),
     )
-    also = doubles(project)
-    if refused:
-        also = (*also, refused_since(refused))
-    found = doubts(project.result, project.cross_checks, also) if project.result else also
-    return replace(content, cautions=cautions_of(content, found))
+    also = (refused_since(refused),) if refused else ()
+    return replace(content, cautions=cautions_of(content, doubts_of(project, also)))
 
 
 def _files(project: Project, progress: Progress) -> tuple[InputFile, ...]:

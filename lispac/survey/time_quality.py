@@ -198,6 +198,10 @@ def short_of_trajectory(own: Array, track: Array) -> str:
     )
 
 
+LEFT_OUT = "are left out"
+"""Said of points of a line that nothing is computed from."""
+
+
 def left_out(covered: Coverage, lost: int) -> str:
     """What is left out of a line and why, without the file.
 
@@ -218,7 +222,7 @@ def left_out(covered: Coverage, lost: int) -> str:
         )
     if steep := lost - covered.outside - covered.in_gaps:
         parts.append(f"{steep:,} points where the trajectory's pitch is beyond 80 deg")
-    return f"{' and '.join(parts)}, of {covered.count:,}, are left out"
+    return f"{' and '.join(parts)}, of {covered.count:,}, {LEFT_OUT}"
 
 
 def joined(parts: list[Coverage]) -> Coverage:

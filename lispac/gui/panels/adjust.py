@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QPoint, QTimer, Signal
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QApplication,
     QButtonGroup,
     QCheckBox,
@@ -122,6 +123,11 @@ class AdjustPanel(QWidget):
     def pos_errors(self) -> PosErrors:
         """The chosen model."""
         return MODELS[self._models.checkedId()][0]
+
+    @property
+    def chosen_model(self) -> QAbstractButton:
+        """The button of the chosen model."""
+        return self._models.checkedButton()
 
     def settings(self) -> Settings | None:
         """The project's settings with what is chosen here.

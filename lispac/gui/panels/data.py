@@ -109,6 +109,13 @@ class DataPanel(QWidget):
         if project.settings != self._settings:
             self._fill(project.settings)
 
+    def select_line(self, name: str) -> bool:
+        """Select a line in the list; whether it is there."""
+        found = self.lines.findItems(name, Qt.MatchFlag.MatchExactly)
+        for item in found:
+            self.lines.setCurrentItem(item)
+        return bool(found)
+
     def _list_lines(self, project: Project, survey: Survey | None) -> None:
         names = [line.name for line in project.lines]
         colours = theme.line_colours(names)
@@ -121,7 +128,11 @@ class DataPanel(QWidget):
         table.setRowCount(len(names))
         for row, line in enumerate(project.lines):
             item = QTableWidgetItem(theme.swatch(colours[line.name]), line.name)
-            item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsUserCheckable)
+            item.setFlags(
+                Qt.ItemFlag.ItemIsEnabled
+                | Qt.ItemFlag.ItemIsSelectable
+                | Qt.ItemFlag.ItemIsUserCheckable
+            )
             item.setCheckState(shown.get(line.name, Qt.CheckState.Checked))
             item.setToolTip(f"{line.path}\n{say('Tick to show the line in the view')}")
             table.setItem(row, 0, item)
@@ -130,7 +141,7 @@ class DataPanel(QWidget):
             points = f"{len(survey.scans[line.name]):,}" if here else "–"
             for place, text in ((1, heading), (2, points)):
                 cell = QTableWidgetItem(say(text))
-                cell.setFlags(Qt.ItemFlag.ItemIsEnabled)
+                cell.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 cell.setFont(theme.tabular(table.font()))
                 table.setItem(row, place, cell)
@@ -213,7 +224,8 @@ def _lines_table() -> QTableWidget:
     table.verticalHeader().hide()
     table.verticalHeader().setDefaultSectionSize(26)
     table.setShowGrid(False)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     header = table.horizontalHeader()
     header.setHighlightSections(False)

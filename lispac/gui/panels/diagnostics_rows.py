@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from lispac.adjustment.critical import critical_w
-from lispac.adjustment.doubts import MUCH_NOISE
+from lispac.adjustment.doubts_of_sightings import MUCH_NOISE
 from lispac.adjustment.parameters import SIGNIFICANT, Estimate
 from lispac.adjustment.result import (
     AdjustmentResult,

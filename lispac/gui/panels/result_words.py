@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from lispac.adjustment.doubts import FLAT, Doubt, doubts
+from lispac.adjustment.doubt import Doubt
+from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.shown import component_shown, counted, mm, significance_words, surface_sigmas
 from lispac.gui import theme

@@ -71,6 +71,10 @@ class SightingsModel(QAbstractTableModel):
         """Row of a target."""
         return next((k for k, t in enumerate(self._targets) if t.name == name), None)
 
+    def column_of(self, line: str) -> int:
+        """Column of a line; that of the names where there is no such line."""
+        return 1 + self._lines.index(line) if line in self._lines else 0
+
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         targets = len(self._targets)
         return 0 if parent.isValid() or not targets else targets + bool(self._adjusted)
@@ -256,6 +260,14 @@ class SightingsTable(QTableView):
         key = self.sightings.key(self.currentIndex())
         if row is not None and (key is None or key[0] != name):
             self._set_current(row, 0)
+
+    def go_to(self, name: str, line: str) -> None:
+        """Select the cell of a sighting, without telling anyone, and scroll to it."""
+        row = self.sightings.row_of(name)
+        if row is not None:
+            column = self.sightings.column_of(line)
+            self._set_current(row, column)
+            self.scrollTo(self.sightings.index(row, column))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

@@ -3371,6 +3371,18 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <source>{told}; by their values these could also be {names:either}, where the points lie inside: make sure what the trajectory counts, and state it ({options:codes}).</source>
         <translation>{told} ; d&apos;après leurs valeurs, ceux-ci pourraient aussi être {names}, où les points sont à l&apos;intérieur : assurez-vous de ce que compte la trajectoire et indiquez-le ({options}).</translation>
     </message>
+    <message>
+        <source>The lever arm is zero, as if the scanner&apos;s optical centre were at the POS centre: type the measured one.</source>
+        <translation>Le bras de levier est nul, comme si le centre optique du scanner était au centre du POS : saisissez celui qui a été mesuré.</translation>
+    </message>
+    <message>
+        <source>The lever arm puts the scanner {up:n} m below the POS centre, and on a vessel it is mostly above it: look at the sign of Z, which is positive up here.</source>
+        <translation>Le bras de levier place le scanner {up:n} m sous le centre du POS, or sur un navire il est le plus souvent au-dessus : vérifiez le signe de Z, positif vers le haut ici.</translation>
+    </message>
+    <message>
+        <source>The lever arm is {length:n} m long, and few vessels are: it is stated in metres here.</source>
+        <translation>Le bras de levier mesure {length:n} m, et peu de navires sont aussi longs : il s&apos;exprime ici en mètres.</translation>
+    </message>
 </context>
 <context>
     <name>targets</name>

@@ -1375,6 +1375,10 @@
         <source>More: {what:kept}</source>
         <translation>Plus : {what}</translation>
     </message>
+    <message>
+        <source>F12</source>
+        <translation>F12</translation>
+    </message>
 </context>
 <context>
     <name>about</name>
@@ -2833,10 +2837,6 @@
     <message>
         <source>What is in it</source>
         <translation>Ce qu&apos;il contient</translation>
-    </message>
-    <message>
-        <source>Taken for granted</source>
-        <translation>Supposé</translation>
     </message>
     <message>
         <source>How the file is read, and what is in it</source>
@@ -8711,6 +8711,81 @@ m/s</translation>
     <message>
         <source>The lines differ by {a:n} mm and {b:n} deg at {c:n} deg.</source>
         <translation>Les lignes diffèrent de {a} mm et {b}° à {c}°.</translation>
+    </message>
+</context>
+<context>
+    <name>warnings</name>
+    <message>
+        <source>&amp;Warnings</source>
+        <translation>Avert&amp;issements</translation>
+    </message>
+    <message>
+        <source>All there is to be warned of; each leads to its cause</source>
+        <translation>Tout ce dont il faut être averti ; chaque avertissement mène à sa cause</translation>
+    </message>
+    <message>
+        <source>the warnings, all in one list</source>
+        <translation>les avertissements, dans une seule liste</translation>
+    </message>
+    <message>
+        <source>Serious</source>
+        <translation>Grave</translation>
+    </message>
+    <message>
+        <source>Look at this</source>
+        <translation>À examiner</translation>
+    </message>
+    <message>
+        <source>Taken for granted</source>
+        <translation>Tenu pour acquis</translation>
+    </message>
+    <message>
+        <source>Click, or press Enter, to go to the cause</source>
+        <translation>Cliquer, ou appuyer sur Entrée, pour aller à la cause</translation>
+    </message>
+    <message>
+        <source>{n:n} serious</source>
+        <translation>graves : {n:n}</translation>
+    </message>
+    <message>
+        <source>{n:n} to look at</source>
+        <translation>à examiner : {n:n}</translation>
+    </message>
+    <message>
+        <source>{n:n} taken for granted</source>
+        <translation>tenus pour acquis : {n:n}</translation>
+    </message>
+    <message>
+        <source>Click one, or press Enter on it, to go to its cause.</source>
+        <translation>Cliquer sur un avertissement, ou appuyer sur Entrée, pour aller à sa cause.</translation>
+    </message>
+    <message>
+        <source>Click to see them all (F12)</source>
+        <translation>Cliquer pour les voir tous (F12)</translation>
+    </message>
+    <message>
+        <source>Estimating again; these are the warnings from before the change.</source>
+        <translation>Nouvelle estimation en cours ; ces avertissements sont ceux d&apos;avant la modification.</translation>
+    </message>
+    <message>
+        <source>Open or make a project: what there is to be warned of in it appears here.</source>
+        <translation>Ouvrez ou créez un projet : ce dont il faut être averti apparaît ici.</translation>
+    </message>
+    <message>
+        <source>Nothing to warn of. What the files, picks and figures give cause for appears here.</source>
+        <translation>Aucun avertissement. Ce que les fichiers, les pointés et les chiffres donnent à signaler apparaît ici.</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 avertissement</translation>
+    </message>
+    <message>
+        <source>{n:n} warnings</source>
+        <translation>{n:n} avertissements</translation>
+    </message>
+    <message>
+        <source>No warnings</source>
+        <translation>Aucun avertissement</translation>
     </message>
 </context>
 </TS>

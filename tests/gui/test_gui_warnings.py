@@ -1,0 +1,248 @@
+"""Everything to be warned of in one list, and the way from each warning to its cause."""
+
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+
+from lispac.causes import Cause
+from lispac.gui.panels.adjust import AdjustPanel
+from lispac.gui.panels.warnings import NO_PROJECT, NOTHING, TITLE, WAITING
+from lispac.gui.status import ADJUST, DATA, TARGETS
+from lispac.project import Project
+from lispac.workflow.warnings import Concern
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, settle
+
+Role = Qt.ItemDataRole
+
+
+def listed(driver: Driver) -> tuple[Concern, ...]:
+    """What stands in the list once it is that of the project."""
+    driver.rest()
+    driver.bot.waitUntil(lambda: driver.window.cautioning.is_current, timeout=WAIT_MS)
+    panel = driver.window.warnings
+    driver.bot.waitUntil(lambda: panel.is_filled, timeout=WAIT_MS)
+    texts = [panel.list.item(row).text() for row in range(panel.list.count())]
+    assert texts == [each.text for each in panel.concerns]
+    return panel.concerns
+
+
+def row_of(driver: Driver, wanted: str) -> int:
+    rows = [k for k, each in enumerate(listed(driver)) if wanted in each.text]
+    assert len(rows) == 1, (wanted, [each.text for each in listed(driver)])
+    return rows[0]
+
+
+def open_list(driver: Driver) -> None:
+    click(driver, driver.window.task_bar.warnings)
+    assert in_front(driver, TITLE)
+
+
+def click_row(driver: Driver, row: int) -> None:
+    open_list(driver)
+    shown = driver.window.warnings.list
+    shown.scrollToItem(shown.item(row))
+    QApplication.processEvents()
+    place = shown.visualItemRect(shown.item(row)).center()
+    driver.bot.mouseClick(shown.viewport(), Left, pos=place)
+
+
+def in_front(driver: Driver, title: str) -> bool:
+    dock = driver.window.docks[title]
+    assert isinstance(dock, QDockWidget)
+    return dock.isVisible() and not dock.visibleRegion().isEmpty()
+
+
+def has_focus(widget: QWidget) -> bool:
+    return widget.isVisible() and QApplication.focusWidget() is widget
+
+
+def in_view(driver: Driver, points: np.ndarray) -> bool:
+    """Whether the view went to these points last."""
+    fitted = [arguments[0] for name, arguments in driver.viewport.calls if name == "fit"]
+    return np.array_equal(fitted[-1], points)
+
+
+def with_few_points(project: Project) -> Project:
+    target = project.target("T1")
+    first = target.sightings[0]
+    few = replace(first, indices=first.indices[:40])
+    return project.with_target(replace(target, sightings=(few, *target.sightings[1:])))
+
+
+def test_without_a_project_it_says_what_will_be_there(driver: Driver) -> None:
+    assert not driver.window.task_bar.warnings.isVisible()
+    press(driver, Key.Key_F12)
+    assert in_front(driver, TITLE)
+    assert driver.window.warnings.empty.text() == NO_PROJECT
+    assert driver.window.warnings.empty.isVisible()
+
+
+def test_the_status_bar_counts_and_leads_to_the_list(adjusted: Driver) -> None:
+    found = [each for each in listed(adjusted) if each.severity != "note"]
+    assert adjusted.window.task_bar.warnings.text() == f"{len(found)} warnings"
+    open_list(adjusted)
+    assert has_focus(adjusted.window.warnings.list)
+    icons = {
+        adjusted.window.warnings.list.item(row).data(Role.AccessibleTextRole).partition(":")[0]
+        for row in range(len(found))
+    }
+    assert icons == {"Look at this"}
+
+
+def test_a_click_on_a_sighting_selects_its_cell_and_shows_it(picked: Driver) -> None:
+    picked.window.document.edit("less", with_few_points(picked.project))
+    line = picked.project.target("T1").sightings[0].line
+    click_row(picked, row_of(picked, "It has only 40 points."))
+    window = picked.window
+    assert in_front(picked, "Targets by lines")
+    assert has_focus(window.table)
+    assert window.table.sightings.key(window.table.currentIndex()) == ("T1", line)
+    assert window.scene.selected == ("T1", line)
+    assert in_view(picked, window.scene.selected_points[line])
+
+
+def test_enter_does_what_a_click_does(picked: Driver) -> None:
+    """Through the list by the keyboard alone; the row is one below the other."""
+    picked.window.document.edit("less", with_few_points(picked.project))
+    row = row_of(picked, "It has only 40 points.")
+    press(picked, Key.Key_F12)
+    shown = picked.window.warnings.list
+    assert has_focus(shown)
+    picked.bot.keyClick(shown, Key.Key_Home)
+    for _ in range(row):
+        picked.bot.keyClick(shown, Key.Key_Down)
+    assert shown.currentRow() == row
+    picked.bot.keyClick(shown, Key.Key_Return)
+    assert has_focus(picked.window.table)
+    assert picked.window.scene.selected == ("T1", picked.project.target("T1").sightings[0].line)
+
+
+def test_a_left_out_target_leads_to_its_row_in_step_2(picked: Driver) -> None:
+    picked.window.controller.use_target("T2", False)
+    click_row(picked, row_of(picked, "Target T2 is left out."))
+    assert picked.window.workflow.opened == TARGETS
+    assert has_focus(picked.window.targets.table)
+    assert picked.window.targets.current == "T2"
+
+
+def test_a_zero_lever_arm_leads_to_its_field(picked: Driver) -> None:
+    settings = replace(picked.project.settings, lever_arm=(0.0, 0.0, 0.0))
+    picked.window.document.edit("zero", picked.project.with_settings(settings))
+    picked.window.docks["Workflow"].close()
+    click_row(picked, row_of(picked, "The lever arm is zero"))
+    assert in_front(picked, "Workflow")
+    assert picked.window.workflow.opened == DATA
+    assert has_focus(picked.window.data.lever_arm.fields[0])
+
+
+def test_a_line_is_selected_and_looked_at(picked: Driver, demo: Demo) -> None:
+    """A note of the reader that names the file of a line."""
+    line = picked.project.lines[2]
+    note = f"{line.path.name}: 12 points outside the trajectory's time, of 100, are left out"
+    survey = replace(demo.survey, notes=(*demo.survey.notes, note))
+    picked.window.document.set_survey(picked.project, survey)
+    found = listed(picked)[row_of(picked, note)]
+    assert (found.severity, found.cause) == ("caution", Cause.of_line(line.name))
+    click_row(picked, row_of(picked, note))
+    assert picked.window.workflow.opened == DATA
+    assert has_focus(picked.window.data.lines)
+    assert picked.window.data.lines.currentItem().text() == line.name
+    assert in_view(picked, demo.survey.clouds[line.name].sample)
+
+
+@pytest.mark.parametrize(
+    ("cause", "step", "focused"),
+    [
+        (Cause.of_parameter("lever_z"), ADJUST, lambda a: a.parameters.switches["lever_z"]),
+        (Cause.of_field("surface"), ADJUST, lambda a: a.model.surface),
+        (Cause.of_field("pos_errors"), ADJUST, lambda a: a.chosen_model),
+    ],
+)
+def test_what_is_folded_away_is_unfolded(
+    adjusted: Driver, cause: Cause, step: int, focused
+) -> None:
+    panel = adjusted.window.adjust
+    assert isinstance(panel, AdjustPanel)
+    adjusted.window.cautioning.follow(cause)
+    assert adjusted.window.workflow.opened == step
+    assert has_focus(focused(panel))
+
+
+def test_pages_and_the_result_come_to_the_front(adjusted: Driver) -> None:
+    adjusted.window.cautioning.follow(Cause.of_page("Cross-checks"))
+    assert in_front(adjusted, "Diagnostics")
+    assert adjusted.window.diagnostics.current.title == "Cross-checks"
+    adjusted.window.cautioning.follow(Cause("result"))
+    assert in_front(adjusted, "Results")
+    assert has_focus(adjusted.window.results.angles)
+
+
+def test_a_cause_that_is_gone_is_no_error(adjusted: Driver) -> None:
+    before = QApplication.focusWidget()
+    adjusted.window.cautioning.follow(Cause.of_sighting("gone", "nowhere"))
+    assert QApplication.focusWidget() is before
+
+
+def test_it_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
+    line = adjusted.project.target("T1").sightings[0].line
+    said = f"Target T1 is left out on {line}."
+    assert said not in [each.text for each in listed(adjusted)]
+    adjusted.window.controller.use_sighting("T1", line, False)
+    assert adjusted.window.warnings.head.text() == WAITING
+    settle(adjusted)
+    assert said in [each.text for each in listed(adjusted)]
+    adjusted.window.document.undo_stack.undo()
+    assert said not in [each.text for each in listed(adjusted)]
+
+
+def test_why_no_result_follows_is_told(adjusted: Driver) -> None:
+    for target in adjusted.project.of_role("target"):
+        adjusted.window.controller.use_target(target.name, False)
+    settle(adjusted)
+    assert adjusted.window.document.refusal
+    first = listed(adjusted)[0]
+    assert (first.severity, first.text) == ("serious", adjusted.window.document.refusal)
+    click_row(adjusted, 0)
+    assert adjusted.window.workflow.opened == ADJUST
+
+
+def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
+    picked.window.safekeeping._cannot_keep(OSError("The disk is full"))
+    said = "Unsaved work is not kept against a crash: The disk is full"
+    assert listed(picked)[row_of(picked, said)].severity == "serious"
+
+
+def test_nothing_to_warn_of_is_said(picked: Driver) -> None:
+    listed(picked)
+    picked.window.warnings.show_concerns(())
+    picked.window.task_bar.warnings.show_concerns(())
+    press(picked, Key.Key_F12)
+    assert picked.window.warnings.empty.text() == NOTHING
+    assert picked.window.task_bar.warnings.text() == "No warnings"
+
+
+def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) -> None:
+    """A second of gathering, and no turn of the event loop that takes anything like it."""
+    from lispac.gui import cautioning
+
+    gather = cautioning.concerns
+
+    def slow(*arguments, **named):
+        time.sleep(1.0)
+        return gather(*arguments, **named)
+
+    listed(adjusted)
+    monkeypatch.setattr(cautioning, "concerns", slow)
+    adjusted.window.cautioning._watch()
+    longest, started = 0.0, time.perf_counter()
+    while not adjusted.window.cautioning.is_current:
+        before = time.perf_counter()
+        QApplication.processEvents()
+        longest = max(longest, time.perf_counter() - before)
+        time.sleep(0.001)
+    assert time.perf_counter() - started > 1.0
+    assert longest < 0.5

@@ -1,0 +1,133 @@
+"""The list of everything to be warned of: what is in it, and where its causes lie."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.doubts import doubts
+from lispac.causes import Cause
+from lispac.project import PickedSighting, Project, Target
+from lispac.report.cautions import cautions_of
+from lispac.survey.lever_arm import lever_arm_doubts
+from lispac.workflow.warnings import TOLD_ONE_BY_ONE, concerns
+from tests.report_sample import sample_content, sample_project
+
+
+def said(project: Project, **named) -> dict[str, tuple[str, Cause]]:
+    return {each.text: (each.severity, each.cause) for each in concerns(project, None, **named)}
+
+
+def full_of_cautions(tmp_path: Path) -> Project:
+    """A target left out, one on a single line, a failed test, no validation, a truth."""
+    project = sample_project(tmp_path)
+    assert project.result is not None
+    one, two, *others = project.targets
+    alone = tuple(replace(s, used=k == 0) for k, s in enumerate(two.sightings))
+    test = replace(project.result.chi_square, statistic=1e9)
+    return replace(
+        project,
+        targets=(replace(one, used=False), replace(two, sightings=alone), *others),
+        result=replace(project.result, chi_square=test),
+        validation=(),
+        truth_deg=(0.0, 0.0, 0.0),
+    )
+
+
+def test_it_says_what_the_report_says_in_its_words(tmp_path: Path) -> None:
+    """Every caution of the report is in the list, but for sums of what stands in it one by one."""
+    project = full_of_cautions(tmp_path)
+    told = said(project)
+    codes = set()
+    for caution in sample_content(project).cautions:
+        if caution.code not in TOLD_ONE_BY_ONE:
+            codes.add(caution.code)
+            assert told[caution.text][0] == caution.severity, caution
+    assert {"left_out", "few_lines", "not_validated", "simulated", "chi_square_high"} <= codes
+
+
+def test_every_doubt_about_an_answer_is_in_it_with_its_cause(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    assert project.result is not None
+    result = replace(project.result, model=replace(project.result.model, pos_errors="independent"))
+    thesis = replace(project, result=result)
+    found = {doubt.text: doubt for doubt in doubts(result, thesis.cross_checks)}
+    told = said(thesis)
+    assert found
+    for text, doubt in found.items():
+        assert told[text] == ("serious" if doubt.serious else "caution", doubt.cause)
+    mode = next(doubt for doubt in found.values() if doubt.code == "independent_pos_errors")
+    assert mode.cause == Cause.of_field("pos_errors")
+
+
+def test_serious_things_come_first(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    order = ["serious", "caution", "note"]
+    found = concerns(project, None, refusal="No target is left.")
+    ranks = [order.index(each.severity) for each in found]
+    assert ranks == sorted(ranks)
+    assert found[0].text == "No target is left."
+    assert found[0].cause == Cause.of_step("Adjust")
+
+
+def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    target = project.targets[0]
+    line = project.lines[0].name
+    without = replace(
+        target,
+        sightings=tuple(s for s in target.sightings if s.line != line),
+        missing={line: "The line has no points there."},
+    )
+    severity, cause = said(project.with_target(without))[
+        f"{target.name} on {line}: The line has no points there."
+    ]
+    assert (severity, cause) == ("note", Cause.of_sighting(target.name, line))
+
+
+def test_the_same_points_twice_lead_to_where_they_are(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    numbers = np.arange(500)
+    twins = [
+        Target(
+            name, "target", (0.0, 0.0, 0.0), 0.01, 1.0,
+            (PickedSighting(project.lines[1].name, numbers, 0.003),),
+        )
+        for name in ("A", "B")
+    ]  # fmt: skip
+    edited = replace(project, targets=())
+    for each in twins:
+        edited = edited.with_target(each)
+    causes = [c for text, (_, c) in said(edited).items() if "points in common" in text]
+    assert causes == [Cause.of_sighting("A", project.lines[1].name)]
+
+
+@pytest.mark.parametrize(
+    ("lever_arm", "words"),
+    [
+        ((0.0, 0.0, 0.0), ["is zero"]),
+        ((1.2, 0.3, -2.1), ["2.10 m below"]),
+        ((0.3, -0.2, -0.4), []),  # of a drone
+        ((1.2, 0.3, 2.1), []),
+        ((1200.0, 300.0, -2100.0), ["2100.00 m below", "m long"]),  # typed in millimetres
+        ((-28.0, 4.0, 12.0), ["30.7 m long"]),
+    ],
+)
+def test_a_lever_arm_that_is_hardly_ever_true_is_doubted(tmp_path: Path, lever_arm, words) -> None:
+    found = lever_arm_doubts(lever_arm)
+    assert len(found) == len(words)
+    for sentence, part in zip(found, words, strict=True):
+        assert part in sentence
+    project = sample_project(tmp_path)
+    edited = project.with_settings(replace(project.settings, lever_arm=lever_arm))
+    told = [c for c in concerns(edited, None) if c.cause == Cause.of_field("lever_arm")]
+    assert tuple(each.text for each in told) == found
+
+
+def test_a_report_keeps_its_cautions_as_they_were(tmp_path: Path) -> None:
+    """What a report holds of them is code, severity and text: its schema knows no cause."""
+    content = sample_content(full_of_cautions(tmp_path))
+    found = cautions_of(content, ())
+    assert found
+    assert all(set(vars(each)) == {"code", "severity", "text"} for each in found)
