@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QHeaderView,
+    QScrollArea,
     QTableWidget,
     QTableWidgetItem,
     QWidget,
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
+from lispac.gui.panels.mounting_sketch import MountingView
 from lispac.gui.panels.number_field import ALIKE
 from lispac.project import Project, Settings
 from lispac.workflow.survey import Survey
@@ -68,6 +70,8 @@ class DataPanel(QWidget):
         filled.addWidget(self.lever_arm)
         filled.addWidget(widgets.label("Prior boresight", "heading"))
         filled.addWidget(self.boresight)
+        self.mounting = MountingView("mounting")
+        filled.addWidget(self.mounting)
         noise = QHBoxLayout()
         noise.addWidget(widgets.label("LiDAR noise (1 σ)"))
         noise.addStretch(1)
@@ -94,6 +98,8 @@ class DataPanel(QWidget):
         self.revert.clicked.connect(lambda: self._fill(self._settings))
         for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma):
             field.valueChanged.connect(self._compare)
+        for field in (*self.lever_arm.fields, *self.boresight.fields):
+            field.valueChanged.connect(lambda _value, field=field: self._keep_in_sight(field))
         self.show_project(None, None)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
@@ -177,9 +183,19 @@ class DataPanel(QWidget):
         return None if fresh is self._settings else fresh
 
     def _compare(self) -> None:
+        self.mounting.show_mounting(self.lever_arm.value(), self.boresight.value())
         differs = self._edited() is not None
         self.apply.setEnabled(differs)
         self.revert.setEnabled(differs)
+
+    def _keep_in_sight(self, field: QWidget) -> None:
+        """On a low screen too the sketch is seen beside the field that is typed into."""
+        above = self.parentWidget()
+        while above is not None and not isinstance(above, QScrollArea):
+            above = above.parentWidget()
+        if above is not None and field.hasFocus():
+            for each in (self.mounting.sketch, field):
+                above.ensureWidgetVisible(each, 0, 4)
 
     def _apply(self) -> None:
         edited = self._edited()

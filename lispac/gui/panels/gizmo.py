@@ -13,7 +13,7 @@ from lispac.gui.language import say
 FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 SHOWN_DEG = 25.0
 """The exaggerated turn stays below this, so that the axes keep their places."""
-_SCANNER = (("X", "axis_x"), ("Y", "axis_y"), ("Z", "axis_z"))
+SCANNER_AXES = (("X", "axis_x"), ("Y", "axis_y"), ("Z", "axis_z"))
 _BODY = ("forward", "port", "up")
 _HULL = np.array([[1.0, 0, 0], [0.55, 0.3, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0.55, -0.3, 0]])
 _VIEW_DEG = (-142.0, 26.0)
@@ -31,6 +31,28 @@ def exaggeration(boresight: np.ndarray) -> int:
     turn = np.degrees(np.linalg.norm(_rotation_vector(boresight)))
     fitting = [factor for factor in FACTORS if factor * turn <= SHOWN_DEG]
     return fitting[-1] if fitting and turn > 1e-6 else 1
+
+
+def exaggerated(boresight: np.ndarray) -> tuple[int, np.ndarray]:
+    """The factor a turn is shown with, and the turn times that as a rotation from scanner to body.
+
+    Parameters
+    ----------
+    boresight : ndarray of shape (3,), radians
+
+    Returns
+    -------
+    factor : int
+    rotation : ndarray of shape (3, 3)
+    """
+    factor = exaggeration(boresight)
+    return factor, Rotation.from_rotvec(factor * _rotation_vector(boresight)).as_matrix()
+
+
+def turn_words(factor: int) -> str:
+    """How the scanner's axes are drawn."""
+    shown = "turn shown as it is" if factor == 1 else f"turn shown × {factor}"
+    return f"Scanner X, Y, Z: {shown}"
 
 
 def _rotation_vector(boresight: np.ndarray) -> np.ndarray:
@@ -64,9 +86,7 @@ class Gizmo(QWidget):
 
     def show_boresight(self, boresight: np.ndarray) -> None:
         """Draw a boresight: ndarray of shape (3,), radians."""
-        self.factor = exaggeration(boresight)
-        vector = self.factor * _rotation_vector(boresight)
-        self._rotation_body_scanner = Rotation.from_rotvec(vector).as_matrix()
+        self.factor, self._rotation_body_scanner = exaggerated(boresight)
         self.update()
 
     @property
@@ -114,13 +134,12 @@ class Gizmo(QWidget):
         ]
         drawn += [
             (0.95 * axis, colour, letter, 3.0)
-            for axis, (letter, colour) in zip(self.scanner_axes, _SCANNER, strict=True)
+            for axis, (letter, colour) in zip(self.scanner_axes, SCANNER_AXES, strict=True)
         ]
         for axis, colour, word, width in sorted(drawn, key=lambda each: self._depth(each[0])):
             self._draw_axis(painter, axis, colour, word, width)
         painter.setPen(QColor(theme.MUTED))
-        shown = "turn shown as it is" if self.factor == 1 else f"turn shown × {self.factor}"
-        painter.drawText(10, self.height() - 10, say(f"Scanner X, Y, Z: {shown}"))
+        painter.drawText(10, self.height() - 10, say(turn_words(self.factor)))
         painter.end()
 
     def _draw_axis(

@@ -7757,10 +7757,6 @@ m/s</translation>
         <translation>Site vu de dessus : lignes</translation>
     </message>
     <message>
-        <source>From above</source>
-        <translation>Vu de dessus</translation>
-    </message>
-    <message>
         <source>east (m)</source>
         <translation>est (m)</translation>
     </message>
@@ -8786,6 +8782,41 @@ m/s</translation>
     <message>
         <source>No warnings</source>
         <translation>Aucun avertissement</translation>
+    </message>
+</context>
+<context>
+    <name>mounting sketch</name>
+    <message>
+        <source>From above</source>
+        <translation>Vu de dessus</translation>
+    </message>
+    <message>
+        <source>From starboard</source>
+        <translation>Vu de tribord</translation>
+    </message>
+    <message>
+        <source>bow +X</source>
+        <translation>étrave +X</translation>
+    </message>
+    <message>
+        <source>stern</source>
+        <translation>poupe</translation>
+    </message>
+    <message>
+        <source>port +Y</source>
+        <translation>bâbord +Y</translation>
+    </message>
+    <message>
+        <source>up +Z</source>
+        <translation>haut +Z</translation>
+    </message>
+    <message>
+        <source>Where the scanner sits on the vessel</source>
+        <translation>Emplacement du scanner sur le navire</translation>
+    </message>
+    <message>
+        <source>The scanner at its lever arm, to scale; the vessel about it is of no particular size. Grey: axes of the body. Coloured: axes of the scanner as turned by the prior boresight, small turns shown larger.</source>
+        <translation>Le scanner au bout de son bras de levier, à l&apos;échelle ; le navire autour n&apos;a pas de taille particulière. En gris : axes du corps. En couleur : axes du scanner tournés des angles de visée a priori, les petites rotations étant agrandies.</translation>
     </message>
 </context>
 </TS>

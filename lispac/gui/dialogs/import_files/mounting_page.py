@@ -7,6 +7,7 @@ from lispac.gui import theme
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.gui.panels.mounting_sketch import MountingView
 from lispac.io.sensor_file import PosState, ScannerFigures
 from lispac.project import Settings
 from lispac.workflow.sensors import Library
@@ -41,6 +42,7 @@ class MountingPage(QScrollArea):
         body.setAutoFillBackground(False)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(self.changed)
+            field.valueChanged.connect(self._draw)
 
     def settings(self) -> Settings:
         """What the fields say."""
@@ -79,6 +81,8 @@ class MountingPage(QScrollArea):
         self.boresight = widgets.boresight_fields("new_boresight")
         form.addRow(say("Lever arm"), self.lever_arm)
         form.addRow(say("Prior boresight"), self.boresight)
+        self.view = MountingView("new_mounting")
+        form.addRow(self.view)
         self._prior = widgets.label(
             "Lines on the map are taken back to the scanner: state the lever arm and the boresight "
             "that they were made with.",
@@ -142,6 +146,9 @@ class MountingPage(QScrollArea):
         form.addRow(say("Position (1 σ)"), self.position_sigma)
         form.addRow(say("Attitude (1 σ)"), self.attitude_sigma)
         return form
+
+    def _draw(self) -> None:
+        self.view.show_mounting(self.lever_arm.value(), self.boresight.value())
 
     def _take_noise(self, scanner: ScannerFigures) -> None:
         self.lidar_sigma.setValue(scanner.range_sigma * 1000)

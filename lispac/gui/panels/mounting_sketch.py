@@ -1,0 +1,289 @@
+"""Where the scanner sits on the vessel, drawn to scale from above and from starboard, and in words.
+
+A wrong sign of a lever arm is a scanner on the wrong side: that is seen sooner than read.
+"""
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
+
+from lispac.gui import theme
+from lispac.gui.language import say
+from lispac.gui.panels import widgets
+from lispac.gui.panels.gizmo import SCANNER_AXES, exaggerated, turn_words
+from lispac.survey.conventions.words import boresight_words, lever_arm_words
+from lispac.survey.lever_arm import lever_arm_doubts
+
+View = Literal["above", "starboard"]
+VIEWS: tuple[View, ...] = ("above", "starboard")
+TITLES: dict[View, str] = {"above": "From above", "starboard": "From starboard"}
+
+_ONTO: dict[View, np.ndarray] = {
+    "above": np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]]),
+    "starboard": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
+}
+"""Right and up of the picture along the body's axes (forward, left, up)."""
+_SIDES: dict[View, tuple[str, str, str, str]] = {
+    "above": ("bow +X", "stern", "port +Y", "starboard"),
+    "starboard": ("up +Z", "down", "stern", "bow +X"),
+}
+"""What lies at the top, the bottom, the left and the right of the picture, and what is positive."""
+_HULLS: dict[View, tuple[tuple[float, float], ...]] = {
+    "above": ((0.0, 0.86), (0.3, 0.45), (0.34, 0.1), (0.32, -0.84), (-0.32, -0.84), (-0.34, 0.1),
+              (-0.3, 0.45)),
+    "starboard": ((0.9, 0.14), (0.62, -0.4), (-0.8, -0.4), (-0.86, 0.06), (0.3, 0.06)),
+}  # fmt: skip
+"""A vessel of no particular size: right and up, in halves of the picture."""
+
+REACHES = (
+    0.5,
+    0.75,
+    1.0,
+    1.5,
+    2.0,
+    3.0,
+    5.0,
+    7.5,
+    10.0,
+    15.0,
+    20.0,
+    30.0,
+    50.0,
+    75.0,
+    100.0,
+    150.0,
+)
+"""Metres from the POS centre to the edge: steps, so that the scale does not creep as one types."""
+_BARS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
+"""Metres of the bar that shows the scale."""
+HEIGHT = 220
+"""Pixels."""
+_USED = 0.66
+"""Share of the way to the edge that the longest part of a lever arm may take."""
+_AXIS, _BODY_AXIS, _DOT, _LABELLED = 22.0, 32.0, 5.0, 24.0
+"""Pixels: of axes, of the scanner's dot, and of a distance that has room for its number."""
+_SEEN = 0.25
+"""Share of its length from which an axis is drawn in a view: shorter, it points at the eye."""
+
+
+class MountingSketch(QWidget):
+    """Two views of a vessel's body with the POS centre and the scanner at its lever arm."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("mounting_sketch")
+        self.setAccessibleName(say("Where the scanner sits on the vessel"))
+        self.setToolTip(
+            say(
+                "The scanner at its lever arm, to scale; the vessel about it is of no particular "
+                "size. Grey: axes of the body. Coloured: axes of the scanner as turned by the "
+                "prior boresight, small turns shown larger."
+            )
+        )
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.lever_arm = np.zeros(3)
+        self.factor, self._rotation_body_scanner = 1, np.eye(3)
+        self.doubtful = False
+
+    def sizeHint(self) -> QSize:
+        return QSize(330, HEIGHT)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(260, HEIGHT)
+
+    def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
+        """Draw a lever arm (metres; forward, left, up) and a boresight (roll, pitch, yaw)."""
+        self.lever_arm = np.array(lever_arm, dtype=float)
+        self.factor, self._rotation_body_scanner = exaggerated(np.radians(boresight_deg))
+        self.doubtful = bool(lever_arm_doubts(lever_arm))
+        self.update()
+
+    # -- where things are ------------------------------------------------------------------------
+
+    @property
+    def reach(self) -> float:
+        """Metres from the POS centre to the edge of a view."""
+        longest = float(np.abs(self.lever_arm).max())
+        return next((each for each in REACHES if longest <= _USED * each), REACHES[-1])
+
+    @property
+    def pixels_per_metre(self) -> float:
+        """The same in both views and along every axis."""
+        return self._half / self.reach
+
+    def at(self, view: View, point_body: Sequence[float] | np.ndarray) -> QPointF:
+        """Where a point of the body frame (metres from the POS centre) is drawn."""
+        right, up = self.pixels_per_metre * (_ONTO[view] @ np.asarray(point_body, dtype=float))
+        return self._centre(view) + QPointF(float(right), -float(up))
+
+    def axis_at(self, view: View, axis: int) -> tuple[QPointF, QPointF]:
+        """From where to where one of the scanner's axes is drawn."""
+        start = self.at(view, self.lever_arm)
+        right, up = _AXIS * (_ONTO[view] @ self._rotation_body_scanner[:, axis])
+        return start, start + QPointF(float(right), -float(up))
+
+    @property
+    def _half(self) -> float:
+        return min(self.width() / 4 - 6, (self.height() - 40) / 2 - 13)
+
+    def _centre(self, view: View) -> QPointF:
+        quarter = self.width() / 4
+        return QPointF(quarter * (1 + 2 * VIEWS.index(view)), 18 + (self.height() - 40) / 2)
+
+    # -- painting --------------------------------------------------------------------------------
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), QColor(theme.PAPER))
+        painter.setPen(QPen(QColor(theme.BORDER)))
+        painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+        middle = round(self.width() / 2)
+        painter.drawLine(middle, 6, middle, self.height() - 24)
+        font = painter.font()
+        font.setPixelSize(11)
+        painter.setFont(font)
+        for view in VIEWS:
+            self._paint_vessel(painter, view)
+            self._paint_body_axes(painter, view)
+            self._paint_way(painter, view)
+            self._paint_scanner(painter, view)
+        self._paint_scale(painter)
+        painter.end()
+
+    def _paint_vessel(self, painter: QPainter, view: View) -> None:
+        centre, half = self._centre(view), self._half
+        corners = [centre + QPointF(half * x, -half * y) for x, y in _HULLS[view]]
+        painter.setPen(QPen(QColor(theme.EDGE)))
+        painter.setBrush(QColor(theme.HULL))
+        painter.drawPolygon(QPolygonF(corners))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QColor(theme.TEXT))
+        left = self.width() / 2 * VIEWS.index(view)
+        painter.drawText(QPointF(left + 7, 15), say(TITLES[view]))
+        painter.setPen(QColor(theme.MUTED))
+        width = self.width() / 2
+        top, bottom, port, starboard = (say(word) for word in _SIDES[view])
+        flags, line = Qt.AlignmentFlag, painter.fontMetrics().height()
+        y = centre.y()
+        for words, area, flag in (
+            (top, QRectF(left, y - half - line - 3, width, line), flags.AlignHCenter),
+            (bottom, QRectF(left, y + half, width, line), flags.AlignHCenter),
+            (port, QRectF(left + 5, y + half * 0.62, width, line), flags.AlignLeft),
+            (starboard, QRectF(left, y + half * 0.62, width - 5, line), flags.AlignRight),
+        ):
+            painter.drawText(area, flag, words)
+
+    def _paint_body_axes(self, painter: QPainter, view: View) -> None:
+        centre = self._centre(view)
+        painter.setPen(QPen(theme.colour("body_axis"), 1.5))
+        for right, up in _ONTO[view].T:
+            painter.drawLine(centre, centre + _BODY_AXIS * QPointF(float(right), -float(up)))
+        painter.setBrush(QColor(theme.MUTED))
+        painter.drawRect(QRectF(centre.x() - 3, centre.y() - 3, 6, 6))
+        painter.setPen(QColor(theme.TEXT))
+        # Away from the scanner, which lies on one of the other sides.
+        away, metrics = centre - self.at(view, self.lever_arm), painter.fontMetrics()
+        x = 7.0 if away.x() > 0 else -7.0 - metrics.horizontalAdvance(say("POS"))
+        y = 4.0 + metrics.ascent() if away.y() >= 0 else -7.0
+        painter.drawText(centre + QPointF(x, y), say("POS"))
+
+    def _paint_way(self, painter: QPainter, view: View) -> None:
+        """From the POS centre to the scanner along the axes of the view, with the distances."""
+        onto = _ONTO[view]
+        along_up = np.abs(onto[1]) * self.lever_arm  # first up or down the picture, then across
+        across = np.abs(onto[0]) * self.lever_arm
+        corner, end = self.at(view, along_up), self.at(view, self.lever_arm)
+        pen = QPen(self._colour, 1.2, Qt.PenStyle.DashLine)
+        painter.setPen(pen)
+        painter.drawLine(self._centre(view), corner)
+        painter.drawLine(corner, end)
+        painter.setPen(QColor(theme.TEXT))
+        leftwards = end.x() < self._centre(view).x()
+        for amount, place in (
+            (np.abs(along_up).max(), (self._centre(view) + corner) / 2),
+            (np.abs(across).max(), (corner + end) / 2),
+        ):
+            if amount * self.pixels_per_metre < _LABELLED:
+                continue  # the words below say it
+            words = say(f"{amount:.2f} m")
+            width, high = painter.fontMetrics().horizontalAdvance(words), 12.0
+            if place.x() == corner.x() == self._centre(view).x():  # beside the upright part
+                x = place.x() + 5 if leftwards else place.x() - 5 - width
+                box = QRectF(x, place.y() - high / 2, width, high)
+            else:
+                lower = end.y() >= self._centre(view).y()
+                y = place.y() + 3 if lower else place.y() - 3 - high
+                box = QRectF(place.x() - width / 2, y, width, high)
+            painter.fillRect(box.adjusted(-1, 0, 1, 0), theme.colour("paper", 0.75))
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
+
+    def _paint_scanner(self, painter: QPainter, view: View) -> None:
+        for axis, (letter, colour) in enumerate(SCANNER_AXES):
+            start, tip = self.axis_at(view, axis)
+            way = tip - start
+            if np.hypot(way.x(), way.y()) < _SEEN * _AXIS:
+                continue
+            painter.setPen(QPen(theme.colour(colour), 2.2))
+            painter.drawLine(start, tip)
+            _letter(painter, start, tip, letter)
+        painter.setPen(QPen(QColor(theme.PAPER)))
+        painter.setBrush(self._colour)
+        painter.drawEllipse(self.at(view, self.lever_arm), _DOT, _DOT)
+
+    @property
+    def _colour(self) -> QColor:
+        return QColor(theme.WARNING if self.doubtful else theme.ACCENT)
+
+    def _paint_scale(self, painter: QPainter) -> None:
+        length = max((bar for bar in _BARS if bar <= self.reach / 2), default=_BARS[0])
+        y, x = self.height() - 9, self.width() - 8.0
+        bar = length * self.pixels_per_metre
+        words = say(f"{length:g} m")
+        painter.setPen(QPen(QColor(theme.MUTED), 1.5))
+        painter.drawLine(QPointF(x - bar, y), QPointF(x, y))
+        for end in (x - bar, x):
+            painter.drawLine(QPointF(end, y - 3), QPointF(end, y + 3))
+        wide = painter.fontMetrics().horizontalAdvance(words)
+        painter.drawText(QPointF(x - bar - wide - 5, y + 4), words)
+        painter.drawText(QPointF(7, y + 4), say(turn_words(self.factor)))
+
+
+class MountingView(QWidget):
+    """The sketch with the same in words below it, and what to look at again."""
+
+    def __init__(self, prefix: str) -> None:
+        super().__init__()
+        self.sketch = MountingSketch()
+        self.words = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
+        self.doubts = widgets.label("", "warning", wrap=True, name=f"{prefix}_doubts")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        for each in (self.sketch, self.words, self.doubts):
+            column.addWidget(each)
+        self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+
+    def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
+        """Draw and say a lever arm (metres; forward, left, up) and a boresight (degrees)."""
+        self.sketch.show_mounting(lever_arm, boresight_deg)
+        said = (lever_arm_words(lever_arm), boresight_words(np.radians(boresight_deg)))
+        words = " ".join(say(each) for each in said)
+        self.words.setText(words)
+        self.sketch.setAccessibleDescription(words)
+        doubts = lever_arm_doubts(lever_arm)
+        self.doubts.setText("\n".join(say(each) for each in doubts))
+        self.doubts.setVisible(bool(doubts))
+
+
+def _letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:
+    """Beyond the tip of an axis."""
+    way = tip - start
+    place = tip + way * (7.0 / max(float(np.hypot(way.x(), way.y())), 1e-9))
+    painter.drawText(
+        QRectF(place.x() - 8, place.y() - 8, 16, 16), Qt.AlignmentFlag.AlignCenter, letter
+    )

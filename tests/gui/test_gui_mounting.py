@@ -1,0 +1,184 @@
+"""The sketch of the mounting: what is typed is drawn on the side where georeferencing puts it."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication, QScrollArea
+
+from lispac.gui import theme
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.panels.mounting_sketch import VIEWS, MountingSketch
+from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.trajectory import Poses
+from tests.gui.support import Driver, open_step, type_into
+
+RIGHT_UP = {"above": (lambda n, w, u: -w, lambda n, w, u: n),
+            "starboard": (lambda n, w, u: n, lambda n, w, u: u)}  # fmt: skip
+"""Right and up of a picture for a vessel that lies level with its bow to the north."""
+
+
+def placed(lever_arm, boresight_deg) -> np.ndarray:
+    """The scanner's centre and the tips of its axes, (4, 3): north, west, up of the POS centre.
+
+    By the georeferencing, of a vessel that lies level at the origin with its bow to the north.
+    """
+    points = np.vstack([np.zeros(3), np.eye(3)])
+    level = Poses(np.zeros((4, 3)), np.zeros((4, 3)))
+    return place(points, level, Mounting(np.array(lever_arm), np.radians(boresight_deg)))
+
+
+def offsets(sketch: MountingSketch, view: str) -> np.ndarray:
+    """Of the scanner from the POS centre as drawn, metres to the right and up."""
+    way = sketch.at(view, sketch.lever_arm) - sketch.at(view, (0.0, 0.0, 0.0))
+    return np.array([way.x(), -way.y()]) / sketch.pixels_per_metre
+
+
+def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray:
+    """Middle of the scanner's dot in the picture, pixels from the POS centre, right and up."""
+    picture = sketch.grab().toImage()
+    wanted = QColor(colour)
+    half = picture.width() // 2
+    columns = range(half) if view == "above" else range(half, picture.width())
+    scale = picture.devicePixelRatio()
+    found = [
+        (x, y)
+        for x in columns
+        for y in range(picture.height())
+        if picture.pixelColor(x, y) == wanted
+        and all(picture.pixelColor(x + d, y + e) == wanted for d, e in ((2, 0), (0, 2), (-2, 0)))
+    ]
+    assert found, f"no dot from {view}"
+    origin = sketch.at(view, (0.0, 0.0, 0.0))
+    middle = np.mean(found, axis=0) / scale
+    return np.array([middle[0] + 0.5 - origin.x(), origin.y() - middle[1] - 0.5])
+
+
+def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketch:
+    """By keys, without Enter."""
+    open_step(driver, 0)
+    data = driver.window.data
+    for field, text in zip((*data.lever_arm.fields, *data.boresight.fields),
+                           (*lever_arm, *boresight), strict=True):  # fmt: skip
+        type_into(driver, field, text)
+    return data.mounting.sketch
+
+
+@pytest.mark.parametrize(
+    "lever_arm",
+    [("1.2", "0.35", "2.1"), ("-1.2", "0.35", "2.1"), ("1.2", "-0.35", "2.1"),
+     ("1.2", "0.35", "-2.1"), ("-0.24", "-0.9", "1.5")],
+)  # fmt: skip
+def test_what_is_typed_is_drawn_where_georeferencing_puts_it(opened: Driver, lever_arm) -> None:
+    sketch = typed(opened, lever_arm)
+    opened.bot.waitUntil(sketch.isVisible)
+    north, west, up = placed([float(each) for each in lever_arm], (0.0, 0.0, 0.0))[0]
+    for view in VIEWS:
+        right, above = (axis(north, west, up) for axis in RIGHT_UP[view])
+        assert offsets(sketch, view) == pytest.approx([right, above], abs=1e-9)
+        colour = theme.WARNING if up < -1 else theme.ACCENT
+        dot = dot_in_picture(sketch, view, colour) / sketch.pixels_per_metre
+        assert dot == pytest.approx([right, above], abs=1.6 / sketch.pixels_per_metre)
+    assert opened.window.data.apply.isEnabled()  # nothing was taken over meanwhile
+
+
+def test_a_changed_sign_goes_to_the_other_side_as_it_is_typed(opened: Driver) -> None:
+    sketch = typed(opened, ("0.5", "1.2", "2"))
+    port = dot_in_picture(sketch, "above", theme.ACCENT)
+    field = opened.window.data.lever_arm.fields[1]
+    field.setFocus()
+    field.lineEdit().setCursorPosition(0)
+    opened.bot.keyClicks(field, "-")
+    assert field.value() == -1.2
+    starboard = dot_in_picture(sketch, "above", theme.ACCENT)
+    assert port[0] < -5 < 5 < starboard[0]
+    assert port[1] == pytest.approx(starboard[1], abs=0.6)
+    words = opened.window.data.mounting.words.text()
+    assert "1.2 m to starboard of" in words
+    assert sketch.accessibleDescription() == words
+
+
+@pytest.mark.parametrize(
+    "boresight", [(0.0, 0.0, 90.0), (0.0, 90.0, 0.0), (90.0, 0.0, 0.0), (180.0, 0.0, 0.0),
+                  (35.0, -60.0, 120.0)]
+)  # fmt: skip
+def test_the_scanners_axes_point_where_georeferencing_points_them(
+    opened: Driver, boresight
+) -> None:
+    sketch = typed(opened, ("1", "0.4", "2"), [str(each) for each in boresight])
+    assert sketch.factor == 1
+    local = placed((1.0, 0.4, 2.0), boresight)
+    drawn, wanted = [], []
+    for axis in range(3):
+        north, west, up = local[1 + axis] - local[0]
+        for view in VIEWS:
+            start, tip = sketch.axis_at(view, axis)
+            drawn.append((tip.x() - start.x(), start.y() - tip.y()))
+            wanted.append([way(north, west, up) for way in RIGHT_UP[view]])
+    pixels = np.vdot(drawn, wanted) / np.vdot(wanted, wanted)  # of an axis that is seen whole
+    assert pixels > 15
+    assert np.array(drawn) == pytest.approx(pixels * np.array(wanted), abs=1e-9)
+
+
+def test_a_small_turn_is_drawn_to_its_own_side(opened: Driver) -> None:
+    """Shown larger, but a turn to starboard still goes to starboard."""
+    for yaw in ("0.4", "-0.4"):
+        sketch = typed(opened, ("1", "0", "2"), ("0", "0", yaw))
+        assert sketch.factor > 1
+        local = placed((1.0, 0.0, 2.0), (0.0, 0.0, float(yaw)))
+        start, tip = sketch.axis_at("above", 0)
+        assert np.sign(tip.x() - start.x()) == np.sign(-(local[1] - local[0])[1])
+        assert abs(tip.x() - start.x()) > 2
+
+
+def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
+    opened.window.resize(1366, 768)
+    sketch = typed(opened, ("1", "0.4", "2"))
+    area = opened.window.workflow.findChild(QScrollArea)
+    field = opened.window.data.lever_arm.fields[0]
+    area.verticalScrollBar().setValue(0)
+    QApplication.processEvents()
+    assert sketch.visibleRegion().boundingRect().height() < 150
+    type_into(opened, field, "1.5")
+    QApplication.processEvents()
+    assert sketch.visibleRegion().boundingRect().height() > 150
+    assert not field.visibleRegion().isEmpty()
+
+
+def test_a_scanner_far_below_is_a_caution(opened: Driver) -> None:
+    view = opened.window.data.mounting
+    typed(opened, ("1.2", "0.35", "-2.1"))
+    assert view.doubts.isVisible()
+    assert "2.10 m below the POS centre" in view.doubts.text()
+    typed(opened, ("1.2", "0.35", "2.1"))
+    assert not view.doubts.isVisible()
+
+
+def test_reverting_draws_what_is_in_use(opened: Driver) -> None:
+    in_use = opened.project.settings.lever_arm
+    sketch = typed(opened, ("1.2", "0.35", "2.1"))
+    opened.bot.mouseClick(opened.window.data.revert, Qt.MouseButton.LeftButton)
+    assert tuple(sketch.lever_arm) == pytest.approx(in_use)
+
+
+@pytest.mark.parametrize("size", [(262, 220), (330, 220), (620, 220)])
+def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
+    sketch = MountingSketch()
+    qtbot.addWidget(sketch)
+    sketch.resize(*size)
+    for longest in (0.01, 0.3, 1.7, 2.4, 9.0, 33.0, 99.0):
+        for sign in (-1.0, 1.0):
+            sketch.show_mounting((sign * longest, sign * longest, sign * longest), (0, 0, 0))
+            for k, view in enumerate(VIEWS):
+                dot = sketch.at(view, sketch.lever_arm)
+                assert k * size[0] / 2 < dot.x() - 5 < dot.x() + 5 < (k + 1) * size[0] / 2
+                assert 0 < dot.y() - 5 < dot.y() + 5 < size[1]
+
+
+def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:
+    page = filled.mounting
+    page.lever_arm.fields[1].setFocus()
+    page.lever_arm.fields[1].selectAll()
+    qtbot.keyClicks(page.lever_arm.fields[1], "-0.8")
+    assert offsets(page.view.sketch, "above")[0] == pytest.approx(0.8)
+    assert "0.8 m to starboard" in page.view.words.text()
