@@ -43,11 +43,13 @@ class Cautioning(QObject):
         self._worker = ThreadPoolExecutor(1, "lispac-warnings")
         self._qualities: Mapping[tuple[str, str], SightingQuality] = {}
         self._asked = self._told = 0
+        self._had_result = False
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
         self._rest.timeout.connect(self._gather)
         self._gathered.connect(self._show)
+        window.document.opened.connect(self._forget)
         window.document.changed.connect(self._watch)
         window.document.survey_changed.connect(self._watch)
         window.target_work.judging.judged.connect(self._judged)
@@ -79,6 +81,10 @@ class Cautioning(QObject):
         self._qualities = qualities
         self._watch()
 
+    def _forget(self) -> None:
+        """Another project has had no result that an edit could have dropped."""
+        self._had_result = False
+
     def _watch(self) -> None:
         if self._document.project is None:
             self._rest.stop()
@@ -87,6 +93,7 @@ class Cautioning(QObject):
             self._panel.show_nothing()
             self._button.show_concerns(None)
             return
+        self._had_result |= self._document.project.result is not None
         if self._document.awaits_result:
             self._panel.show_waiting()  # those from before stay until the result is there
         else:
@@ -97,6 +104,7 @@ class Cautioning(QObject):
         project, refusal = document.project, document.refusal
         survey = document.survey if document.survey_is_current else None
         qualities, storage = self._qualities, self._window.safekeeping.trouble
+        stale = self._had_result
         if project is None or document.awaits_result:
             return
         self._asked += 1
@@ -105,7 +113,10 @@ class Cautioning(QObject):
         def work() -> Gathered:
             if asked != self._asked:
                 return asked, ()  # there was another change meanwhile
-            return asked, concerns(project, survey, qualities, refusal=refusal, storage=storage)
+            found = concerns(
+                project, survey, qualities, refusal=refusal, stale=stale, storage=storage
+            )
+            return asked, found
 
         self._worker.submit(work).add_done_callback(self._done)
 

@@ -11,6 +11,7 @@ from typing import Literal
 
 from lispac.causes import Cause
 from lispac.doubles import doubts_of
+from lispac.io.trajectory_facts import gap_doubts
 from lispac.project import Project
 from lispac.report.cautions import told_of
 from lispac.report.content import report_content
@@ -28,6 +29,7 @@ TOLD_ONE_BY_ONE = {"sightings", "not_found", "not_compared"}
 """Codes that sum up what stands here as a warning each."""
 SINGLE = "Nothing checks a single target: pick another that faces elsewhere."
 """Said before an adjustment; after it, it is one of its doubts."""
+STALE = "There is no boresight any more: an edit changed what it rested on. Press Estimate for it."
 OF_A_REPORT = {"not_calibrated"}
 """Codes that tell of a report only: in the window the steps say what is still to do."""
 
@@ -56,6 +58,7 @@ def concerns(
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     *,
     refusal: str = "",
+    stale: bool = False,
     storage: str = "",
 ) -> tuple[Concern, ...]:
     """Everything to be warned of, serious things first, then in the order of the work.
@@ -66,6 +69,7 @@ def concerns(
         None while the data are not loaded.
     qualities : of the sightings, by the names of target and line, as far as they are known
     refusal : why no result follows from the last edit, in words
+    stale : whether there was a result that an edit has dropped
     storage : what is wrong with keeping the project, in words
     """
     found = [
@@ -73,7 +77,7 @@ def concerns(
         *_system(project),
         *_data(project, survey),
         *_sightings(project, qualities or {}),
-        *_refusal(refusal),
+        *_refusal(refusal, stale and project.result is None),
         *_answer(project),
         *_not_compared(project),
     ]
@@ -92,7 +96,11 @@ def _system(project: Project) -> Iterator[Concern]:
 
 def _data(project: Project, survey: Survey | None) -> Iterator[Concern]:
     """What was assumed or left out while the files were read."""
-    for note in survey.notes if survey is not None else ():
+    if survey is None:
+        return
+    for doubt in gap_doubts(survey.trajectory.time, project.settings.longest_gap):
+        yield Concern("caution", doubt, DATA)
+    for note in survey.notes:
         severity: Severity = "caution" if LEFT_OUT in note else "note"
         yield Concern(severity, note, _file(project, note))
 
@@ -123,9 +131,11 @@ def _sightings(
         yield Concern("caution", SINGLE, Cause.of_target(used[0].name))
 
 
-def _refusal(refusal: str) -> Iterator[Concern]:
+def _refusal(refusal: str, stale: bool) -> Iterator[Concern]:
     if refusal:
         yield Concern("serious", refusal, ADJUST)
+    elif stale:
+        yield Concern("caution", STALE, ADJUST)
 
 
 def _answer(project: Project) -> Iterator[Concern]:

@@ -12,8 +12,9 @@ from lispac.causes import Cause
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.warnings import NO_PROJECT, NOTHING, TITLE, WAITING
 from lispac.gui.status import ADJUST, DATA, TARGETS
+from lispac.io.trajectory_facts import gap_doubts
 from lispac.project import Project
-from lispac.workflow.warnings import Concern
+from lispac.workflow.warnings import STALE, Concern
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, settle
 
 Role = Qt.ItemDataRole
@@ -208,6 +209,33 @@ def test_why_no_result_follows_is_told(adjusted: Driver) -> None:
     assert (first.severity, first.text) == ("serious", adjusted.window.document.refusal)
     click_row(adjusted, 0)
     assert adjusted.window.workflow.opened == ADJUST
+
+
+def test_a_result_that_an_edit_dropped_is_told_until_it_is_there_again(adjusted: Driver) -> None:
+    settings = replace(adjusted.project.settings, lidar_sigma=0.004)
+    assert STALE not in [each.text for each in listed(adjusted)]
+    adjusted.window.controller.change_settings(settings)
+    click_row(adjusted, row_of(adjusted, STALE))
+    assert adjusted.window.workflow.opened == ADJUST
+    assert has_focus(adjusted.window.workflow.headers[ADJUST])
+    adjusted.window.document.undo_stack.undo()
+    assert STALE not in [each.text for each in listed(adjusted)]
+
+
+def test_another_project_without_a_result_has_lost_none(adjusted: Driver, demo: Demo) -> None:
+    adjusted.window.document.open(demo.picked, demo.survey)
+    assert STALE not in [each.text for each in listed(adjusted)]
+
+
+def test_gaps_of_the_trajectory_are_told(picked: Driver, demo: Demo) -> None:
+    """As the import dialogue tells of them."""
+    track = demo.survey.trajectory
+    late = track.time + np.where(np.arange(len(track.time)) > 500, 7.0, 0.0)
+    survey = replace(demo.survey, trajectory=replace(track, time=late))
+    picked.window.document.set_survey(picked.project, survey)
+    (found,) = gap_doubts(late, picked.project.settings.longest_gap)
+    assert "7.0 s" in found
+    assert listed(picked)[row_of(picked, found)].severity == "caution"
 
 
 def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:

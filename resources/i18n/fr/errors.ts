@@ -4980,6 +4980,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <source>Targets were planned to be flat to {planned:n} mm; the survey found {came:n} mm.</source>
         <translation>Les cibles étaient prévues planes à {planned} mm près ; le levé a trouvé {came} mm.</translation>
     </message>
+    <message>
+        <source>There is no boresight any more: an edit changed what it rested on. Press Estimate for it.</source>
+        <translation>Il n&apos;y a plus d&apos;angles de visée : une modification a changé ce sur quoi ils reposaient. Cliquez sur Estimer.</translation>
+    </message>
 </context>
 <context>
     <name>sensors</name>
