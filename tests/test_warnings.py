@@ -1,5 +1,6 @@
 """The list of everything to be warned of: what is in it, and where its causes lie."""
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -7,10 +8,15 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.doubts import doubts
+from lispac.adjustment.shown import plain
 from lispac.causes import Cause
+from lispac.cli.main import main
 from lispac.project import PickedSighting, Project, Target
 from lispac.report.cautions import cautions_of
 from lispac.survey.lever_arm import lever_arm_doubts
+from lispac.workflow.projects import open_project
+from lispac.workflow.qualities import qualities
+from lispac.workflow.survey import load_survey
 from lispac.workflow.warnings import TOLD_ONE_BY_ONE, concerns
 from tests.report_sample import sample_content, sample_project
 
@@ -123,6 +129,20 @@ def test_a_lever_arm_that_is_hardly_ever_true_is_doubted(tmp_path: Path, lever_a
     edited = project.with_settings(replace(project.settings, lever_arm=lever_arm))
     told = [c for c in concerns(edited, None) if c.cause == Cause.of_field("lever_arm")]
     assert tuple(each.text for each in told) == found
+
+
+def test_the_command_prints_the_list(
+    demo_project: Project, capsys: pytest.CaptureFixture[str]
+) -> None:
+    project, survey = open_project(demo_project.folder), load_survey(demo_project)
+    found = concerns(project, survey, qualities(project, survey))
+    assert main(["warnings", str(demo_project.folder)]) == 0
+    printed = capsys.readouterr().out.splitlines()
+    assert printed == [f"{each.severity}: {plain(each.text)}" for each in found]
+    assert main(["warnings", str(demo_project.folder), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)["warnings"]
+    assert [each["cause"]["kind"] for each in told] == [each.cause.kind for each in found]
+    assert main(["warnings", str(demo_project.folder / "nowhere")]) == 1
 
 
 def test_a_report_keeps_its_cautions_as_they_were(tmp_path: Path) -> None:

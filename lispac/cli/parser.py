@@ -55,6 +55,7 @@ def build_parser() -> argparse.ArgumentParser:
     _export(commands)
     report_options.add(commands)
     script_options.add(commands)
+    _warnings(commands)
     _angles(commands)
     _visibility(commands)
     design_options.add(commands)
@@ -66,6 +67,12 @@ def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
     demo.add_argument("--output", type=Path, required=True, metavar="DIR", help="project folder")
     demo.add_argument("--no-window", action="store_true", help="do not open the window at the end")
     json_option(demo)
+
+
+def _warnings(commands: "Commands[argparse.ArgumentParser]") -> None:
+    warnings = command(commands, "warnings", "list all there is to be warned of in a project")
+    warnings.add_argument("project", type=Path, metavar="PROJECT")
+    json_option(warnings)
 
 
 def _look(commands: "Commands[argparse.ArgumentParser]") -> None:

@@ -184,8 +184,9 @@ class Cautioning(QObject):
 
     def _to_field(self, cause: Cause) -> None:
         data, adjust = self._window.data, self._window.adjust
+        longest = max(data.lever_arm.fields, key=lambda field: abs(field.value()))
         step, field = {
-            "lever_arm": (DATA, data.lever_arm.fields[0]),
+            "lever_arm": (DATA, longest),
             "boresight_deg": (DATA, data.boresight.fields[0]),
             "pos_errors": (ADJUST, adjust.chosen_model),
             "surface": (ADJUST, adjust.model.surface),

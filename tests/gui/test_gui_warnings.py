@@ -140,6 +140,13 @@ def test_a_zero_lever_arm_leads_to_its_field(picked: Driver) -> None:
     assert has_focus(picked.window.data.lever_arm.fields[0])
 
 
+def test_a_scanner_far_below_leads_to_its_z(picked: Driver) -> None:
+    settings = replace(picked.project.settings, lever_arm=(1.2, 0.3, -2.1))
+    picked.window.document.edit("below", picked.project.with_settings(settings))
+    click_row(picked, row_of(picked, "2.10 m below the POS centre"))
+    assert has_focus(picked.window.data.lever_arm.fields[2])
+
+
 def test_a_line_is_selected_and_looked_at(picked: Driver, demo: Demo) -> None:
     """A note of the reader that names the file of a line."""
     line = picked.project.lines[2]
