@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.doubts import doubts
+from lispac.adjustment.older import refused_since
 from lispac.adjustment.shown import plain
 from lispac.causes import Cause
 from lispac.cli.main import main
@@ -75,6 +76,11 @@ def test_serious_things_come_first(tmp_path: Path) -> None:
     assert ranks == sorted(ranks)
     assert found[0].text == "No target is left."
     assert found[0].cause == Cause.of_step("Adjust")
+
+
+def test_an_answer_older_than_a_refused_estimate_is_told_of(tmp_path: Path) -> None:
+    told = said(sample_project(tmp_path), refused_since="All targets face one way.")
+    assert told[refused_since("All targets face one way.").text] == ("serious", Cause("result"))
 
 
 def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> None:

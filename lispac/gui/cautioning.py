@@ -102,6 +102,7 @@ class Cautioning(QObject):
     def _gather(self) -> None:
         document = self._document
         project, refusal = document.project, document.refusal
+        refused_since = document.refused_since
         survey = document.survey if document.survey_is_current else None
         qualities, storage = self._qualities, self._window.safekeeping.trouble
         stale = self._had_result
@@ -114,8 +115,9 @@ class Cautioning(QObject):
             if asked != self._asked:
                 return asked, ()  # there was another change meanwhile
             found = concerns(
-                project, survey, qualities, refusal=refusal, stale=stale, storage=storage
-            )
+                project, survey, qualities, refusal=refusal, refused_since=refused_since,
+                stale=stale, storage=storage,
+            )  # fmt: skip
             return asked, found
 
         self._worker.submit(work).add_done_callback(self._done)

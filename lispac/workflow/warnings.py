@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Literal
 
+from lispac.adjustment import older
+from lispac.adjustment.doubt import Doubt
 from lispac.causes import Cause
 from lispac.doubles import doubts_of
 from lispac.io.trajectory_facts import gap_doubts
@@ -58,6 +60,7 @@ def concerns(
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     *,
     refusal: str = "",
+    refused_since: str = "",
     stale: bool = False,
     storage: str = "",
 ) -> tuple[Concern, ...]:
@@ -69,6 +72,7 @@ def concerns(
         None while the data are not loaded.
     qualities : of the sightings, by the names of target and line, as far as they are known
     refusal : why no result follows from the last edit, in words
+    refused_since : why an estimate was refused that was asked for after the result, in words
     stale : whether there was a result that an edit has dropped
     storage : what is wrong with keeping the project, in words
     """
@@ -78,7 +82,7 @@ def concerns(
         *_data(project, survey),
         *_sightings(project, qualities or {}),
         *_refusal(refusal, stale and project.result is None),
-        *_answer(project),
+        *_answer(project, (older.refused_since(refused_since),) if refused_since else ()),
         *_not_compared(project),
     ]
     return tuple(sorted(found, key=lambda concern: SEVERITIES.index(concern.severity)))
@@ -138,13 +142,13 @@ def _refusal(refusal: str, stale: bool) -> Iterator[Concern]:
         yield Concern("caution", STALE, ADJUST)
 
 
-def _answer(project: Project) -> Iterator[Concern]:
+def _answer(project: Project, also: tuple[Doubt, ...]) -> Iterator[Concern]:
     """What the report tells on its first page, but for what only a report needs."""
     content = report_content(
         project, headings_deg={}, counts={}, track_local={}, notes=(),
         generated=datetime.now(UTC), digests=False,
     )  # fmt: skip
-    for doubt in doubts_of(project):  # without what a report says of its own sections
+    for doubt in doubts_of(project, also):  # without what a report says of its own sections
         yield Concern("serious" if doubt.serious else "caution", doubt.text, doubt.cause)
     for caution, cause in told_of(content, ()):
         if caution.code not in TOLD_ONE_BY_ONE | OF_A_REPORT:

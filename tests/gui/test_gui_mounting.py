@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QScrollArea
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.panels.mounting_sketch import VIEWS, MountingSketch
+from lispac.gui.panels.mounting_sketch import VIEWS, MountingSketch, length_words
 from lispac.survey.georeferencing import Mounting, place
 from lispac.survey.trajectory import Poses
 from tests.gui.support import Driver, open_step, type_into
@@ -173,6 +173,15 @@ def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
                 dot = sketch.at(view, sketch.lever_arm)
                 assert k * size[0] / 2 < dot.x() - 5 < dot.x() + 5 < (k + 1) * size[0] / 2
                 assert 0 < dot.y() - 5 < dot.y() + 5 < size[1]
+
+
+def test_distances_are_in_the_unit_shown() -> None:
+    assert length_words(2.1, ".2f") == "2.10 m"
+    units.show_in("degrees", "feet")
+    try:
+        assert length_words(2.1, ".2f").replace("\u00a0", " ") == f"{2.1 / 0.3048:.2f} ft"
+    finally:
+        units.show_in("degrees", "metres")
 
 
 def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:

@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.gizmo import SCANNER_AXES, exaggerated, turn_words
@@ -58,8 +58,8 @@ REACHES = (
     150.0,
 )
 """Metres from the POS centre to the edge: steps, so that the scale does not creep as one types."""
-_BARS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
-"""Metres of the bar that shows the scale."""
+_BARS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
+"""Of the bar that shows the scale, in the unit that lengths are shown in."""
 HEIGHT = 220
 """Pixels."""
 _USED = 0.66
@@ -210,7 +210,7 @@ class MountingSketch(QWidget):
         ):
             if amount * self.pixels_per_metre < _LABELLED:
                 continue  # the words below say it
-            words = say(f"{amount:.2f} m")
+            words = length_words(amount, ".2f")
             width, high = painter.fontMetrics().horizontalAdvance(words), 12.0
             if place.x() == corner.x() == self._centre(view).x():  # beside the upright part
                 x = place.x() + 5 if leftwards else place.x() - 5 - width
@@ -240,10 +240,13 @@ class MountingSketch(QWidget):
         return QColor(theme.WARNING if self.doubtful else theme.ACCENT)
 
     def _paint_scale(self, painter: QPainter) -> None:
-        length = max((bar for bar in _BARS if bar <= self.reach / 2), default=_BARS[0])
+        metres = 1 / units.unit("m").factor  # of one of the unit shown
+        length = metres * max(
+            (bar for bar in _BARS if metres * bar <= self.reach / 2), default=_BARS[0]
+        )
         y, x = self.height() - 9, self.width() - 8.0
         bar = length * self.pixels_per_metre
-        words = say(f"{length:g} m")
+        words = length_words(length, ".3g")
         painter.setPen(QPen(QColor(theme.MUTED), 1.5))
         painter.drawLine(QPointF(x - bar, y), QPointF(x, y))
         for end in (x - bar, x):
@@ -278,6 +281,11 @@ class MountingView(QWidget):
         doubts = lever_arm_doubts(lever_arm)
         self.doubts.setText("\n".join(say(each) for each in doubts))
         self.doubts.setVisible(bool(doubts))
+
+
+def length_words(length: float, form: str) -> str:
+    """A length in the unit shown, with its sign."""
+    return units.signs(say(f"{units.figure(length, 'm', form)} m"), "m")
 
 
 def _letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:
