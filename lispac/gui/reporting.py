@@ -1,11 +1,14 @@
 """The report from the window: its details, how it is wanted, and writing it."""
 
 import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
+from PySide6.QtGui import QImage
 
 from lispac.errors import InputError
 from lispac.gui import units
@@ -75,18 +78,15 @@ class Reporting(QObject):
             )
 
     def _write(self, project: Project, survey: Survey, options: ReportOptions, path: Path) -> None:
-        folder = tempfile.TemporaryDirectory(prefix="lispac-")
-        pictures = self._pictures(Path(folder.name))
+        pictures = self._pictures()
 
         def work(progress: Progress) -> Path:
             from lispac.workflow.export import write_report
 
-            try:
+            with _as_files(pictures) as files:
                 write_report(
-                    project, survey, path, pictures=pictures, options=options, progress=progress
+                    project, survey, path, pictures=files, options=options, progress=progress
                 )
-            finally:
-                folder.cleanup()
             return path
 
         self._runner.run("Writing the report", work, self._written, lasting=True)
@@ -99,20 +99,16 @@ class Reporting(QObject):
         self._computing.with_placed(project, survey, lambda: self._set(project, survey, options))
 
     def _set(self, project: Project, survey: Survey, options: ReportOptions) -> None:
-        folder = tempfile.TemporaryDirectory(prefix="lispac-")
-        pictures = self._pictures(Path(folder.name))
+        pictures = self._pictures()
         ppi = PPI * self._panel.devicePixelRatioF()
 
         def work(progress: Progress) -> "Preview":
             from lispac.workflow.export import preview_report
 
-            try:
+            with _as_files(pictures) as files:
                 return preview_report(
-                    project, survey, pictures=pictures, options=options, ppi=ppi,
-                    progress=progress,
-                )  # fmt: skip
-            finally:
-                folder.cleanup()
+                    project, survey, pictures=files, options=options, ppi=ppi, progress=progress
+                )
 
         self._runner.run("Setting the pages", work, lambda preview: self._show(project, preview))
 
@@ -152,7 +148,7 @@ class Reporting(QObject):
     def _survey(self) -> Survey | None:
         return self._document.survey if self._document.survey_is_current else None
 
-    def _pictures(self, folder: Path) -> dict[str, Path]:
+    def _pictures(self) -> dict[str, QImage]:
         """The view as it is, before and after, from one camera and coloured alike; both are at
         hand."""
         captions: dict[Which, str] = {
@@ -163,6 +159,16 @@ class Reporting(QObject):
         with self._scene.one_scale(), units.standard():
             for which, caption in captions.items():
                 self._scene.show(which)
-                pictures[caption] = folder / f"{which}.png"
-                self._viewport.screenshot(pictures[caption])
+                pictures[caption] = self._viewport.picture()
         return pictures
+
+
+@contextmanager
+def _as_files(pictures: Mapping[str, QImage]) -> Iterator[dict[str, Path]]:
+    """Pictures as PNG files for as long as this lasts; for the worker, since it takes a while."""
+    with tempfile.TemporaryDirectory(prefix="lispac-") as folder:
+        files = {caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)}
+        for caption, file in files.items():
+            if not pictures[caption].save(str(file), "PNG"):
+                raise InputError(f"{file}: the picture cannot be written; make room on the disk.")
+        yield files

@@ -1,6 +1,7 @@
 """What long work found, in figures: one for each scenario, and what less time costs."""
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
@@ -9,6 +10,9 @@ from lispac.design.scenarios import OF_THE_THESIS, Outcome
 from lispac.design.search import Step
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 NOTHING = (
     "Scenarios (F9) change one thing at a time: lines, inclination, size and combination of boards "
@@ -36,7 +40,9 @@ class PicturesPanel(QWidget):
         layout.addWidget(self.empty)
         layout.addWidget(self.which)
         layout.addWidget(self.pages, 1)
+        self._waiting: dict[QWidget, Callable[[Figure], object]] = {}
         self.which.currentIndexChanged.connect(self.pages.setCurrentIndex)
+        self.pages.currentChanged.connect(lambda _index: self._draw())
 
     def show_outcomes(self, found: Sequence[Outcome]) -> None:
         """One figure for each scenario."""
@@ -63,18 +69,19 @@ class PicturesPanel(QWidget):
         self._put(ERRORS, lambda figure: errors_figure(found, figure, say))
         self.which.setCurrentIndex(self.which.findData(ERRORS))
 
-    def _put(self, title: str, draw: Callable) -> None:
+    def _put(self, title: str, draw: "Callable[[Figure], object]") -> None:
         from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
         from matplotlib.figure import Figure
 
         canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
         canvas.setAccessibleName(say(f"Figure: {title}"))
         canvas.setMinimumSize(280, 200)
-        draw(canvas.figure)
+        self._waiting[canvas] = draw
         at = self.which.findData(title)
         if at >= 0:
             old = self.pages.widget(at)
             self.pages.removeWidget(old)
+            self._waiting.pop(old, None)
             old.deleteLater()
             self.pages.insertWidget(at, canvas)
             self.pages.setCurrentIndex(self.which.currentIndex())
@@ -83,3 +90,12 @@ class PicturesPanel(QWidget):
             self.which.addItem(say(title), title)
         self.empty.hide()
         self.which.show()
+        self._draw()
+
+    def _draw(self) -> None:
+        """Draw the figure that is shown, if it is not yet; all at once would hold up the window."""
+        canvas = self.pages.currentWidget()
+        draw = self._waiting.pop(canvas, None)
+        if draw is not None:
+            draw(canvas.figure)
+            canvas.draw_idle()

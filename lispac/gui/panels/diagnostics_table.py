@@ -123,12 +123,13 @@ class DiagnosticsTable(QTableWidget):
         self.setSortingEnabled(False)
         self._rows = list(rows)
         self.setRowCount(len(rows))
+        font = theme.tabular(self.font())
         for number, row in enumerate(rows):
             for column, cell in enumerate(row.cells):
                 item = _Item(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
                 item.setTextAlignment(_LEFT if self._columns[column].words else _RIGHT)
-                item.setFont(theme.tabular(self.font()))
+                item.setFont(font)
                 if row.marked:
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
                     item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))

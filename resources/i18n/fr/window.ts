@@ -6163,6 +6163,10 @@ m/s</translation>
         <source>LiDAR range and angle</source>
         <translation>LiDAR distance et angle</translation>
     </message>
+    <message>
+        <source>{path:kept}: the picture cannot be written; make room on the disk.</source>
+        <translation>{path} : l&apos;image ne peut être écrite ; libérez de la place sur le disque.</translation>
+    </message>
 </context>
 <context>
     <name>charts</name>
