@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.linalg
-import scipy.optimize
 from numpy.typing import NDArray
 
 from lispac.adjustment.problem import RELEASED, Linearised
@@ -65,6 +64,8 @@ def _likeliest(linearised: Linearised, alike: NDArray[np.bool_]) -> tuple[float,
     alike : ndarray of shape (sightings, 3)
         Those the sigma is of.
     """
+    import scipy.optimize  # takes a while, and a window or command may never adjust
+
     now = linearised.problem.surface_sigma
     unlikeliness = _surface_likelihood(linearised)
     found = scipy.optimize.minimize_scalar(
@@ -148,6 +149,8 @@ def variance_components(linearised: Linearised) -> Likeliest:
     With few sightings the data say little of the POS; the intervals tell. Where the residuals have
     raised the noise of a target already, the factor on the LiDAR's stays 1.
     """
+    import scipy.optimize
+
     problem, likelihood = linearised.problem, _Likelihood(linearised)
     free = np.ones(4, dtype=bool)
     free[0] = bool(problem.noise.max() < NOISY)

@@ -6,11 +6,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
-from lispac.adjustment.stochastic import PosErrors
 from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Step
 from lispac.language.translation import Say, unchanged
+from lispac.report.design_words import NAMES
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress
 
 BEYOND = 4.0
@@ -20,11 +20,6 @@ EXPECTED = "Scatter over foretold sigma; the curve is what is to be expected"
 
 COLOURS = (BEFORE, AFTER, "#228833")
 """Of roll, pitch and yaw; told apart with any colour vision."""
-
-NAMES: dict[PosErrors, str] = {
-    "correlated": "POS errors that drift",
-    "independent": "every point its own POS error (thesis)",
-}
 
 
 def scenario_figure(

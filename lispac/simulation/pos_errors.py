@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import lfilter
 
 Array = NDArray[np.float64]
 
@@ -32,6 +31,8 @@ def gauss_markov(
     -------
     ndarray of shape (count,)
     """
+    from scipy.signal import lfilter  # half a second, and a window asks for no errors
+
     memory = np.exp(-interval / correlation_time)
     drive = sigma * generator.standard_normal(count)
     # The first sample has the stationary variance already; the others add what forgetting takes.

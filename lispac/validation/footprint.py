@@ -7,7 +7,6 @@ the surface.
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import binary_closing
 from scipy.spatial import Delaunay, QhullError
 
 Array = NDArray[np.float64]
@@ -62,6 +61,8 @@ class Footprint:
         spacing = _sparse_spacing(points)
         if spacing is None:
             return
+        from scipy.ndimage import binary_closing
+
         low, high = points.min(axis=0), points.max(axis=0)
         self.cell = max(spacing, float(np.sqrt(np.prod(high - low) / _MOST_CELLS)))
         # A rim of empty cells gives the closing room, and a home to every point outside.

@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
 from lispac.adjustment.result import ANGLES
 from lispac.design.plan import Line, Plan
@@ -174,6 +173,8 @@ def _sailed(plan: Plan, project: Project, survey: Survey) -> dict[int, Line]:
             if off <= SAME_HEADING and farther:
                 moved[k, j] = float(np.median(farther))
                 cost[k, j] = off + abs(moved[k, j])
+    from scipy.optimize import linear_sum_assignment
+
     # What can be no pair costs more than all pairs together
     never = 1.0 + 2.0 * np.where(np.isfinite(cost), cost, 0.0).sum()
     rows, columns = linear_sum_assignment(np.where(np.isfinite(cost), cost, never))

@@ -12,7 +12,7 @@ from lispac.gui.design import edits
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
-from lispac.report.design_figures import NAMES
+from lispac.report.design_words import NAMES
 
 OWN = "own numbers"
 
