@@ -137,9 +137,11 @@ class Demo:
 class Driver:
     """A window, and how a test drives and leaves it."""
 
-    def __init__(self, qtbot: QtBot, viewport: Viewport, folder: Path) -> None:
+    def __init__(
+        self, qtbot: QtBot, viewport: Viewport, folder: Path, dialogs: Dialogs | None = None
+    ) -> None:
         self.bot = qtbot
-        self.dialogs = ScriptedDialogs()
+        self.dialogs = dialogs or ScriptedDialogs()
         self.viewport = viewport
         self.window = MainWindow(viewport, AppSettings(folder / "settings.ini"), self.dialogs)
         self.window.show()
