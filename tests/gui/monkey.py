@@ -1,0 +1,364 @@
+"""A monkey at the window: for a while it does by mouse and keys whatever can be done there.
+
+    python -m tests.gui.monkey PROJECT FOLDER --seconds 60 --seed 1
+
+The program runs as it does for a user, with its own dialogues, but in FOLDER, which is its home
+and the only place it is led to; PROJECT is copied there. What the monkey saw goes to
+FOLDER/seen.json, what it did to FOLDER/did.txt as it does it. The same seed makes the same choices
+on the same screen, but work beside the window ends when it ends, so two runs part sooner or later.
+"""
+
+import argparse
+import faulthandler
+import gc
+import json
+import logging
+import os
+import random
+import shutil
+import sys
+import threading
+import time
+import traceback
+from collections import Counter, deque
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, QUrl, Slot
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMessageBox
+
+from tests.gui.monkey_hands import Doing, Hands
+from tests.gui.pulse import Draws, Pulse, resident_mb, timed_viewport
+
+STEP_MS = 12
+STALL_MS = 200.0
+PATIENCE_S = 0.25
+HANGS_S = 150.0
+"""After so long without an event the process ends itself, with where every thread was."""
+DEMO = "harbour"
+
+
+@dataclass
+class Seen:
+    """What a run led to; all but the counts should be empty.
+
+    Attributes
+    ----------
+    exceptions : tracebacks of what nobody foresaw, with what was done before
+    refusals : how often the program said no in its own words
+    warnings : of Qt, each with how often it came
+    stalls : pauses with more than 200 ms of computing by the window's thread
+    computing_ms : of each of them
+    drawn : other pauses over 200 ms: VTK drew, or others had the processors
+    renewed : pauses in which a window was made in place of another
+    memory_mb, widgets : before and after, the program standing alike
+    course_mb : memory while it played, every ten seconds
+    left : threads and windows after the end
+    """
+
+    done: Counter[str] = field(default_factory=Counter)
+    exceptions: list[str] = field(default_factory=list)
+    refusals: Counter[str] = field(default_factory=Counter)
+    warnings: Counter[str] = field(default_factory=Counter)
+    stalls: list[str] = field(default_factory=list)
+    computing_ms: list[float] = field(default_factory=list)
+    drawn: list[str] = field(default_factory=list)
+    renewed: list[str] = field(default_factory=list)
+    longest_ms: float = 0.0
+    memory_mb: list[float] = field(default_factory=list)
+    course_mb: list[float] = field(default_factory=list)
+    widgets: list[int] = field(default_factory=list)
+    left: list[str] = field(default_factory=list)
+
+
+class Records(logging.Handler):
+    """What the program writes down as an error."""
+
+    def __init__(self, monkey: "Monkey") -> None:
+        super().__init__(logging.WARNING)
+        self._monkey = monkey
+
+    def emit(self, record: logging.LogRecord) -> None:
+        error = record.exc_info[1] if record.exc_info else None
+        text = record.getMessage()
+        if error is not None:
+            if isinstance(error, OSError) and error.strerror:
+                self._monkey.seen.refusals[text] += 1
+            else:
+                self._monkey.caught("".join(traceback.format_exception(error)))
+        elif text.startswith("Qt:"):
+            self._monkey.seen.warnings[text] += 1
+            if record.levelno >= logging.ERROR:
+                self._monkey.caught(text)
+        elif record.levelno >= logging.ERROR:
+            self._monkey.seen.refusals[text] += 1
+        else:
+            self._monkey.seen.warnings[text] += 1
+
+
+class Links(QObject):
+    """Takes what would start another program."""
+
+    @Slot(QUrl)
+    def follow(self, _url: QUrl) -> None:
+        """Go nowhere."""
+
+
+class Monkey(QObject):
+    """Does something every few milliseconds, also while a dialogue waits."""
+
+    def __init__(self, session: Any, folder: Path, seed: int, draws: Draws) -> None:
+        super().__init__()
+        self.session, self.folder = session, folder
+        self.seen = Seen()
+        self._hands = Hands(random.Random(seed), folder)
+        self._lately: deque[str] = deque(maxlen=12)
+        self._doing: Doing | None = None
+        self._since, self._inside = 0.0, 0
+        self._diary = (folder / "did.txt").open("w", encoding="utf-8", buffering=1)
+        self._until = 0.0
+        self.ending = False
+        self.pulse = Pulse(STALL_MS, draws)
+        self._told = 0
+        self._window = session.window
+
+    # -- what it sees ----------------------------------------------------------------------------
+
+    def caught(self, text: str) -> None:
+        self.seen.exceptions.append("\n".join([*self._lately, text]))
+        self._diary.write(f"!!! {text}\n")
+
+    def note_pauses(self) -> None:
+        """Sort the pauses there were since the last look."""
+        pauses = self.pulse.pauses
+        for pause in pauses[self._told :]:
+            text = f"{pause}\n      after: {' | '.join(list(self._lately)[-4:])}"
+            made = any("_made" in place or "session.py" in place for place in pause.places)
+            if made or self.session.window is not self._window:
+                self.seen.renewed.append(text)
+            elif pause.computing > STALL_MS:
+                self.seen.stalls.append(text)
+                self.seen.computing_ms.append(pause.computing)
+            else:
+                self.seen.drawn.append(text)
+            self._diary.write(f"--- {text}\n")
+        self._told = len(pauses)
+        self._window = self.session.window
+
+    # -- what it does ----------------------------------------------------------------------------
+
+    def play(self, seconds: float) -> None:
+        """Do this and that for a while, then bring everything to rest."""
+        self._until = time.monotonic() + seconds
+        self._weighed = 0.0
+        self.ending = False
+        self.pulse.skip()
+        self._tick()
+        while not self._rests():
+            QCoreApplication.processEvents()
+            time.sleep(0.001)
+
+    def _tick(self) -> None:
+        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        self.note_pauses()
+        if time.monotonic() > self._weighed + 10:
+            self._weighed = time.monotonic()
+            self.seen.course_mb.append(round(resident_mb(), 1))
+        if time.monotonic() > self._until:
+            self.ending = True
+            if self._rests() and not self._inside:
+                return
+        QTimer.singleShot(STEP_MS, self._tick)
+        doing = self._doing
+        if doing is not None and doing.gi_running:  # type: ignore[attr-defined]
+            # Within a click; where that has opened a dialogue or a menu, it is their turn
+            if time.monotonic() - self._since < PATIENCE_S:
+                return
+            doing = None
+            window = QApplication.activeWindow()
+            if len(self._hands.front()) > 0 and not self._waits() and window is not None:
+                doing = self._hands.press(window, "Escape")  # a text is being dragged
+        self._since = time.monotonic()
+        if doing is None or self.ending:
+            doing = self._doing = self._end() if self.ending else self._hands.doing()
+            if doing is None:
+                if not self.session.window.isVisible():  # it was closed: the next one comes
+                    closed = self.session.window
+                    self.session.window = self.session._made(None)
+                    closed.deleteLater()
+                return
+        first = not self._hands.did
+        self._inside += 1
+        try:
+            next(doing)
+        except StopIteration:
+            if self._doing is doing:
+                self._doing = None
+        except RuntimeError as error:
+            if "already deleted" not in str(error):
+                raise
+            self._doing = None
+        finally:
+            self._inside -= 1
+        if first and self._hands.did and not self.ending:
+            self._lately.append(self._hands.did)
+            self.seen.done[self._hands.did.split(" ")[0]] += 1
+            self._diary.write(f"{self._hands.did}\n")
+
+    def _end(self) -> Iterator[None]:
+        """Leave dialogues by Escape, or by any of their buttons, and stop what runs."""
+        front = QApplication.activePopupWidget() or QApplication.activeModalWidget()
+        if front is None:
+            for runner in self._runners():
+                runner.cancel()
+            yield
+            return
+        if isinstance(front, QDialog) and not self._hands.chance.randrange(3):
+            buttons = [b for b in front.findChildren(QAbstractButton) if b.isVisible()]
+            if buttons:
+                button = self._hands.chance.choice(buttons)
+                self._hands.click(button, button.rect().center())
+        elif (handle := front.windowHandle()) is not None:
+            QTest.keyClick(handle, Qt.Key.Key_Escape)
+        yield
+
+    def _runners(self) -> list[Any]:
+        window = self.session.window
+        return [window.runner, window.designing.runner, window.designing.paper]
+
+    @staticmethod
+    def _waits() -> bool:
+        """Whether a menu or a dialogue is open."""
+        return bool(QApplication.activePopupWidget() or QApplication.activeModalWidget())
+
+    def _rests(self) -> bool:
+        """Whether the time is over, no dialogue waits and no work runs."""
+        return (
+            self.ending
+            and not self._waits()
+            and not any(runner.active for runner in self._runners())
+        )
+
+    def rest(self) -> None:
+        """Let what runs come to its end."""
+        until = time.monotonic() + 120
+        while time.monotonic() < until:
+            QCoreApplication.processEvents()
+            time.sleep(0.001)
+            if not any(runner.active for runner in self._runners()):
+                break
+
+    def stand(self, project: Path) -> None:
+        """Bring the program to where memory is compared: a project, estimated and validated."""
+        window = self.session.window
+        if (design := window.designing.window) is not None:
+            design.hide()
+        window.document.open(None, None)
+        window.open_project(project)
+        QTest.qWait(100)
+        self.rest()
+        for name in ("estimate", "validate"):
+            window.actions_[name].trigger()
+            QTest.qWait(100)
+            self.rest()
+        QTest.qWait(500)
+        self.rest()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        gc.collect()
+        QTest.qWait(100)
+        self.seen.memory_mb.append(round(resident_mb(), 1))
+        self.seen.widgets.append(len(QApplication.allWidgets()))
+
+
+def main() -> int:
+    """Play, and write down what was seen."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("project", type=Path)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--seconds", type=float, default=60.0)
+    parser.add_argument("--seed", type=int, default=1)
+    wanted = parser.parse_args()
+    folder = wanted.folder.resolve()
+    home, here = folder / "home", folder / "here"
+    for each in (home, here, folder / "written"):
+        each.mkdir(parents=True)
+    project = folder / DEMO
+    shutil.copytree(wanted.project, project)
+    shutil.copytree(wanted.project, folder / "away")
+    os.environ["HOME"] = str(home)
+    for name in ("CACHE", "CONFIG", "DATA"):
+        os.environ[f"XDG_{name}_HOME"] = str(home / name.lower())
+    os.chdir(here)
+
+    QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
+    application = QApplication(sys.argv[:1])
+    application.setQuitOnLastWindowClosed(False)
+    links = Links()
+    for scheme in ("file", "http", "https"):
+        QDesktopServices.setUrlHandler(scheme, links, "follow")
+    from lispac.gui import controller
+    from lispac.gui.logbook import LOG, Logbook
+    from lispac.gui.session import Session
+    from lispac.gui.settings import AppSettings
+
+    controller.demo_folder = lambda: project
+    draws = Draws()
+    viewport = timed_viewport(draws)
+    settings = AppSettings(home / "window.ini")
+    session = Session(application, viewport, settings)
+    logbook = Logbook(session.log_folder, session.tell_unforeseen)
+    logbook.begin()
+    monkey = Monkey(session, folder, wanted.seed, draws)
+    for logger in (LOG, logging.getLogger("py.warnings")):
+        logger.addHandler(Records(monkey))
+    sys.unraisablehook = lambda known: monkey.caught(
+        "".join(traceback.format_exception(known.exc_value)) if known.exc_value else str(known)
+    )
+    monkey.stand(folder / "away")
+    monkey.pulse.start()
+    monkey.play(wanted.seconds)
+    monkey.note_pauses()
+    monkey.pulse.stop()
+    seen = monkey.seen
+    seen.longest_ms = monkey.pulse.longest
+    faulthandler.cancel_dump_traceback_later()
+    monkey.session.window.document.undo_stack.setClean()
+    monkey.stand(folder / "away")
+    end(monkey)
+    logbook.end()
+    (folder / "seen.json").write_text(json.dumps(vars(seen), indent=1, ensure_ascii=False))
+    return 0
+
+
+def end(monkey: Monkey) -> None:
+    """Close the window as a user does, and look what is left."""
+    window = monkey.session.window
+    letting_go = QTimer(interval=200)
+    letting_go.timeout.connect(_discard)
+    letting_go.start()
+    while not window.close():
+        QTest.qWait(100)
+    letting_go.stop()
+    window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    QTest.qWait(1000)
+    gc.collect()
+    monkey.seen.left = [
+        *(t.name for t in threading.enumerate() if t.name.startswith(("lispac", "pulse"))),
+        *(type(w).__name__ for w in QApplication.topLevelWidgets() if w.isVisible()),
+    ]
+
+
+def _discard() -> None:
+    box = QApplication.activeModalWidget()
+    if isinstance(box, QMessageBox):
+        button = box.button(QMessageBox.StandardButton.Discard) or box.buttons()[-1]
+        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,190 @@
+"""The pulse of a window: how long its thread does nothing else, and what it does then.
+
+A timer beats on the window's thread. Where it is late, a thread beside it takes down where the
+window's thread is, so that a pause names its cause.
+"""
+
+import os
+import sys
+import threading
+import time
+import traceback
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt, QTimer
+
+BEAT_MS = 10
+LOOK_S = 0.025
+DEPTH = 7
+"""Frames kept of each look, the innermost first."""
+
+
+@dataclass
+class Pause:
+    """The window's thread did not come back to its event loop.
+
+    Attributes
+    ----------
+    took : ms by the clock
+    drawing : ms of them in which VTK drew; long where software does the work of a graphics card
+    waiting : ms besides in which the thread could have run, but others had the processors
+    computing : ms of processor time the thread used for anything but drawing
+    places : where the thread was, as often as it was seen there
+    """
+
+    took: float
+    drawing: float
+    waiting: float
+    computing: float
+    places: Counter[str] = field(default_factory=Counter)
+
+    def __str__(self) -> str:
+        cause = "".join(f"\n      {n} x {place}" for place, n in self.places.most_common(4))
+        return (
+            f"{self.took:.0f} ms (computing {self.computing:.0f}, drawing {self.drawing:.0f}, "
+            f"waiting for a processor {self.waiting:.0f}){cause}"
+        )
+
+
+class Pulse(QObject):
+    """Beats from `start` to `stop`, on the thread it was made on.
+
+    Parameters
+    ----------
+    limit : float, ms
+        Pauses longer than this are remembered.
+    draws : Draws
+        What VTK has drawn so far.
+    """
+
+    def __init__(self, limit: float, draws: "Draws", parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.limit, self._draws = limit, draws
+        self.pauses: list[Pause] = []
+        self.longest = 0.0
+        self.beats = 0
+        self._thread = threading.get_ident()
+        self._clock = processor_clock()
+        self._last = self._now()
+        self._looks: list[tuple[float, str]] = []
+        self._ended = threading.Event()
+        self._watcher = threading.Thread(target=self._watch, name="pulse", daemon=True)
+        self._timer = QTimer(self, interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._beat)
+
+    def start(self) -> None:
+        """Begin to beat."""
+        self.forget()
+        self._timer.start()
+        self._watcher.start()
+
+    def stop(self) -> None:
+        """End; the thread beside ends, too."""
+        self._timer.stop()
+        self._ended.set()
+        self._watcher.join()
+
+    def forget(self) -> None:
+        """Begin anew."""
+        self.pauses, self.longest, self.beats = [], 0.0, 0
+        self._last = self._now()
+
+    def skip(self) -> None:
+        """What was since the last beat does not count."""
+        self._last = self._now()
+
+    def _now(self) -> tuple[float, float, float, float]:
+        computing, waiting = self._clock()
+        draws = self._draws
+        return (
+            time.perf_counter(), draws.seconds, computing - draws.computing, waiting - draws.waiting
+        )  # fmt: skip
+
+    def _beat(self) -> None:
+        now = self._now()
+        took, drawing, computing, waiting = (
+            1000 * (new - old) for new, old in zip(now, self._last, strict=True)
+        )
+        self._last, since = now, self._last[0]
+        self.beats += 1
+        self.longest = max(self.longest, took)
+        if took > self.limit:
+            seen = Counter(place for at, place in self._looks if at > since)
+            self.pauses.append(Pause(took, drawing, waiting, computing, seen))
+        self._looks = []
+
+    def _watch(self) -> None:
+        while not self._ended.wait(LOOK_S):
+            at = time.perf_counter()
+            if 1000 * (at - self._last[0]) > self.limit / 2:
+                self._looks.append((at, _place(sys._current_frames().get(self._thread))))
+
+
+class Draws:
+    """Seconds that VTK has drawn; in how many of them the thread computed, or had no processor."""
+
+    def __init__(self) -> None:
+        self.seconds, self.computing, self.waiting = 0.0, 0.0, 0.0
+        self._clock = processor_clock()
+        self._began = (0.0, 0.0, 0.0)
+
+    def begin(self) -> None:
+        """A frame begins."""
+        self._began = (time.perf_counter(), *self._clock())
+
+    def end(self) -> None:
+        """It is drawn."""
+        computing, waiting = self._clock()
+        self.seconds += time.perf_counter() - self._began[0]
+        self.computing += computing - self._began[1]
+        self.waiting += waiting - self._began[2]
+
+
+def timed_viewport(draws: Draws) -> type:
+    """A viewport whose drawing is counted."""
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    class Timed(VtkViewport):
+        def _on_frame(self, *_: object) -> None:
+            super()._on_frame()
+            draws.begin()
+
+        def _on_framed(self, *_: object) -> None:
+            super()._on_framed()
+            draws.end()
+
+    return Timed
+
+
+def _place(frame: object) -> str:
+    if frame is None:
+        return "gone"
+    stack = traceback.extract_stack(frame)  # type: ignore[arg-type]
+    told = [f"{Path(each.filename).name}:{each.lineno} {each.name}" for each in stack[-DEPTH:]]
+    return " < ".join(reversed(told))
+
+
+def processor_clock() -> Callable[[], tuple[float, float]]:
+    """Seconds this thread has computed, and has waited for a processor; the second on Linux."""
+    try:
+        file = os.open(f"/proc/self/task/{threading.get_native_id()}/schedstat", os.O_RDONLY)
+    except OSError:
+        return lambda: (time.thread_time(), 0.0)
+
+    def read() -> tuple[float, float]:
+        computing, waiting, _ = os.pread(file, 100, 0).split()
+        return int(computing) / 1e9, int(waiting) / 1e9
+
+    return read
+
+
+def resident_mb() -> float:
+    """Megabytes of memory of this process that are in use now; 0 where nobody tells."""
+    try:
+        pages = int(Path("/proc/self/statm").read_text().split()[1])
+    except OSError:
+        return 0.0
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
