@@ -1,0 +1,108 @@
+"""The finished program: its start, alone and with a project, and its memory while idle.
+
+Every figure is that of a process of its own, started as a user starts it; bytecode and compiled
+kernels are there from an earlier start. Aim: a usable window within 2.5 s on two cores.
+"""
+
+import json
+import os
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtGui import QGuiApplication
+
+from lispac.project import Project
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+ROUNDS = 5
+
+
+@pytest.fixture(autouse=True)
+def screen(qapp: QGuiApplication) -> None:
+    if QGuiApplication.platformName() in ("offscreen", "minimal"):
+        pytest.skip("OpenGL needs a screen, a virtual one will do")
+
+
+def told(tmp_path: Path, what: str, *words: str | Path) -> dict[str, Any]:
+    """What a process of this file says."""
+    home = tmp_path / "home"  # the same for all rounds, as a user's is
+    home.mkdir(exist_ok=True)
+    variables = {
+        **os.environ, "PYTHONPATH": str(CHECKOUT), "XDG_CACHE_HOME": str(home), "HOME": str(home),
+        "NUMBA_CACHE_DIR": os.environ.get("NUMBA_CACHE_DIR", str(tmp_path / "numba")),
+        "MPLCONFIGDIR": os.environ.get("MPLCONFIGDIR", str(tmp_path / "fonts")),
+    }  # fmt: skip
+    run = subprocess.run(
+        [sys.executable, "-m", "tests.benchmarks.bench_program", what, f"{time.time()!r}",
+         *map(str, words)],
+        capture_output=True, text=True, check=False, cwd=CHECKOUT, env=variables,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    return json.loads(run.stdout.splitlines()[-1])
+
+
+@pytest.mark.parametrize("opening", [False, True], ids=["alone", "with the demo"])
+def test_start(opening: bool, tmp_path: Path, calibrated: tuple[Project, object]) -> None:
+    words = [calibrated[0].folder] if opening else []
+    runs = [told(tmp_path, "start", *words) for _ in range(ROUNDS + 1)][1:]
+    for key, unit in (("window_s", "s"), ("project_s", "s"), ("memory_mb", "MB")):
+        values = [run[key] for run in runs if key in run]
+        if values:
+            middle = statistics.median(values)
+            print(f"\n  {key}: {middle:.2f} {unit} (least {min(values):.2f})", end="")
+    print()
+
+
+# -- in the process --------------------------------------------------------------------------------
+
+
+def start(began: float, words: list[str]) -> None:
+    """Run the program until its window can be used, and end it."""
+    from PySide6.QtCore import QTimer
+    from PySide6.QtWidgets import QApplication
+
+    from lispac.gui import app
+
+    run, found = QApplication.exec, {}
+
+    def look() -> None:
+        from lispac.gui.main_window import MainWindow
+
+        window = next(w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow))
+        handle = window.windowHandle()
+        if handle is None or not handle.isExposed():
+            return
+        found.setdefault("window_s", time.time() - began)
+        if words and (window.document.survey is None or window.runner.active):
+            return
+        if words:
+            found.setdefault("project_s", time.time() - began)
+        timer.stop()
+        QTimer.singleShot(3000, lambda: leave(window))
+
+    def leave(window: Any) -> None:
+        from tests.gui.pulse import resident_mb
+
+        found["memory_mb"] = resident_mb()
+        window.close()
+
+    timer = QTimer()
+    timer.timeout.connect(look)
+
+    def exec_() -> int:
+        timer.start(0)
+        return run()
+
+    QApplication.exec = staticmethod(exec_)
+    sys.argv[1:] = words
+    app.main(words)
+    print(json.dumps(found))
+
+
+if __name__ == "__main__":
+    start(float(sys.argv[2]), sys.argv[3:])
