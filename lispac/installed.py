@@ -25,6 +25,15 @@ def resource(name: str) -> Path:
     raise InputError(f"{name} is missing from this installation; install it again.")
 
 
+def window_command() -> list[str]:
+    """What starts the program with the window, as the first words of a command line."""
+    program = Path(sys.executable)
+    # The bundle without Python has it beside the command line; elsewhere Python knows it.
+    if getattr(sys, "frozen", False):
+        return [str(program.with_name(f"lispac-gui{program.suffix}"))]
+    return [sys.executable, "-m", "lispac.gui"]
+
+
 def user_folder() -> Path:
     """What the user has made for all projects, sensors for example; it need not exist."""
     home = Path.home()

@@ -53,6 +53,7 @@ NOT_SAID: dict[str, set[str]] = {
         "laszip encoded",
     },
     "comments of files that other programs and the command line read": {
+        "This file opens the LISPAC project in its folder.\n",
         "# A plan. Along the wall to the right as seen from the water, off it towards the water,",
         "# up from the vessel's POS; from_level_deg 90 is upright, less leans back.",
         "# Trajectory written by LISPAC.",

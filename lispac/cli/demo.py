@@ -9,6 +9,7 @@ from lispac.cli.console import ConsoleProgress, has_display, print_json
 from lispac.cli.estimate import print_result, project_numbers
 from lispac.cli.validate import print_validation, rms_with_truth
 from lispac.doubles import doubles
+from lispac.installed import window_command
 from lispac.workflow import demo as demo_survey
 from lispac.workflow.export import write_report
 
@@ -35,4 +36,4 @@ def demo(arguments: Namespace) -> None:
         print(f"report     {report}")
     if not arguments.no_window and has_display():
         sys.stdout.flush()
-        subprocess.run([sys.executable, "-m", "lispac.gui", str(project.folder)], check=False)
+        subprocess.run([*window_command(), str(project.folder)], check=False)

@@ -7,10 +7,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
 import lispac
 from lispac import caches
+from lispac.installed import resource
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -18,7 +20,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="lispac-gui", description="Boresight calibration of a LiDAR and an INS/GNSS."
     )
-    parser.add_argument("project", nargs="?", type=Path, help="project folder or project.json")
+    parser.add_argument(
+        "project", nargs="?", type=Path, help="project folder, project.json or project.lispac"
+    )
     parser.add_argument("--demo", action="store_true", help="open the built-in survey")
     parser.add_argument("--version", action="version", version=f"LISPAC {lispac.__version__}")
     arguments = parser.parse_args(argv)
@@ -29,6 +33,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     application = QApplication.instance() or QApplication(sys.argv[:1])
     application.setApplicationName("LISPAC")
     application.setApplicationVersion(lispac.__version__)
+    application.setWindowIcon(QIcon(str(resource("icons/lispac.png"))))
+    # Wayland takes the icon from the desktop entry of this name
+    application.setDesktopFileName("lispac")
 
     caches.use(os.environ)
     # Imported when the application exists: VTK and Qt set up their graphics together.

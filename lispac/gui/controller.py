@@ -59,7 +59,7 @@ class Controller(QObject):
     # -- the project's life ------------------------------------------------------------------
 
     def open(self, path: Path) -> None:
-        """Open a project by its folder or its project.json."""
+        """Open a project by its folder, its project.json or the file that opens it."""
 
         def work(progress: Progress) -> Opened:
             from lispac.workflow.projects import open_project

@@ -4,7 +4,8 @@
 results. The indices of each target's points go to ``sightings/NAME-HASH.npz``, named by their
 content: a new state never overwrites the file that the old ``project.json`` refers to, so a crash
 between the two writes leaves the old project whole. ``unsaved.json`` beside it is of the same form
-and holds what is not saved yet, as long as it is not.
+and holds what is not saved yet, as long as it is not. ``project.lispac`` is there to be
+double-clicked, since no system ties a program to a folder, or to one name among all JSON.
 """
 
 import hashlib
@@ -48,6 +49,9 @@ from lispac.validation.comparison import PlaneComparison
 
 FILE_NAME = "project.json"
 UNSAVED_NAME = "unsaved.json"
+OPENER = "project.lispac"
+OPENER_ENDING = ".lispac"
+OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
 
 
 def write_project(project: Project) -> None:
@@ -60,8 +64,21 @@ def write_project(project: Project) -> None:
     """
     used = _write(project, FILE_NAME)
     forget_unsaved(project.folder)
+    _write_opener(project.folder / OPENER)
     _remove_unused(project.folder, used)
     remove_abandoned(project.folder / FILE_NAME)
+
+
+def _write_opener(path: Path) -> None:
+    # The project is saved by now, and is one without it
+    if not path.exists():
+        with suppress(InputError), written_whole(path) as temporary:
+            temporary.write_text(OPENER_TEXT, encoding="utf-8")
+
+
+def is_project_file(path: Path) -> bool:
+    """Whether this is the file of a project, or the one that opens it, by its name."""
+    return path.name == FILE_NAME or (path.suffix == OPENER_ENDING and not path.is_dir())
 
 
 def _write(project: Project, name: str) -> set[str]:
@@ -106,7 +123,7 @@ def read_unsaved(folder: Path) -> Project | None:
 
 
 def read_project(folder: Path) -> Project:
-    """Read a project from its folder or its ``project.json``.
+    """Read a project from its folder, its ``project.json`` or the file that opens it.
 
     Raises
     ------
@@ -114,7 +131,7 @@ def read_project(folder: Path) -> Project:
         Where there is no project, or its file is damaged or of a newer version.
     """
     folder = Path(folder)
-    path = folder if folder.name == FILE_NAME else folder / FILE_NAME
+    path = (folder.parent if is_project_file(folder) else folder) / FILE_NAME
     if not path.is_file():
         raise ProjectError(f"{folder}: there is no project here ({FILE_NAME} is missing).")
     project = _read(path)

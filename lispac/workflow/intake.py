@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Literal
 
 from lispac.identity import BLANK, Identity
-from lispac.io.project_file import FILE_NAME
+from lispac.io.project_file import FILE_NAME, is_project_file
 from lispac.io.registry import POSSIBLE, Kind
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.source import USUAL, Reading
@@ -60,7 +60,7 @@ class ImportRequest:
 def project_among(paths: Iterable[Path]) -> Path | None:
     """The first project among files and folders, which is to be opened rather than imported."""
     for path in paths:
-        if path.name == FILE_NAME:
+        if is_project_file(path):
             return path
         if (path / FILE_NAME).is_file():
             return path

@@ -243,7 +243,7 @@ def taken_back(project: Project) -> Iterator[None]:
 
 
 def open_project(folder: Path) -> Project:
-    """Open a project by its folder or its ``project.json``.
+    """Open a project by its folder, its ``project.json`` or the file that opens it.
 
     Raises
     ------

@@ -103,7 +103,10 @@ class Dialogs(Questions):
     def project_to_open(self, start: Path) -> Path | None:
         """A project's folder."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, say("Open project"), str(start), say("LISPAC project (project.json)")
+            self.parent,
+            say("Open project"),
+            str(start),
+            say("LISPAC project (project.json *.lispac)"),
         )
         return Path(name) if name else None
 

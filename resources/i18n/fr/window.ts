@@ -3551,8 +3551,8 @@
         <translation>Nouveau projet…</translation>
     </message>
     <message>
-        <source>LISPAC project (project.json)</source>
-        <translation>Projet LISPAC (project.json)</translation>
+        <source>LISPAC project (project.json *.lispac)</source>
+        <translation>Projet LISPAC (project.json *.lispac)</translation>
     </message>
     <message>
         <source>Save project as: name of its new folder</source>

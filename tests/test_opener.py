@@ -1,0 +1,63 @@
+"""The file that opens a project when it is double-clicked, and how the window is started."""
+
+import shutil
+import sys
+from pathlib import Path
+
+import pytest
+
+from lispac.errors import ProjectError
+from lispac.installed import window_command
+from lispac.io.project_file import OPENER, OPENER_TEXT, read_project, write_project
+from lispac.project import Project
+from lispac.workflow.intake import project_among
+
+
+@pytest.fixture
+def saved(demo_project: Project, tmp_path: Path) -> Project:
+    """A copy of the calibrated survey that was saved before there was such a file."""
+    folder = shutil.copytree(demo_project.folder, tmp_path / "harbour")
+    (folder / OPENER).unlink(missing_ok=True)
+    return read_project(folder)
+
+
+def test_saving_leaves_a_file_that_opens_the_project(saved: Project) -> None:
+    write_project(saved)
+    opener = saved.folder / OPENER
+    assert opener.read_text() == OPENER_TEXT
+    assert read_project(opener).folder == saved.folder
+    renamed = opener.rename(opener.with_name("quay.lispac"))
+    assert read_project(renamed).targets == saved.targets
+
+
+def test_a_file_of_that_name_stays_as_it_is(saved: Project) -> None:
+    (saved.folder / OPENER).write_text("mine")
+    write_project(saved)
+    assert (saved.folder / OPENER).read_text() == "mine"
+
+
+def test_the_file_is_a_project_when_it_is_dropped(saved: Project, tmp_path: Path) -> None:
+    write_project(saved)
+    assert project_among([tmp_path / "a.las", saved.folder / OPENER]) == saved.folder / OPENER
+
+
+def test_the_file_alone_is_refused(tmp_path: Path) -> None:
+    (tmp_path / OPENER).write_text(OPENER_TEXT)
+    with pytest.raises(ProjectError, match=r"project\.lispac: there is no project here"):
+        read_project(tmp_path / OPENER)
+
+
+def test_a_folder_may_end_as_the_file_does(saved: Project) -> None:
+    folder = saved.folder.rename(saved.folder.with_suffix(".lispac"))
+    assert read_project(folder).folder == folder
+
+
+def test_window_is_started_by_python_or_beside_the_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert window_command() == [sys.executable, "-m", "lispac.gui"]
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    for program, window in (
+        ("/opt/lispac/lispac", "/opt/lispac/lispac-gui"),
+        ("/c/LISPAC/lispac.exe", "/c/LISPAC/lispac-gui.exe"),
+    ):
+        monkeypatch.setattr(sys, "executable", program)
+        assert window_command() == [window]
