@@ -5,10 +5,11 @@
     python3 installer/bootstrap.py test       linting, typing, import rules and tests
     python3 installer/bootstrap.py lint       the same without the tests
     python3 installer/bootstrap.py benchmark  the benchmarks, which print times
+    python3 installer/bootstrap.py bundle     a folder in dist/ that runs without Python
 
 The first start makes the environment .venv in the checkout and installs the locked dependencies;
 later ones find everything in place. Nothing is written but .venv and the user's cache folder (and,
-on Linux as root, the system packages that are missing).
+on Linux as root, the system packages that are missing); `bundle` writes to build/ and dist/.
 """
 
 from __future__ import annotations
@@ -130,6 +131,8 @@ def parser() -> argparse.ArgumentParser:
     demo.add_argument("--output", type=Path, metavar="DIR", help="folder for survey and report")
     run = commands.add_parser("run", help="start the program")
     run.add_argument("project", nargs="?", metavar="PROJECT", help="project folder to open")
+    bundle = commands.add_parser("bundle", help="a folder in dist/ that runs without Python")
+    bundle.add_argument("--no-archive", action="store_true", help="the folder only, unpacked")
     commands.add_parser("lint", help="linting, typing and import rules")
     for name, text in (("test", "all checks and the tests"), ("benchmark", "the benchmarks")):
         check = commands.add_parser(
@@ -149,7 +152,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options, rest = form.parse_known_args(arguments)
     if rest and not getattr(options, "takes_rest", False):
         form.error(f"unrecognized arguments: {' '.join(rest)}")
-    kind = "run" if options.command in ("demo", "run") else "test"
+    kind = {"demo": "run", "run": "run", "bundle": "bundle"}.get(options.command, "test")
+    if kind == "bundle":
+        environment.use_folder(environment.CHECKOUT / "build" / "bundle-env")
     cache = environment.user_cache(sys.platform, os.environ, Path.home())
     try:
         ensure_system(kind)
@@ -157,6 +162,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         variables = environment.child_variables(os.environ, cache, testing=kind == "test")
         if kind == "test":
             return run_checks(check_commands(options.command, rest), variables)
+        if kind == "bundle":
+            command = [script("python"), "-m", "bundling.build"]
+            command += ["--no-archive"] if options.no_archive else []
+            return subprocess.call(command, cwd=environment.CHECKOUT / "installer", env=variables)
         display = has_display(sys.platform, os.environ)
         if options.command == "demo":
             output = options.output or cache / "demo"

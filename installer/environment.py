@@ -22,7 +22,7 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 ENVIRONMENT = CHECKOUT / ".venv"
 STAMP = ENVIRONMENT / "lispac-installed.json"
 INSTALL_LOG = ENVIRONMENT / "install.log"
-LOCKS = {"run": "lock-run.txt", "test": "lock-test.txt"}
+LOCKS = {"run": "lock-run.txt", "test": "lock-test.txt", "bundle": "lock-bundle.txt"}
 # Changes to these change what installing the project itself does.
 PROJECT_FILES = ("pyproject.toml", "lispac/__init__.py")
 
@@ -34,6 +34,13 @@ class SetupError(Exception):
 def say(line: str) -> None:
     """Prints one line of progress at once."""
     print(line, flush=True)
+
+
+def use_folder(folder: Path) -> None:
+    """Has this process work with the environment of another folder than .venv."""
+    global ENVIRONMENT, STAMP, INSTALL_LOG
+    ENVIRONMENT = folder
+    STAMP, INSTALL_LOG = folder / STAMP.name, folder / INSTALL_LOG.name
 
 
 def user_cache(platform: str, variables: Mapping[str, str], home: Path) -> Path:
@@ -124,7 +131,7 @@ def steps_needed(installed: dict[str, Any] | None, wanted: dict[str, Any], kind:
     ----------
     installed : dict or None, as from `read_stamp`
     wanted : dict, as from `wanted_state`
-    kind : str, "run" or "test"; the lock for tests holds everything of the one to run
+    kind : str, of `LOCKS`; the lock for tests holds everything of the one to run
     """
     if installed is None or any(installed.get(k) != wanted[k] for k in ("checkout", "python")):
         return ["environment", "dependencies", "project"]
@@ -171,9 +178,9 @@ def make_environment() -> None:
         )
     if ENVIRONMENT.exists():
         shutil.rmtree(ENVIRONMENT)
-    ENVIRONMENT.mkdir()
+    ENVIRONMENT.mkdir(parents=True)
     write_stamp({"state": "unfinished"}, STAMP)
-    say("Making the environment .venv")
+    say(f"Making the environment {ENVIRONMENT.name}")
     command = [sys.executable, "-m", "venv", str(ENVIRONMENT)]
     variables = pip_variables(os.environ)
     done = subprocess.run(command, env=variables, capture_output=True, text=True, check=False)
@@ -243,7 +250,7 @@ def requirement_count(lock: Path) -> int:
 
 
 def ensure_installed(kind: str, cache: Path) -> None:
-    """Brings .venv up to date for `kind`, "run" or "test"; does nothing where it is."""
+    """Brings the environment up to date for a kind of `LOCKS`; does nothing where it is."""
     wanted = wanted_state()
     installed = read_stamp(STAMP)
     steps = steps_needed(installed, wanted, kind)
@@ -262,7 +269,7 @@ def ensure_installed(kind: str, cache: Path) -> None:
         say(f"Installing {total} locked packages (the first time this takes some minutes)")
         run_pip(["--only-binary", ":all:", "--require-hashes", "-r", str(lock)], variables, total)
         # The lock for tests holds everything of the one to run.
-        kinds = LOCKS if kind == "test" else (kind,)
+        kinds = ("run", "test") if kind == "test" else (kind,)
         locks = {name: wanted["locks"][name] for name in kinds}
     say("Installing LISPAC")
     project = ["--no-deps", "--no-build-isolation", "--no-index", "--editable", str(CHECKOUT)]

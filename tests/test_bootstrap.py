@@ -85,7 +85,8 @@ def test_interrupted_install_counts_as_none(tmp_path: Path, text: str | None) ->
 
 
 def test_wanted_state_follows_the_lock_files_and_the_version(tmp_path: Path) -> None:
-    for name in (*environment.PROJECT_FILES, "installer/lock-run.txt", "installer/lock-test.txt"):
+    locks = [f"installer/{name}" for name in environment.LOCKS.values()]
+    for name in (*environment.PROJECT_FILES, *locks):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text("first")
     before = environment.wanted_state(tmp_path)
@@ -324,3 +325,12 @@ def test_wrong_usage_ends_with_two() -> None:
 def test_stamp_is_plain_json(tmp_path: Path) -> None:
     environment.write_stamp({"state": "unfinished"}, tmp_path / "stamp.json")
     assert json.loads((tmp_path / "stamp.json").read_text()) == {"state": "unfinished"}
+
+
+def test_the_bundle_has_an_environment_of_its_own(
+    scratch_environment: Path, tmp_path: Path
+) -> None:
+    environment.use_folder(tmp_path / "build" / "bundle-env")
+    assert environment.STAMP.parent == environment.INSTALL_LOG.parent == environment.ENVIRONMENT
+    assert scratch_environment != environment.ENVIRONMENT
+    assert environment.script("python", "linux").startswith(str(tmp_path / "build"))

@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from itertools import chain
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ import pytest
 import lispac
 
 CHECKOUT = Path(__file__).resolve().parents[1]
-LOCKS = ["installer/lock-run.txt", "installer/lock-test.txt"]
+LOCKS = ["installer/lock-run.txt", "installer/lock-test.txt", "installer/lock-bundle.txt"]
 HEAVY = {
     "PySide6",
     "laspy",
@@ -65,9 +66,10 @@ def test_lock_names_no_address(lock: str) -> None:
     assert not re.search(r"://|--index|--extra-index|--find-links|file:", text)
 
 
-def test_lock_for_tests_holds_all_that_runs() -> None:
+@pytest.mark.parametrize("lock", LOCKS[1:])
+def test_other_locks_hold_all_that_runs(lock: str) -> None:
     """With the same marker, or with none: what is wanted on some systems may be on all."""
-    run, test = (requirements(lock) for lock in LOCKS)
+    run, test = (requirements(name) for name in (LOCKS[0], lock))
     anywhere = {name: name if name in test else name.partition(" ")[0] for name in run}
     assert {test_name: run[name] for name, test_name in anywhere.items()}.items() <= test.items()
 
@@ -75,16 +77,17 @@ def test_lock_for_tests_holds_all_that_runs() -> None:
 def test_every_dependency_is_locked() -> None:
     project = pyproject()["project"]
     extras = project["optional-dependencies"]
-    run, test = ({normalised(name) for name in requirements(lock)} for lock in LOCKS)
+    run, test, bundle = ({normalised(name) for name in requirements(lock)} for lock in LOCKS)
     assert {normalised(name) for name in project["dependencies"] + extras["build"]} <= run
     assert {normalised(name) for name in extras["cluster"] + extras["tests"]} <= test
+    assert {normalised(name) for name in extras["bundle"]} <= bundle
 
 
 def test_every_dependency_has_its_reason() -> None:
     reasons = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8").lower()
     project = pyproject()["project"]
-    extras = project["optional-dependencies"]
-    for requirement in project["dependencies"] + extras["cluster"] + extras["tests"]:
+    extras = project["optional-dependencies"].values()
+    for requirement in chain(project["dependencies"], *extras):
         name = normalised(requirement)
         assert f"`{name}`" in reasons, f"CONTRIBUTING.md gives no reason for {name}"
 

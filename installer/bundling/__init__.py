@@ -1,0 +1,1 @@
+"""What makes the folder of a release that runs without Python; installer/bundle.py builds it."""

@@ -1,0 +1,235 @@
+"""Builds the bundle of this system into dist/; `installer/bootstrap.py bundle` runs it."""
+
+from __future__ import annotations
+
+import argparse
+import compileall
+import json
+import os
+import platform
+import py_compile
+import shutil
+import subprocess
+import sys
+import sysconfig
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from bundling import desktop, licences, names, sizes, trimming
+
+BUILD = names.CHECKOUT / "build" / "bundle"
+DIST = names.CHECKOUT / "dist"
+SPEC = Path(__file__).with_name("lispac.spec")
+INNO_SETUP = ("iscc", r"C:\Program Files (x86)\Inno Setup 6\ISCC.exe")
+
+
+class BundleError(Exception):
+    """The bundle is not fit to be handed on; the message says why."""
+
+
+def say(line: str) -> None:
+    """Prints one line of progress at once."""
+    print(line, flush=True)
+
+
+def system_name() -> str:
+    """System and processor as the folder's name ends: linux-x86_64, windows-x86_64, macos-arm64."""
+    system = {"win32": "windows", "darwin": "macos"}.get(sys.platform, "linux")
+    machine = platform.machine().lower()
+    return f"{system}-{'x86_64' if machine == 'amd64' else machine}"
+
+
+def bundle_name() -> str:
+    """Name of the folder, and of the archive without its ending."""
+    return f"{names.COMMAND_LINE}-{names.version()}-{system_name()}"
+
+
+def run_pyinstaller() -> None:
+    """Has PyInstaller make build/bundle/dist.
+
+    Raises
+    ------
+    BundleError
+    """
+    shutil.rmtree(BUILD / "dist", ignore_errors=True)
+    command = [sys.executable, "-m", "PyInstaller", "--noconfirm", "--log-level", "ERROR"]
+    command += ["--workpath", str(BUILD / "work"), "--distpath", str(BUILD / "dist"), str(SPEC)]
+    done = subprocess.run(command, cwd=names.CHECKOUT, check=False)
+    if done.returncode != 0:
+        raise BundleError("PyInstaller failed; what it says stands above.")
+
+
+def contents() -> list[Path]:
+    """The files that PyInstaller took, where it took them from."""
+    return sources_of(json.loads((BUILD / "work" / "lispac" / "contents.json").read_text("utf-8")))
+
+
+def sources_of(listed: Iterable[trimming.Entry]) -> list[Path]:
+    """The files among what PyInstaller lists; links and packages without a file have none."""
+    found = [Path(source) for _place, source, kind in listed if source and kind != "SYMLINK"]
+    return [path for path in found if path.is_absolute()]
+
+
+def compile_sources(package: Path) -> None:
+    """Compile the modules that lie as files once, since a bundle never writes bytecode."""
+    unchecked = py_compile.PycInvalidationMode.UNCHECKED_HASH
+    elsewhere, sys.pycache_prefix = sys.pycache_prefix, None  # a checkout is kept clean by it
+    try:
+        compileall.compile_dir(package, quiet=1, invalidation_mode=unchecked)
+    finally:
+        sys.pycache_prefix = elsewhere
+
+
+def strip_symbols(folder: Path) -> None:
+    """Remove from large libraries the symbols that only a debugger reads.
+
+    Those that auditwheel has put into a folder *.libs have moved sections, which strip would break.
+    """
+    for path in sorted(folder.rglob("*.so*")):
+        movable = not path.parent.name.endswith(".libs") and not path.is_symlink()
+        if movable and path.stat().st_size > 1e6:
+            subprocess.run(["strip", "--strip-unneeded", str(path)], check=True)
+
+
+def share_one_file(programs: Sequence[Path]) -> None:
+    """Make programs that are the same one file, as they have to be for Numba's cache.
+
+    Raises
+    ------
+    BundleError
+    """
+    first, *others = programs
+    for other in others:
+        if other.read_bytes() != first.read_bytes():
+            raise BundleError(f"{other.name} and {first.name} differ and would not share a cache.")
+        other.unlink()
+        os.link(first, other)
+
+
+def require_fit(folder: Path) -> None:
+    """Refuse a bundle that holds what it must not, or that tells another version.
+
+    Raises
+    ------
+    BundleError
+    """
+    places = [path.relative_to(folder).as_posix() for path in folder.rglob("*")]
+    found = trimming.unwanted(places)
+    if found:
+        raise BundleError("The bundle holds what it must not: " + ", ".join(sorted(found)[:10]))
+    program = folder / names.COMMAND_LINE
+    done = subprocess.run(
+        [str(program), "--version"], capture_output=True, text=True, check=False, env={}
+    )
+    if done.stdout.strip() != f"lispac {names.version()}":
+        raise BundleError(f"{program} --version says: {done.stdout}{done.stderr}")
+
+
+def archive(folder: Path) -> Path:
+    """Pack the folder; the same files give the same bytes."""
+    packed = folder.with_name(folder.name + ".tar.xz")
+    draft = packed.with_name(packed.name + ".part")
+    command = ["tar", "--create", "--file", str(draft), "--use-compress-program", "xz -T0 -6"]
+    command += ["--sort=name", "--owner=0", "--group=0", "--numeric-owner", "--directory"]
+    subprocess.run([*command, str(folder.parent), folder.name], check=True)
+    draft.replace(packed)
+    return packed
+
+
+def finish_linux(folder: Path) -> None:
+    """What Linux wants beside the programs."""
+    strip_symbols(folder)
+    share_one_file([folder / name for name in names.PROGRAMS])
+    desktop.write_into(folder)
+
+
+def installer_command() -> list[str] | None:
+    """What makes the installer of Windows or macOS from the folder; None where it is absent."""
+    here = names.CHECKOUT / "installer"
+    if sys.platform == "darwin":
+        return ["sh", str(here / "macos" / "make-dmg.sh")]
+    found = next((path for path in map(shutil.which, INNO_SETUP) if path), None)
+    return [found, str(here / "windows" / "lispac.iss")] if found else None
+
+
+def write_names(folder: Path) -> None:
+    """Write down for the scripts of Windows and macOS what they share with Linux."""
+    values = {**names.shared(), "BundleFolder": str(folder), "BundleName": bundle_name()}
+    BUILD.mkdir(parents=True, exist_ok=True)
+    (BUILD / "names.iss").write_text(names.for_inno_setup(values), encoding="utf-8-sig")
+    (BUILD / "names.sh").write_text(names.for_shell(values), encoding="utf-8")
+
+
+def build(*, packed: bool) -> Path:
+    """Build the bundle; returns its folder in dist/.
+
+    Raises
+    ------
+    BundleError, LicenceMissingError
+    """
+    say("Collecting the files (about a minute)")
+    run_pyinstaller()
+    made = BUILD / "dist" / names.COMMAND_LINE
+    say("Collecting the licences")
+    site = Path(sysconfig.get_path("purelib"))
+    found = licences.collected(contents(), site, names.CHECKOUT, licences.read_notices())
+    (made / licences.FILE_NAME).write_text(licences.written(found), encoding="utf-8")
+    compile_sources(made / "_internal" / "lispac")
+    if sys.platform == "linux":
+        finish_linux(made)
+    require_fit(made)
+    folder = DIST / bundle_name()
+    shutil.rmtree(folder, ignore_errors=True)
+    DIST.mkdir(exist_ok=True)
+    made.rename(folder)
+    tell_sizes(folder, len(found))
+    write_names(folder)
+    if packed:
+        pack(folder)
+    return folder
+
+
+def tell_sizes(folder: Path, licensed: int) -> None:
+    """Print the table of sizes."""
+    for line in sizes.table(sizes.by_part(folder)):
+        say(line)
+    say(f"{licensed} parts with their licences in {licences.FILE_NAME}")
+
+
+def pack(folder: Path) -> None:
+    """Pack the folder as its system wants it.
+
+    Raises
+    ------
+    BundleError
+    """
+    if sys.platform == "linux":
+        say("Packing (some minutes)")
+        packed = archive(folder)
+        say(f"{packed.relative_to(names.CHECKOUT)}: {packed.stat().st_size / 1e6:.0f} MB")
+        return
+    command = installer_command()
+    if command is None:
+        raise BundleError("Inno Setup 6 is not installed; the folder is whole, without installer.")
+    subprocess.run(command, check=True)
+
+
+def main(arguments: Iterable[str] | None = None) -> int:
+    """Runs the build; returns the exit code."""
+    form = argparse.ArgumentParser(description=__doc__)
+    form.add_argument("--no-archive", action="store_true", help="the folder only, unpacked")
+    options = form.parse_args(None if arguments is None else list(arguments))
+    try:
+        folder = build(packed=not options.no_archive)
+    except (BundleError, licences.LicenceMissingError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    except (OSError, subprocess.CalledProcessError) as error:
+        print(f"The bundle cannot be made: {error}", file=sys.stderr)
+        return 1
+    say(f"The bundle is {folder.relative_to(names.CHECKOUT)}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,214 @@
+"""The licences of everything in a bundle, in one file; what has none stops the build."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import sysconfig
+import tomllib
+from collections.abc import Iterable, Mapping
+from importlib.metadata import Distribution, distributions
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).resolve().parent
+TEXTS = HERE / "licences"
+NOTICES = TEXTS / "notices.toml"
+RULE = "=" * 78
+LICENCE_FILE = re.compile(r"(licen[cs]e|copying|notice|copyright)", re.IGNORECASE)
+PYTHON = "Python"
+PROJECT = "LISPAC"
+FILE_NAME = "LICENSES.txt"
+
+
+class LicenceMissingError(Exception):
+    """Something would be handed on without its licence; the message says what, and what to do."""
+
+
+def normalised(name: str) -> str:
+    """A distribution's name as everybody agrees to write it."""
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def owners(site: Path) -> dict[str, Distribution]:
+    """The distribution of each file of an environment, by its path.
+
+    Parameters
+    ----------
+    site : Path, folder site-packages
+    """
+    found: dict[str, Distribution] = {}
+    for distribution in distributions(path=[str(site)]):
+        for file in distribution.files or ():
+            found[str(site / file)] = distribution
+    return found
+
+
+def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str]:
+    """Every licence text of a distribution: its own, and what the notices add.
+
+    Raises
+    ------
+    LicenceMissingError
+    """
+    name = distribution.metadata["Name"]
+    found = []
+    for file in distribution.files or ():
+        # In its metadata, or beside its code; not a module of that name
+        if LICENCE_FILE.search(file.name) and file.suffix.lower() in ("", ".txt", ".md", ".rst"):
+            path = Path(str(distribution.locate_file(file)))
+            if path.is_file():
+                found.append(path.read_text(encoding="utf-8", errors="replace").strip())
+    added = notices.get("distribution", {}).get(normalised(name), {})
+    if "note" in added:
+        found.insert(0, added["note"].strip())
+    found += [_text(file) for file in added.get("texts", ())]
+    if not found:
+        raise LicenceMissingError(
+            f"{name} comes without the text of its licence: add it to {NOTICES.name} beside the "
+            f"other texts in {TEXTS}."
+        )
+    return found
+
+
+def library_notice(file_name: str, notices: Mapping[str, Any]) -> Mapping[str, str] | None:
+    """What the notices say of a library inside a wheel, by the beginning of its name."""
+    for row in notices["library"]:
+        if re.match(row["file"], file_name):
+            return row
+    return None
+
+
+def is_foreign(path: Path) -> bool:
+    """Whether a library in a wheel was made by others than the wheel's authors."""
+    name = path.name
+    if ".so" not in name and path.suffix not in (".dll", ".dylib"):
+        return False
+    return path.parent.name.endswith(".libs") or re.match(r"libvtk[a-z]|libtbb", name) is not None
+
+
+def debian_copyright(library: Path) -> tuple[str, str]:
+    """Package and licence of a library of this Debian or Ubuntu system.
+
+    Raises
+    ------
+    LicenceMissingError
+    """
+    real = str(library.resolve())
+    for path in dict.fromkeys((real, real.removeprefix("/usr"), str(library))):
+        try:
+            done = subprocess.run(["dpkg", "-S", path], capture_output=True, text=True, check=False)
+        except FileNotFoundError:
+            break
+        if done.returncode == 0:
+            package = done.stdout.partition(":")[0]
+            file = Path("/usr/share/doc") / package / "copyright"
+            if file.is_file():
+                return package, file.read_text(encoding="utf-8", errors="replace").strip()
+    raise LicenceMissingError(
+        f"{library}: no package of this system tells its licence; build the bundle on Debian or "
+        f"Ubuntu, or add the library to {NOTICES}."
+    )
+
+
+def read_notices() -> dict[str, Any]:
+    """The notices that this folder holds."""
+    return tomllib.loads(NOTICES.read_text(encoding="utf-8"))
+
+
+def collected(
+    sources: Iterable[Path], site: Path, checkout: Path, notices: Mapping[str, Any]
+) -> dict[str, list[str]]:
+    """Licence texts of everything that a bundle is made of, by its name and version.
+
+    Parameters
+    ----------
+    sources : iterable of Path, the files that went into the bundle
+    site : Path, site-packages of the environment they came from
+    checkout : Path, of LISPAC
+    notices : as from `read_notices`
+
+    Raises
+    ------
+    LicenceMissingError
+    """
+    owned = owners(site)
+    found: dict[str, list[str]] = {}
+    parts: dict[str, Distribution] = {}
+    libraries: set[str] = set()
+    for source in sorted(set(sources)):
+        distribution = owned.get(str(source))
+        if is_foreign(source):
+            notice = library_notice(source.name, notices)
+            if notice is None:
+                raise LicenceMissingError(f"{source.name}: add its licence to {NOTICES}.")
+            libraries.add(_row(notice))
+        if distribution is not None:
+            parts.setdefault(normalised(distribution.metadata["Name"]), distribution)
+        elif _is_python(source) or _is_ours(source, checkout, site):
+            continue
+        elif source.is_relative_to(site):
+            raise LicenceMissingError(f"{source} belongs to no package that states its licence.")
+        else:
+            package, text = debian_copyright(source)
+            found[f"{package} (system library)"] = [text]
+    for distribution in owned.values():
+        if normalised(distribution.metadata["Name"]) == "pyinstaller":
+            parts["pyinstaller"] = distribution  # the two programs begin with its loader
+    for distribution in parts.values():
+        title = f"{distribution.metadata['Name']} {distribution.version}"
+        found[title] = texts_of(distribution, notices)
+    found[PROJECT] = [(checkout / "LICENSE").read_text(encoding="utf-8").strip()]
+    found[f"{PYTHON} {sys.version_info[0]}.{sys.version_info[1]}"] = [_python_licence()]
+    if libraries:
+        rows = sorted(libraries | {_row(row) for row in notices["inside"]})
+        shared = [f"{name}\n\n{_text(name)}" for name in notices["shared_texts"]]
+        found["Libraries inside these packages"] = ["\n".join(rows), *shared]
+    return found
+
+
+def written(found: Mapping[str, list[str]]) -> str:
+    """The one file: a list of names, then every text below its name."""
+    names = sorted(found, key=lambda name: (not name.startswith(PROJECT), name.lower()))
+    lines = ["What this program is made of, and the licences it comes under.", ""]
+    lines += [f"  {name}" for name in names]
+    for name in names:
+        lines += ["", RULE, name, RULE, "", "\n\n".join(found[name])]
+    return "\n".join(lines) + "\n"
+
+
+def _row(notice: Mapping[str, str]) -> str:
+    return f"{notice['name']}: {notice['licence']}. {notice['copyright']}"
+
+
+def _text(name: str) -> str:
+    return (TEXTS / name).read_text(encoding="utf-8").strip()
+
+
+def _is_ours(source: Path, checkout: Path, site: Path) -> bool:
+    # The environment may lie in the checkout
+    return source.is_relative_to(checkout) and not source.is_relative_to(site)
+
+
+def _is_python(source: Path) -> bool:
+    stdlib = Path(sysconfig.get_path("stdlib")).resolve()
+    # Debian keeps its packages below the library
+    packages = {"site-packages", "dist-packages"} & set(source.parts)
+    inside = source.resolve().is_relative_to(stdlib) and not packages
+    return inside or source.name.startswith(("libpython", "python3"))
+
+
+def _python_licence() -> str:
+    """The licence that comes with Python's library.
+
+    Raises
+    ------
+    LicenceMissingError
+    """
+    stdlib = Path(sysconfig.get_path("stdlib"))
+    version = f"python{sys.version_info[0]}.{sys.version_info[1]}"
+    for path in (stdlib / "LICENSE.txt", Path("/usr/share/doc") / version / "copyright"):
+        if path.is_file():
+            return path.read_text(encoding="utf-8").strip()
+    raise LicenceMissingError(f"Python's own licence is not in {stdlib}.")

@@ -1,0 +1,89 @@
+"""Every name that the bundles of Linux, Windows and macOS share; the version is the package's."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+NAME = "LISPAC"
+SUMMARY = "Boresight calibration of a LiDAR and an INS/GNSS on a vessel"
+SUMMARY_FR = "Étalonnage des angles de visée d'un LiDAR et d'une centrale inertielle sur un navire"
+PUBLISHER = "The LISPAC authors"
+IDENTIFIER = "org.lispac.lispac"
+COMMAND_LINE = "lispac"
+WINDOW = "lispac-gui"
+PROGRAMS = (COMMAND_LINE, WINDOW)
+"""In one folder; the first is for a terminal, the second has the window."""
+ENDING = "lispac"
+"""Of the file that opens its folder's project (lispac/io/project_file.py)."""
+MIME_TYPE = "application/x-lispac-project"
+DOCUMENT = "LISPAC project"
+DOCUMENT_FR = "Projet LISPAC"
+ICON = CHECKOUT / "resources" / "icons" / "lispac.png"
+ICON_DRAWING = ICON.with_suffix(".svg")
+
+
+def version() -> str:
+    """The version as `lispac/__init__.py` states it, without importing the package."""
+    text = (CHECKOUT / "lispac" / "__init__.py").read_text(encoding="utf-8")
+    found = re.search(r'^__version__ = "([^"]+)"', text, re.MULTILINE)
+    if found is None:
+        raise ValueError("lispac/__init__.py states no version")
+    return found.group(1)
+
+
+def shared() -> dict[str, str]:
+    """What the scripts for Windows and macOS take from here, by the name they know it by."""
+    return {
+        "AppName": NAME,
+        "AppVersion": version(),
+        "AppSummary": SUMMARY,
+        "AppPublisher": PUBLISHER,
+        "AppIdentifier": IDENTIFIER,
+        "CommandLine": COMMAND_LINE,
+        "Window": WINDOW,
+        "Ending": ENDING,
+        "MimeType": MIME_TYPE,
+        "Document": DOCUMENT,
+    }
+
+
+def for_inno_setup(values: dict[str, str]) -> str:
+    """The names as installer/windows/lispac.iss includes them."""
+    return "".join(f'#define {key} "{value}"\n' for key, value in values.items())
+
+
+def for_shell(values: dict[str, str]) -> str:
+    """The names as installer/macos/make-dmg.sh reads them."""
+    return "".join(f"{key}='{value}'\n" for key, value in values.items())
+
+
+def for_macos() -> dict[str, Any]:
+    """What Info.plist says beyond name, version and icon: which files the window opens."""
+    kind = f"{IDENTIFIER}.project"
+    return {
+        "CFBundleExecutable": WINDOW,
+        "CFBundleDocumentTypes": [
+            {
+                "CFBundleTypeName": DOCUMENT,
+                "CFBundleTypeRole": "Editor",
+                "LSHandlerRank": "Owner",
+                "LSItemContentTypes": [kind],
+            }
+        ],
+        "UTExportedTypeDeclarations": [
+            {
+                "UTTypeIdentifier": kind,
+                "UTTypeDescription": DOCUMENT,
+                "UTTypeConformsTo": ["public.data"],
+                "UTTypeTagSpecification": {
+                    "public.filename-extension": [ENDING],
+                    "public.mime-type": MIME_TYPE,
+                },
+            }
+        ],
+        "NSHighResolutionCapable": True,
+        "LSMinimumSystemVersion": "13.0",
+    }

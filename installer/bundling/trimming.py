@@ -1,0 +1,194 @@
+"""What stays out of the bundle, and what must never be in it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import PurePosixPath
+
+# Open3D, PyVista and Numba name these for notebooks, web pages and developers.
+UNUSED_MODULES = [
+    "IPython",
+    "PyInstaller",
+    "PyQt5",
+    "PyQt6",
+    "PySide6.QtNetwork",
+    "_tkinter",
+    "dash",
+    "dask",
+    "distributed",
+    "flask",
+    "imageio",
+    "ipywidgets",
+    "jedi",
+    "jsonschema",
+    "jupyter",
+    "matplotlib.backends.backend_tkagg",
+    "nbformat",
+    "notebook",
+    "open3d._ml3d",
+    "open3d.app",
+    "open3d.examples",
+    "open3d.ml",
+    "open3d.tools",
+    "open3d.visualization.draw_plotly",
+    "open3d.web_visualizer",
+    "pandas",
+    "pip",
+    "plotly",
+    "pytest",
+    "setuptools",
+    "sklearn",
+    "tkinter",
+    "tornado",
+    "trame",
+    "werkzeug",
+]
+# Qt's plugins for screens without X or Wayland, for networks and GTK's dialogues (which would
+# bring GTK), pictures that LISPAC does not read, and languages that its window does not speak.
+UNUSED_FILES = [
+    r"PySide6/Qt/plugins/(egldeviceintegrations|generic|networkinformation|tls)/",
+    r"PySide6/Qt/plugins/platforms/libq(eglfs|linuxfb|minimal|minimalegl|vkkhrdisplay|vnc)\.so",
+    r"PySide6/Qt/plugins/platformthemes/libqgtk3\.so",
+    r"PySide6/Qt/plugins/imageformats/libq(icns|pdf|tga|tiff|wbmp|webp)\.so",
+    r"PySide6/Qt/translations/(?!qt(base)?_(en|fr)\.qm$)",
+    r"matplotlib/mpl-data/(sample_data|plot_directive)/",
+    r"pillow\.libs/libavif|PIL/_avif",
+    r"(.*/)?tests?/",
+]
+# Found by what the window has loaded with every module imported and the built-in survey on show.
+# Their libraries need others, which come along; what is left of VTK stays out.
+VTK_MODULES = [
+    "ChartsCore",
+    "CommonColor",
+    "CommonComputationalGeometry",
+    "CommonCore",
+    "CommonDataModel",
+    "CommonExecutionModel",
+    "CommonMath",
+    "CommonMisc",
+    "CommonSystem",
+    "CommonTransforms",
+    "FiltersCore",
+    "FiltersExtraction",
+    "FiltersGeneral",
+    "FiltersGeometry",
+    "FiltersModeling",
+    "FiltersPython",
+    "FiltersSources",
+    "FiltersStatistics",
+    "FiltersTexture",
+    "FiltersVerdict",
+    "IOCore",
+    "IOImage",
+    "IOLegacy",
+    "IOXML",
+    "ImagingColor",
+    "ImagingCore",
+    "ImagingGeneral",
+    "ImagingHybrid",
+    "ImagingMath",
+    "ImagingSources",
+    "InteractionStyle",
+    "InteractionWidgets",
+    "ParallelCore",
+    "PythonContext2D",
+    "RenderingAnnotation",
+    "RenderingContext2D",
+    "RenderingContextOpenGL2",
+    "RenderingCore",
+    "RenderingFreeType",
+    "RenderingHyperTreeGrid",
+    "RenderingLabel",
+    "RenderingMatplotlib",
+    "RenderingOpenGL2",
+    "RenderingUI",
+    "RenderingVolume",
+    "RenderingVolumeOpenGL2",
+    "ViewsContext2D",
+    "ViewsCore",
+]
+# Every Linux desktop has these in a version that fits its own graphics driver; a second one, older
+# than the driver expects (libstdc++ above all), would keep OpenGL from starting. After the list
+# that AppImages go by.
+SYSTEM_LIBRARIES = [
+    r"lib(stdc\+\+|gcc_s|GL|EGL|GLX|GLdispatch|OpenGL|glapi|gbm|drm|xcb|xcb-dri[23]|X11|X11-xcb)\.so",
+    r"lib(wayland-\w+|fontconfig|freetype|harfbuzz|expat|z|uuid|com_err|gpg-error|usb-1\.0|udev)\.so",
+    r"lib(p11-kit|ICE|SM|thai|fribidi|asound|jack)\.so",
+]
+NEVER = [
+    r"WebEngine|QtWeb|QtQuick|QtQml|Qt6(Qml|Quick|Pdf|Designer|3D|Multimedia)",
+    r"(^|/)(IPython|notebook|jupyter\w*|ipywidgets|nbformat|dash|plotly|flask|tkinter)(/|$)",
+    r"(^|/)(nbextension|labextension)(/|$)",
+    r"(^|/)tests?(/|$)|(^|/)(sample_data|testdata|baseline_images)(/|$)|libvtkTesting",
+    r"(^|/)(pytest|hypothesis|mypy|ruff|pip|setuptools|hatchling)(/|$)",
+    r"(^|/)lib(gtk|gdk)-3",
+]
+"""What a check of the finished folder refuses, by path."""
+
+Entry = tuple[str, str, str]
+"""Place in the bundle, source, and PyInstaller's word for its kind."""
+
+
+def _matches(patterns: Iterable[str], text: str) -> bool:
+    return any(re.match(pattern, text) for pattern in patterns)
+
+
+def is_optional(place: str) -> bool:
+    """Whether a library comes along only where another needs it.
+
+    Parameters
+    ----------
+    place : str, path in the bundle with forward slashes
+    """
+    path = PurePosixPath(place)
+    if path.name.startswith("libpython"):
+        return False  # the program itself loads it
+    if place.startswith("vtkmodules/") and ".so" in path.name:
+        module = path.name.partition(".")[0]
+        return module.removeprefix("vtk") not in VTK_MODULES
+    return (
+        len(path.parts) == 1 or place.startswith("PySide6/Qt/lib/") or path.parts[0][-5:] == ".libs"
+    ) and ".so" in path.name
+
+
+def without_unused(entries: Iterable[Entry]) -> list[Entry]:
+    """Files of the bundle but for those that LISPAC never asks for."""
+    return [entry for entry in entries if not _matches(UNUSED_FILES, entry[0])]
+
+
+def trimmed(entries: Sequence[Entry], needs: Callable[[str], Iterable[str]]) -> list[Entry]:
+    """Files of a Linux bundle without the libraries that nothing in it uses or every system has.
+
+    Parameters
+    ----------
+    entries : sequence of Entry
+    needs : gives the names of the libraries that a library (its source) is linked against
+    """
+    links = [entry for entry in entries if entry[2] == "SYMLINK"]
+    wanted = [
+        entry
+        for entry in entries
+        if entry[2] != "SYMLINK" and not _matches(SYSTEM_LIBRARIES, entry[0])
+    ]
+    kept = [entry for entry in wanted if not is_optional(entry[0])]
+    optional: dict[str, list[Entry]] = {}
+    for entry in wanted:
+        if is_optional(entry[0]):
+            optional.setdefault(PurePosixPath(entry[0]).name, []).append(entry)
+    waiting = [entry for entry in kept if entry[2] in ("BINARY", "EXTENSION")]
+    while waiting:
+        for name in needs(waiting.pop()[1]):
+            found = optional.pop(name, [])
+            kept += found
+            waiting += found
+    places = {entry[0] for entry in kept}
+    for place, target, kind in links:
+        if str(PurePosixPath(place).parent / target) in places:
+            kept.append((place, target, kind))
+    return kept
+
+
+def unwanted(places: Iterable[str]) -> list[str]:
+    """Those paths of a finished bundle that must not be in it."""
+    return [place for place in places if any(re.search(pattern, place) for pattern in NEVER)]

@@ -1,0 +1,1 @@
+"""What takes minutes, the network and root: started by hand before a release."""

@@ -1,0 +1,348 @@
+"""What goes into a bundle, what stays out, and what its three systems share."""
+
+import ast
+import configparser
+import plistlib
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+from bundling import build, desktop, licences, names, sizes, trimming
+
+import lispac
+from lispac.io.project_file import OPENER, OPENER_ENDING
+from tests.extras.clean_root import Root
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+WINDOWS = (CHECKOUT / "installer" / "windows" / "lispac.iss").read_text(encoding="utf-8")
+MACOS = (CHECKOUT / "installer" / "macos" / "make-dmg.sh").read_text(encoding="utf-8")
+
+
+def scripts() -> dict[str, str]:
+    """What pyproject.toml says that the programs are."""
+    project = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    return project["scripts"] | project["gui-scripts"]
+
+
+# One place for every name
+
+
+def test_names_are_those_of_the_package() -> None:
+    assert names.version() == lispac.__version__
+    assert set(names.PROGRAMS) == set(scripts())
+    assert f".{names.ENDING}" == OPENER_ENDING
+    assert OPENER.endswith(OPENER_ENDING)
+    assert build.bundle_name().startswith(f"lispac-{lispac.__version__}-")
+
+
+def test_both_programs_start_what_pip_would_install() -> None:
+    start = (CHECKOUT / "installer" / "bundling" / "start.py").read_text(encoding="utf-8")
+    (line,) = re.findall(r"^MAIN = (.*)", start, re.MULTILINE)
+    assert {name: f"{module}:main" for name, module in ast.literal_eval(line).items()} == scripts()
+
+
+@pytest.mark.parametrize(
+    ("script", "used"),
+    [(WINDOWS, r"\{#(\w+)\}"), (MACOS, r"\$(?:\{)?([A-Z][a-z]\w+)")],
+    ids=["windows", "macos"],
+)
+def test_other_systems_take_every_name_from_the_one_place(script: str, used: str) -> None:
+    known = {*names.shared(), "BundleFolder", "BundleName"}
+    assert set(re.findall(used, script)) <= known
+    assert {"AppName", "AppVersion", "BundleName", "CommandLine", "Window"} <= set(
+        re.findall(used, script)
+    )
+    lines = script.splitlines()
+    rules = "\n".join(line for line in lines if not line.lstrip().startswith((";", "#")))
+    assert lispac.__version__ not in script
+    for name in (names.WINDOW, names.IDENTIFIER, names.MIME_TYPE, names.DOCUMENT):
+        assert name not in rules
+
+
+def test_names_reach_inno_setup_and_the_shell() -> None:
+    values = {"AppName": "LISPAC", "AppVersion": "1.2.3"}
+    assert names.for_inno_setup(values) == '#define AppName "LISPAC"\n#define AppVersion "1.2.3"\n'
+    command = names.for_shell(names.shared()) + 'printf "%s|%s" "$AppVersion" "$AppSummary"'
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=True)
+    assert done.stdout == f"{lispac.__version__}|{names.SUMMARY}"
+
+
+def test_windows_and_macos_tie_the_same_files_to_the_window() -> None:
+    opened = [line for line in WINDOWS.splitlines() if r"shell\open\command" in line]
+    assert len(opened) == 1
+    assert "{#Window}.exe" in opened[0]
+    assert r"Software\Classes\.{#Ending}" in WINDOWS
+    plist = plistlib.loads(plistlib.dumps(names.for_macos()))
+    (kind,) = plist["UTExportedTypeDeclarations"]
+    assert kind["UTTypeTagSpecification"]["public.filename-extension"] == [names.ENDING]
+    assert plist["CFBundleDocumentTypes"][0]["LSItemContentTypes"] == [kind["UTTypeIdentifier"]]
+    assert plist["CFBundleExecutable"] == names.WINDOW
+
+
+def test_shell_scripts_can_be_read() -> None:
+    for script in (MACOS, desktop.INSTALL, desktop.UNINSTALL):
+        done = subprocess.run(["sh", "-n"], input=script, text=True, check=False)
+        assert done.returncode == 0
+
+
+# The desktop
+
+
+def test_icon_is_there_as_drawing_and_as_picture() -> None:
+    assert ElementTree.parse(names.ICON_DRAWING).getroot().get("viewBox") == "0 0 256 256"
+    data = names.ICON.read_bytes()
+    assert data.startswith(b"\x89PNG")
+    assert [int.from_bytes(data[at : at + 4], "big") for at in (16, 20)] == [256, 256]
+
+
+def made_bundle(folder: Path) -> Path:
+    """A bundle with programs that do nothing."""
+    folder.mkdir(parents=True)
+    for program in names.PROGRAMS:
+        (folder / program).write_text("#!/bin/sh\n")
+        (folder / program).chmod(0o755)
+    desktop.write_into(folder)
+    return folder
+
+
+def test_desktop_entry_and_file_type_agree() -> None:
+    entry = configparser.ConfigParser(interpolation=None)
+    entry.optionxform = str
+    entry.read_string(desktop.DESKTOP_ENTRY)
+    keys = entry["Desktop Entry"]
+    assert {"Type", "Name", "Exec", "Icon", "Categories", "MimeType"} <= set(keys)
+    assert keys["Exec"].endswith(" %f")
+    root = ElementTree.fromstring(desktop.FILE_TYPE.encode())
+    space = "{http://www.freedesktop.org/standards/shared-mime-info}"
+    (kind,) = root.findall(f"{space}mime-type")
+    assert keys["MimeType"] == f"{kind.get('type')};"
+    assert kind.find(f"{space}glob").get("pattern") == f"*{OPENER_ENDING}"
+    assert kind.find(f"{space}icon").get("name") == keys["Icon"]
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="these scripts are for Linux")
+def test_what_is_installed_is_taken_away_again(tmp_path: Path) -> None:
+    bundle, prefix = made_bundle(tmp_path / "unpacked here"), tmp_path / "a prefix"
+    (prefix / "bin").mkdir(parents=True)
+    (prefix / "bin" / "other").touch()
+    for _twice in range(2):
+        subprocess.run([bundle / "install.sh", prefix], check=True, capture_output=True)
+    entry = (prefix / "share/applications/lispac.desktop").read_text(encoding="utf-8")
+    window = prefix / "lib" / "lispac" / names.WINDOW
+    assert f'Exec="{window}" %f' in entry
+    assert "@" not in entry
+    assert (prefix / "bin" / "lispac").resolve() == window.with_name("lispac")
+    if shutil.which("desktop-file-validate"):
+        subprocess.run(
+            ["desktop-file-validate", prefix / "share/applications/lispac.desktop"], check=True
+        )
+    shutil.rmtree(bundle)
+    installed = prefix / "lib" / "lispac"
+    subprocess.run([installed / "uninstall.sh", prefix], check=True, capture_output=True)
+    left = [path for path in prefix.rglob("*lispac*") if path.is_file() or path.is_symlink()]
+    assert left == []
+    assert (prefix / "bin" / "other").exists()
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="these scripts are for Linux")
+def test_a_strange_folder_of_that_name_is_left_alone(tmp_path: Path) -> None:
+    bundle, prefix = made_bundle(tmp_path / "unpacked"), tmp_path / "prefix"
+    (prefix / "lib" / "lispac").mkdir(parents=True)
+    (prefix / "lib" / "lispac" / "mine").touch()
+    done = subprocess.run(
+        [bundle / "install.sh", prefix], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    assert "is not LISPAC" in done.stderr
+    subprocess.run([bundle / "uninstall.sh", prefix], check=True, capture_output=True)
+    assert (prefix / "lib" / "lispac" / "mine").exists()
+
+
+# What stays out
+
+
+def test_libraries_come_along_only_where_something_needs_them() -> None:
+    entries = [
+        ("vtkmodules/vtkCommonCore.cpython-311.so", "/s/core", "EXTENSION"),
+        ("vtkmodules/vtkWebCore.cpython-311.so", "/s/web", "EXTENSION"),
+        ("vtkmodules/libvtkCommonCore.so", "/s/libcore", "BINARY"),
+        ("vtkmodules/libvtkWebCore.so", "/s/libweb", "BINARY"),
+        ("vtkmodules/libvtkzlib.so", "/s/libzlib", "BINARY"),
+        ("libvtkWebCore.so", "vtkmodules/libvtkWebCore.so", "SYMLINK"),
+        ("libvtkzlib.so", "vtkmodules/libvtkzlib.so", "SYMLINK"),
+        ("libgtk-3.so.0", "/usr/lib/libgtk-3.so.0", "BINARY"),
+        ("libstdc++.so.6", "/usr/lib/libstdc++.so.6", "BINARY"),
+        ("libpython3.11.so.1.0", "/p/libpython3.11.so.1.0", "BINARY"),
+        ("PySide6/Qt/plugins/platformthemes/libqgtk3.so", "/s/libqgtk3.so", "BINARY"),
+        ("PySide6/Qt/translations/qtbase_fr.qm", "/s/fr.qm", "DATA"),
+        ("PySide6/Qt/translations/qtbase_de.qm", "/s/de.qm", "DATA"),
+        ("lispac/report/templates/report.typ", "/c/report.typ", "DATA"),
+    ]
+    needed = {
+        "/s/core": ["libvtkCommonCore.so", "libstdc++.so.6"],
+        "/s/libcore": ["libvtkzlib.so"],
+        "/s/web": ["libvtkWebCore.so"],
+        "/s/libqgtk3.so": ["libgtk-3.so.0"],
+    }
+    used = trimming.without_unused(entries)
+    kept = {entry[0] for entry in trimming.trimmed(used, lambda path: needed.get(path, []))}
+    assert kept == {
+        "vtkmodules/vtkCommonCore.cpython-311.so",
+        "vtkmodules/libvtkCommonCore.so",
+        "vtkmodules/libvtkzlib.so",
+        "libvtkzlib.so",
+        "libpython3.11.so.1.0",
+        "PySide6/Qt/translations/qtbase_fr.qm",
+        "lispac/report/templates/report.typ",
+    }
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        "_internal/PySide6/Qt/lib/libQt6WebEngineCore.so.6",
+        "_internal/PySide6/QtQml.abi3.so",
+        "_internal/IPython/core/magic.py",
+        "_internal/open3d/nbextension/index.js",
+        "_internal/matplotlib/mpl-data/sample_data/jacksboro.csv",
+        "_internal/numpy/tests/test_x.py",
+        "_internal/pip/__init__.py",
+    ],
+)
+def test_what_must_not_be_in_a_bundle_is_found(place: str) -> None:
+    assert trimming.unwanted(["_internal/lispac/cli/main.py", place]) == [place]
+
+
+def test_modules_of_lispac_are_no_test_data() -> None:
+    places = [path.relative_to(CHECKOUT).as_posix() for path in (CHECKOUT / "lispac").rglob("*.py")]
+    assert trimming.unwanted(f"_internal/{place}" for place in places) == []
+
+
+def test_vtk_modules_of_the_view_are_kept() -> None:
+    view = CHECKOUT / "lispac" / "gui" / "viewport"
+    text = "".join(path.read_text(encoding="utf-8") for path in view.glob("*.py"))
+    used = set(re.findall(r"from vtkmodules\.vtk(\w+) import", text))
+    assert used
+    assert used <= set(trimming.VTK_MODULES)
+
+
+def test_bytecode_lies_in_the_bundle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "pycache_prefix", str(tmp_path / "elsewhere"))
+    (tmp_path / "package").mkdir()
+    (tmp_path / "package" / "module.py").write_text("answer = 42\n")
+    build.compile_sources(tmp_path / "package")
+    assert len(list((tmp_path / "package" / "__pycache__").glob("module.*.pyc"))) == 1
+    assert sys.pycache_prefix == str(tmp_path / "elsewhere")
+
+
+def test_sizes_count_a_file_of_two_names_once(tmp_path: Path) -> None:
+    inside = tmp_path / "_internal" / "numpy.libs"
+    inside.mkdir(parents=True)
+    (inside / "a.so").write_bytes(b"0" * 3_000_000)
+    (tmp_path / "lispac").write_bytes(b"0" * 1_000_000)
+    (tmp_path / "lispac-gui").hardlink_to(tmp_path / "lispac")
+    (tmp_path / "_internal" / "libz.so").symlink_to("numpy.libs/a.so")
+    found = sizes.by_part(tmp_path)
+    assert found["numpy"] == 3_000_000
+    assert sum(found.values()) == 4_000_000
+    rows = sizes.table(found)
+    assert rows[0].split() == ["numpy", "3.0", "MB"]
+    assert rows[-1].split() == ["whole", "4.0", "MB"]
+
+
+def test_a_clean_root_can_write_nothing_of_this_machine(tmp_path: Path) -> None:
+    (tmp_path / "given").write_text("ours")
+    root = Root(tmp_path / "root", [str(tmp_path / "given")])
+    root.give()
+    assert "bind" not in " ".join(root.command("true"))
+    copied = root.folder / str(tmp_path / "given").lstrip("/")
+    copied.write_text("theirs")
+    assert (tmp_path / "given").read_text() == "ours"
+
+
+# Licences
+
+
+def made_distribution(site: Path, name: str, licence: str | None) -> Path:
+    """A package as pip installs it; returns its module."""
+    info = site / f"{name}-1.0.dist-info"
+    info.mkdir(parents=True)
+    (site / f"{name}.py").touch()
+    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
+    record = f"{name}.py,,\n{name}-1.0.dist-info/METADATA,,\n"
+    if licence is not None:
+        (info / "licenses").mkdir()
+        (info / "licenses" / "LICENSE").write_text(licence)
+        record += f"{name}-1.0.dist-info/licenses/LICENSE,,\n"
+    (info / "RECORD").write_text(record)
+    return site / f"{name}.py"
+
+
+def test_licences_of_what_is_bundled_stand_in_one_file(tmp_path: Path) -> None:
+    site = tmp_path / "site-packages"
+    used = made_distribution(site, "used", "Do as you like.")
+    made_distribution(site, "unused", "Never.")
+    found = licences.collected([used], site, CHECKOUT, licences.read_notices())
+    text = licences.written(found)
+    assert "used 1.0" in text
+    assert "Do as you like." in text
+    assert "Never." not in text
+    assert "BSD 3-Clause" in text
+    assert "PYTHON SOFTWARE FOUNDATION" in text
+
+
+def test_only_files_are_asked_for_their_licence() -> None:
+    listed = [
+        ("libz.so", "vtkmodules/libz.so", "SYMLINK"),
+        ("mpl_toolkits", "-", "PYMODULE"),
+        ("scipy", "/site/scipy/__init__.py", "PYMODULE"),
+        ("json", "", "PYMODULE"),
+    ]
+    assert build.sources_of(listed) == [Path("/site/scipy/__init__.py")]
+
+
+def test_a_part_without_licence_text_stops_the_build(tmp_path: Path) -> None:
+    used = made_distribution(tmp_path, "silent", None)
+    with pytest.raises(
+        licences.LicenceMissingError, match=r"silent comes without .* notices\.toml"
+    ):
+        licences.collected([used], tmp_path, CHECKOUT, licences.read_notices())
+
+
+def test_a_library_that_nobody_knows_stops_the_build(tmp_path: Path) -> None:
+    folder = tmp_path / "numpy.libs"
+    folder.mkdir()
+    (folder / "libstrange-12ab.so.1").touch()
+    with pytest.raises(licences.LicenceMissingError, match="libstrange"):
+        licences.collected(
+            [folder / "libstrange-12ab.so.1"], tmp_path, CHECKOUT, licences.read_notices()
+        )
+
+
+def test_a_file_of_no_package_stops_the_build(tmp_path: Path) -> None:
+    (tmp_path / "loose.py").touch()
+    with pytest.raises(licences.LicenceMissingError, match="belongs to no package"):
+        licences.collected([tmp_path / "loose.py"], tmp_path, CHECKOUT, licences.read_notices())
+
+
+def test_notices_refer_to_texts_that_are_there() -> None:
+    notices = licences.read_notices()
+    texts = [*notices["shared_texts"]]
+    for row in notices["distribution"].values():
+        texts += row["texts"]
+    assert all((licences.TEXTS / name).stat().st_size > 1000 for name in texts)
+    for row in notices["library"]:
+        re.compile(row["file"])
+        assert row["licence"]
+
+
+def test_qt_comes_with_the_lgpl() -> None:
+    row = licences.read_notices()["distribution"]["pyside6-essentials"]
+    assert "LGPL-3.txt" in row["texts"]
+    assert "LESSER GENERAL PUBLIC LICENSE" in (licences.TEXTS / "LGPL-3.txt").read_text()
+    assert "may be replaced" in " ".join(row["note"].split())
