@@ -3,7 +3,6 @@
 import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -78,15 +77,16 @@ class Reporting(QObject):
             )
 
     def _write(self, project: Project, survey: Survey, options: ReportOptions, path: Path) -> None:
-        pictures = self._pictures()
+        pictures, refused = self._pictures(), self._document.refused_since
 
         def work(progress: Progress) -> Path:
             from lispac.workflow.export import write_report
 
             with _as_files(pictures) as files:
                 write_report(
-                    project, survey, path, pictures=files, options=options, progress=progress
-                )
+                    project, survey, path, pictures=files, options=options, refused=refused,
+                    progress=progress,
+                )  # fmt: skip
             return path
 
         self._runner.run("Writing the report", work, self._written, lasting=True)
@@ -99,7 +99,7 @@ class Reporting(QObject):
         self._computing.with_placed(project, survey, lambda: self._set(project, survey, options))
 
     def _set(self, project: Project, survey: Survey, options: ReportOptions) -> None:
-        pictures = self._pictures()
+        pictures, refused = self._pictures(), self._document.refused_since
         ppi = PPI * self._panel.devicePixelRatioF()
 
         def work(progress: Progress) -> "Preview":
@@ -107,8 +107,9 @@ class Reporting(QObject):
 
             with _as_files(pictures) as files:
                 return preview_report(
-                    project, survey, pictures=files, options=options, ppi=ppi, progress=progress
-                )
+                    project, survey, pictures=files, options=options, refused=refused, ppi=ppi,
+                    progress=progress,
+                )  # fmt: skip
 
         self._runner.run("Setting the pages", work, lambda preview: self._show(project, preview))
 
@@ -135,8 +136,7 @@ class Reporting(QObject):
     def _options(self) -> ReportOptions | None:
         """How the report is wanted; None where that has been refused."""
         try:
-            options = self._panel.options()
-            return replace(options, refused_since=self._document.refused_since)
+            return self._panel.options()
         except InputError as error:
             self._controller.refused.emit(error)
             return None

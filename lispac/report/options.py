@@ -22,8 +22,6 @@ class ReportOptions:
     heading : text under the title
     closing : text above the signature
     language : code of one of `LANGUAGES`
-    refused_since : why an estimate was refused that was asked for after that of the report; empty
-        where none was
     """
 
     page: Page = "a4"
@@ -33,7 +31,6 @@ class ReportOptions:
     heading: str = ""
     closing: str = ""
     language: str = "en"
-    refused_since: str = ""
 
 
 USUAL = ReportOptions()

@@ -60,6 +60,7 @@ def write_report(
     *,
     pictures: Mapping[str, Path] | None = None,
     options: ReportOptions = USUAL,
+    refused: str = "",
     generated: datetime | None = None,
     progress: Progress = no_progress,
 ) -> None:
@@ -70,6 +71,8 @@ def write_report(
     pictures : mapping of caption to PNG file, optional
     options : language (JSON stays English), page, convention and letterhead; see
         `lispac.workflow.report_options`
+    refused : why an estimate was refused that was asked for after that of the report; empty where
+        none was
     generated : the moment the report says it was made at; now, if not given
 
     Raises
@@ -85,7 +88,7 @@ def write_report(
     progress(0.0, "Collecting the report")
     content = content_of(
         project, survey, generated=generated, convention=options.convention,
-        refused=options.refused_since,
+        refused=refused,
         progress=part(progress, 0.0, 0.3),
     )  # fmt: skip
     progress(0.3, f"Writing {path.name}")
@@ -115,6 +118,7 @@ def preview_report(
     *,
     pictures: Mapping[str, Path] | None = None,
     options: ReportOptions = USUAL,
+    refused: str = "",
     ppi: float = 96.0,
     progress: Progress = no_progress,
 ) -> "Preview":
@@ -124,6 +128,7 @@ def preview_report(
     ----------
     pictures : mapping of caption to PNG file, optional
     options : page, convention and letterhead
+    refused : as for `write_report`
     ppi : pixels per inch of the pages
 
     Raises
@@ -135,7 +140,7 @@ def preview_report(
 
     progress(0.0, "Collecting the report")
     content = content_of(
-        project, survey, convention=options.convention, refused=options.refused_since,
+        project, survey, convention=options.convention, refused=refused,
         progress=part(progress, 0.0, 0.5),
     )  # fmt: skip
     progress(0.5, "Setting the pages")

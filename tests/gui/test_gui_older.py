@@ -7,7 +7,6 @@ from pathlib import Path
 
 from lispac.gui.language import say, speak
 from lispac.gui.reporting import Reporting
-from lispac.workflow.export import write_report
 from tests.gui.support import Driver
 
 
@@ -22,9 +21,9 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     assert words in unescape(adjusted.window.results.warnings.text())
     reporting = adjusted.window.findChild(Reporting)
     report = tmp_path / "r.json"
-    write_report(
-        adjusted.project, adjusted.window.document.survey, report, options=reporting._options()
-    )
+    adjusted.dialogs.path = report
+    reporting.export()
+    adjusted.rest()
     told = [each for each in json.loads(report.read_text())["cautions"] if words in each["text"]]
     assert [(each["severity"], each["code"]) for each in told] == [("serious", "refused_since")]
     speak("fr")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLineEdit
@@ -73,6 +73,7 @@ def field(suffix: str, decimals: int) -> NumberField:
     max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(value=st.floats(-990, 990), suffix=st.sampled_from([" m", " mm", " °"]))
+@example(value=-1.19e-7, suffix=" m")  # nothing, in feet
 def test_what_is_only_shown_stays_to_the_last_digit(
     qapp: QApplication, code: str, lengths: str, angles: str, value: float, suffix: str
 ) -> None:

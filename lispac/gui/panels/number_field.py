@@ -63,7 +63,9 @@ class NumberField(QDoubleSpinBox):
         super().setSpecialValueText(text)
 
     def textFromValue(self, value: float) -> str:
-        return self._face.textFromValue(value * self._factor)
+        shown = value * self._factor
+        # Nothing has no sign, however little is left of it behind the last digit shown
+        return self._face.textFromValue(shown if round(shown, self.decimals()) else 0.0)
 
     def validate(self, text: str, place: int) -> object:
         return self._face.validate(self._own(text), place)
