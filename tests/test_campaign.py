@@ -190,7 +190,8 @@ def test_what_is_cancelled_stops(
     before = set(active_children())
     with pytest.raises(Cancelled), where() as mapper:
         stopped_at_once(mapper(Slow(tmp_path), range(2000)))
-    assert set(active_children()) == before
+    # None of the pool's; one of another test's cluster may have ended meanwhile
+    assert set(active_children()) <= before
     with distributed.Client(address, set_as_default=False) as client:
         until = time.monotonic() + 20
         while any(client.processing().values()):  # what was begun is finished

@@ -46,18 +46,14 @@ def mapper_of(workers: int | None, cluster: str | None) -> AbstractContextManage
 
 
 @contextmanager
-def pool_of(
-    workers: int, *, start_method: str | None = None, at_once: int = CHUNK
-) -> Iterator[Mapper]:
+def pool_of(workers: int, *, at_once: int = CHUNK) -> Iterator[Mapper]:
     """A mapper over so many processes; one is this one.
 
-    What is not done when the context is left is never begun.
+    What is not done when the context is left is never begun. The processes are started afresh on
+    every system: one that is forked from a program with threads may wait for a lock for ever.
 
     Parameters
     ----------
-    start_method : str, optional
-        Of `multiprocessing`, where the system's usual one will not do: a process with a window
-        must not be forked.
     at_once : int
         Most values that a process is sent: what is begun is finished, also when it is cancelled.
 
@@ -69,7 +65,7 @@ def pool_of(
     if workers <= 1:
         yield map
         return
-    pool = ProcessPoolExecutor(workers, get_context(start_method))
+    pool = ProcessPoolExecutor(workers, get_context("spawn"))
 
     def spread(function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
         values = list(values)

@@ -56,7 +56,7 @@ def best_plan(
     """The best plan of a site, on all cores where there are many to look at."""
     workers = 1 if plans * len(objective.pos_factors) <= FEW else os.cpu_count() or 1
     progress(0.0, "Starting the search")
-    with pool_of(workers, start_method="spawn") as mapper:
+    with pool_of(workers) as mapper:
         rated = Rated(mapper, progress)
         return search(
             site, objective, plans=plans, start=start, mapper=rated.map, progress=rated.progress
@@ -71,7 +71,7 @@ def all_scenarios(plan: Plan, progress: Progress) -> tuple[Outcome, ...]:
 def simulated_surveys(plan: Plan, asked: Asked, progress: Progress) -> Scatter:
     """Many surveys of a plan, on all cores; cancelled, those that are finished if enough are."""
     progress(0.0, "Starting the surveys")
-    with pool_of(os.cpu_count() or 1, start_method="spawn", at_once=1) as mapper:
+    with pool_of(os.cpu_count() or 1, at_once=1) as mapper:
         rated = Rated(mapper, progress, "{:.1f} surveys/s")
         return many_surveys(
             plan, asked.surveys, seed=asked.seed, flatness_known=asked.flatness_known,
