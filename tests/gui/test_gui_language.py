@@ -1,5 +1,6 @@
 """The window in another language: made anew around the same project."""
 
+import gc
 from pathlib import Path
 
 import pytest
@@ -83,6 +84,21 @@ def test_the_language_changes_and_nothing_is_lost(
     assert {target.name for target in french.document.project.targets} >= {"T1", "T2"}
     assert not french.isWindowModified()
     assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == [french]
+
+
+def test_the_former_window_is_gone_with_all_it_held(session: Session, qtbot: QtBot) -> None:
+    for code in ("fr", "en"):
+        former = session.window
+        former.settings.language = code
+        former.renew()
+        qtbot.waitUntil(lambda former=former: session.window is not former, timeout=SOON_MS)
+    del former
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    QCoreApplication.processEvents()
+    gc.collect()
+    alive = [each for each in gc.get_objects() if type(each) in (MainWindow, RecordingViewport)]
+    assert [type(each).__name__ for each in alive].count("MainWindow") == 1
+    assert [type(each).__name__ for each in alive].count("RecordingViewport") == 1
 
 
 def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo) -> None:

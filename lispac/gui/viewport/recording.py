@@ -37,8 +37,8 @@ class RecordingViewport:
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        self.signals = ViewportSignals()
         self._widget = QWidget(parent)
+        self.signals = ViewportSignals(self._widget)
         self.calls: list[tuple[str, tuple[object, ...]]] = []
         self.clouds: dict[str, Array] = {}
         self.colours: dict[str, Colour] = {}

@@ -54,10 +54,11 @@ class VtkViewport:
     """
 
     def __init__(self, parent: QWidget | None = None, budget: Budget | None = None) -> None:
-        self.signals = ViewportSignals()
         self._budget = budget or Budget()
         self._pace = Pace(self._budget)
         self._stage = Stage(parent)
+        # Goes with the widget, and with it what a window has joined: it would hold the window.
+        self.signals = ViewportSignals(self._stage)
         # No multisampling: it says nothing for single pixels and costs software OpenGL dearly.
         self.canvas = QtInteractor(self._stage, auto_update=False, multi_samples=0)
         self.canvas.setAcceptDrops(False)  # the window opens what is dropped, not the 3D library
