@@ -146,6 +146,8 @@ def test_dropped_on_the_window_and_cancelled_while_picking(
 
     def stop() -> None:
         task = opened.window.runner.current
+        if not opened.window.isActiveWindow():
+            opened.window.activateWindow()  # no window manager does so after the dialogue
         if task is None or not task.fraction or not opened.window.isActiveWindow():
             QTimer.singleShot(10, stop)
             return

@@ -122,8 +122,10 @@ class FileTable(QTableWidget):
             return
         for row in reversed(range(len(self._paths))):
             if self._paths[row] not in paths:
+                self.removeRow(
+                    row
+                )  # the selection moves, and asks for its path, before the row goes
                 del self._paths[row]
-                self.removeRow(row)
         for path in paths:
             if path not in self._paths:
                 self._paths.append(path)
