@@ -1,6 +1,8 @@
 """Fixtures every test may use."""
 
+import gc
 import shutil
+from collections.abc import Generator
 from pathlib import Path
 
 import hypothesis
@@ -20,6 +22,24 @@ def pytest_configure(config: pytest.Config) -> None:
     """The normal run draws the same examples every time; the long one seeks new ones."""
     if config.option.markexpr == "not long":
         hypothesis.settings.load_profile("same")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
+    """As in the program, no worker deletes widgets: what a window leaves is collected after it.
+
+    Around the whole of a test, for its fixtures are held until it has ended. Frozen before, so that
+    this takes no longer than what the test has made.
+    """
+    if "qapp" not in getattr(item, "fixturenames", ()):
+        return (yield)
+    gc.disable()
+    gc.freeze()
+    try:
+        return (yield)
+    finally:
+        gc.collect()
+        gc.enable()
 
 
 @pytest.fixture(scope="session")

@@ -41,10 +41,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     # Imported when the application exists: VTK and Qt set up their graphics together.
     from lispac.gui.logbook import Logbook
     from lispac.gui.session import Session
+    from lispac.gui.tidying import Tidying
     from lispac.gui.viewport.vtk import VtkViewport
 
+    tidying = Tidying(application)
     session = Session(application, VtkViewport)
-
     logbook = Logbook(session.log_folder, session.tell_unforeseen)
     logbook.begin()
     if arguments.project is not None:
@@ -57,6 +58,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return application.exec()
     finally:
         logbook.end()
+        tidying.end()
 
 
 def _no_screen() -> bool:

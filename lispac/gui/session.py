@@ -4,6 +4,7 @@ Widgets are given their texts and colours when they are made. So the window is m
 same document: the project, its data and every undo step stay.
 """
 
+import gc
 from collections.abc import Callable
 from pathlib import Path
 
@@ -112,4 +113,6 @@ class Session(QObject):
         former.safekeeping.stop()
         self.window = self._made(former)  # shown before the other goes: the last one ends Qt
         former.retire()
+        # Its points and graphics: nothing else frees so much, so this does not wait until due
+        former.destroyed.connect(lambda: QTimer.singleShot(0, gc.collect))
         former.deleteLater()

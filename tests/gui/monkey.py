@@ -304,11 +304,13 @@ def main() -> int:
     from lispac.gui.logbook import LOG, Logbook
     from lispac.gui.session import Session
     from lispac.gui.settings import AppSettings
+    from lispac.gui.tidying import Tidying
 
     controller.demo_folder = lambda: project
     draws = Draws()
     viewport = timed_viewport(draws)
     settings = AppSettings(home / "window.ini")
+    tidying = Tidying(application)
     session = Session(application, viewport, settings)
     logbook = Logbook(session.log_folder, session.tell_unforeseen)
     logbook.begin()
@@ -330,6 +332,7 @@ def main() -> int:
     monkey.stand(folder / "away")
     end(monkey)
     logbook.end()
+    tidying.end()
     (folder / "seen.json").write_text(json.dumps(vars(seen), indent=1, ensure_ascii=False))
     return 0
 

@@ -1,0 +1,64 @@
+"""Garbage is collected by the window's thread alone."""
+
+import gc
+import threading
+import time
+import weakref
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.tidying import OLD, YOUNG, Tidying
+from tests.gui.support import WAIT_MS
+
+
+class Cycle:
+    """Held by itself."""
+
+    def __init__(self) -> None:
+        self.itself = self
+
+
+def busy(stop: threading.Event) -> None:
+    """Make objects as a worker does that reads, so many that Python would collect."""
+    kept = []
+    while not stop.is_set():
+        kept = [[each] for each in range(50 * YOUNG)]
+        time.sleep(0.001)
+    del kept
+
+
+def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: QtBot) -> None:
+    tidying = Tidying()
+    stop, threads = threading.Event(), []
+    worker = threading.Thread(target=busy, args=(stop,))
+    worker.start()
+    try:
+        cycles = [Cycle() for _ in range(20)]
+        for each in cycles:
+            weakref.finalize(each, lambda: threads.append(threading.current_thread()))
+        time.sleep(0.2)  # the worker works, this one does not
+        del each, cycles
+        time.sleep(0.2)
+        assert threads == []
+        qtbot.waitUntil(lambda: len(threads) == 20, timeout=WAIT_MS)
+    finally:
+        stop.set()
+        worker.join()
+        tidying.end()
+    assert set(threads) == {threading.main_thread()}
+    assert gc.isenabled()
+
+
+def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> None:
+    tidying = Tidying()
+    collected = []
+    monkeypatch.setattr(gc, "collect", collected.append)
+    try:
+        for counts in ((YOUNG, 99, 999), (YOUNG + 1, 3, 999), (800, 11, OLD), (800, 0, OLD + 1)):
+            monkeypatch.setattr(gc, "get_count", lambda counts=counts: counts)
+            tidying.tidy()
+    finally:
+        tidying.end()
+    assert collected == [2, 1, 2]
