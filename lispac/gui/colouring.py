@@ -9,6 +9,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.gui import units
 from lispac.gui.viewport.base import Array, Shading
 from lispac.survey.cloud import Cloud
 
@@ -46,13 +47,10 @@ def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None
     scale = _scale()
     colours = {name: scale[_places(some, low, high, len(scale))] for name, some in values.items()}
     decimals = 0 if high - low >= 20 else 1 if high - low >= 2 else 2
-    return Shading(
-        colours,
-        TITLES[colouring],
-        f"{low - start:,.{decimals}f}",
-        f"{high - start:,.{decimals}f}",
-        scale,
-    )
+    form, length = f",.{decimals}f", colouring in ("height", "range")
+    metric = (f"{low - start:{form}}", f"{high - start:{form}}")
+    shown = (units.figure(low, "m", form), units.figure(high, "m", form)) if length else metric
+    return Shading(colours, TITLES[colouring], *shown, scale, metric)
 
 
 def _values(colouring: Colouring, name: str, cloud: Cloud) -> Array:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.geometry.planes import Plane, fit_plane
 from lispac.geometry.spheres import Sphere
+from lispac.gui import units
 from lispac.gui.viewport.base import Array, Shading
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -127,5 +128,12 @@ def residual_shading(
         line: np.broadcast_to(np.array(GREY, np.uint8), (len(cloud.sample), 3))
         for line, cloud in clouds.items()
     }
-    end = f"{reach * 1000:.1f}" if reach < 0.02 else f"{reach * 1000:.0f}"
-    return Shading(grey, TITLE, f"\N{MINUS SIGN}{end}", f"+{end}", scale), colours
+    low, high = _ends(reach)
+    with units.standard():
+        metric = _ends(reach)
+    return Shading(grey, TITLE, low, high, scale, metric), colours
+
+
+def _ends(reach: float) -> tuple[str, str]:
+    end = units.figure(1000 * reach, "mm", ".1f" if reach < 0.02 else ".0f")
+    return f"\N{MINUS SIGN}{end}", f"+{end}"

@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QLabel
 
+from lispac.gui import units
 from lispac.gui.viewport.base import PickedPoint
 from lispac.project import Project
 from tests.ball_survey import BallSurvey, make_ball_survey
@@ -52,6 +53,19 @@ def test_a_ball_is_seeded_with_and_without_its_radius(opened, balls, radius, sai
     assert (target.shape, target.sphere_radius) == ("sphere", radius or None)
     assert panel.table.item(0, 2).text() == "sphere"
     assert panel.table.item(0, 3).text() == "6 of 6"
+
+
+def test_the_radius_of_a_ball_is_told_in_the_unit_shown(opened, balls):
+    panel = opened.window.targets
+    panel.shape_choice.setCurrentIndex(1)
+    panel._sphere_radius.setValue(0.15)
+    units.show_in("degrees", "feet")
+    try:
+        seed(opened, balls, "S1")
+        assert f"Radius {0.15 / 0.3048:g} ft (known)" in detail(opened).replace("\u00a0", " ")
+        assert " m " not in detail(opened)
+    finally:
+        units.show_in("degrees", "metres")
 
 
 def test_a_line_of_its_own_keeps_the_shape_of_the_target(opened, balls):

@@ -14,16 +14,18 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import units
+from lispac.gui.colouring import shading
 from lispac.gui.language import speak
 from lispac.gui.measuring import Measuring, distance_words
 from lispac.gui.panels import widgets
 from lispac.gui.panels.distances import histogram_text
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
+from lispac.gui.residuals import residual_shading
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint
-from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.gui.viewport.overlay import legend_words, length_text, scale_length
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.gui.viewport.sketching import words_of
 from lispac.project import Project
@@ -246,3 +248,25 @@ def test_what_was_measured_is_metric_in_a_picture_for_a_file(
     assert words_of(sketch).startswith(f"Slope distance {5 / FOOT:.3f} ft")
     with units.standard():
         assert words_of(sketch).startswith("Slope distance 5.000 m")
+
+
+def test_the_scale_of_colours_is_in_feet_and_metric_in_files(
+    demo: Demo, estimated: Project, imperial: None
+) -> None:
+    clouds = demo.survey.placed(estimated, "estimated")
+    reach = 0.0256
+    left, _ = residual_shading(estimated, demo.survey, clouds, reach=reach)
+    end = f"{reach / FOOT:.3f}"
+    assert legend_words(left) == ("Distance from the surface (ft)", f"−{end}", f"+{end}")
+    heights, seconds = shading("height", clouds), shading("time", clouds)
+    assert heights is not None
+    assert seconds is not None
+    ups = np.concatenate([cloud.sample[:, 2] for cloud in clouds.values()])
+    title, low, high = legend_words(heights)
+    assert title == "Height (ft)"
+    assert (float(low), float(high)) == pytest.approx(np.percentile(ups, [2, 98]) / FOOT, abs=0.5)
+    with units.standard():
+        assert legend_words(left)[1:] == ("−26", "+26")
+        low, high = legend_words(heights)[1:]
+        assert (float(low), float(high)) == pytest.approx(np.percentile(ups, [2, 98]), abs=0.5)
+    assert legend_words(seconds) == (seconds.title, seconds.low, seconds.high)

@@ -88,7 +88,8 @@ def _of_spheres(target: Target, survey: Survey) -> str:
     radii = [patch.sphere.radius for patch in patches]
     shares = [100 * patch.share for patch in patches]
     if target.sphere_radius is not None:
-        radius = f"Radius {target.sphere_radius:g} m (known)"
+        radius = f"Radius {units.amount(target.sphere_radius, 'm', 'g')} (known)"
     else:
-        radius = f"Radius {min(radii):.3f} to {max(radii):.3f} m"
+        low, high = (units.amount(end(radii), "m", ".3f") for end in (min, max))
+        radius = f"Radius {low} to {high}"
     return f"{radius}; {min(shares):.0f} to {max(shares):.0f} % of the surface seen."

@@ -54,6 +54,8 @@ class Shading:
     low, high : words at the ends of the scale
     scale : uint8 ndarray of shape (m, 3)
         Colours from low to high.
+    metric : words at the ends in metres or millimetres, as the title says, where those are in
+        another unit, for a picture that is a file
     """
 
     colours: Mapping[str, NDArray[np.uint8]]
@@ -61,6 +63,7 @@ class Shading:
     low: str
     high: str
     scale: NDArray[np.uint8]
+    metric: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True)

@@ -46,6 +46,14 @@ def scale_length(metres_per_pixel: float, longest: float = 150.0) -> float:
     return float(max(fitting)) / factor
 
 
+def legend_words(shading: Shading) -> tuple[str, str, str]:
+    """Title and ends of the scale of colours, in the unit shown just now."""
+    ends = (shading.low, shading.high)
+    if shading.metric is not None and not units.differs("m"):
+        ends = shading.metric
+    return units.signs(say(shading.title), "mm", "m"), say(ends[0]), say(ends[1])
+
+
 def length_text(metres: float) -> str:
     """A round length with the unit it is read in."""
     if units.differs("m"):
@@ -182,13 +190,15 @@ class Overlay(QWidget):
     def legend(self, shading: Shading) -> QRectF:
         """Where the scale of the colours is painted."""
         metrics = QFontMetricsF(_scaled(self.font(), 0.95))
-        ends = sum(metrics.horizontalAdvance(say(end)) for end in (shading.low, shading.high))
-        width = max(180.0, metrics.horizontalAdvance(say(shading.title)), ends + 24.0)
+        title, low, high = legend_words(shading)
+        ends = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(high)
+        width = max(180.0, metrics.horizontalAdvance(title), ends + 24.0)
         return QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
 
     def _paint_legend(self, painter: QPainter, shading: Shading) -> None:
         painter.setFont(_scaled(self.font(), 0.95))
         box = self.legend(shading)
+        title, low, high = legend_words(shading)
         width = box.width() - 24.0
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.88))
@@ -201,10 +211,10 @@ class Overlay(QWidget):
         painter.fillRect(bar, gradient)
         painter.setPen(QColor(theme.TEXT))
         text = QRectF(bar.left(), box.top() + 6.0, width, 18.0)
-        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, say(shading.title))
+        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, title)
         text.moveTop(bar.bottom() + 3.0)
-        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, say(shading.low))
-        painter.drawText(text, Qt.AlignmentFlag.AlignRight, say(shading.high))
+        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, low)
+        painter.drawText(text, Qt.AlignmentFlag.AlignRight, high)
 
     def _paint_help(self, painter: QPainter) -> None:
         font = _scaled(self.font(), 0.9)

@@ -3991,12 +3991,12 @@
         <translation>Cocher pour l&apos;employer ; double-clic ou F2 pour renommer</translation>
     </message>
     <message>
-        <source>Radius {n:n} m (known)</source>
-        <translation>Rayon {n} m (connu)</translation>
+        <source>Radius {radius} (known)</source>
+        <translation>Rayon {radius} (connu)</translation>
     </message>
     <message>
-        <source>Radius {a:n} to {b:n} m</source>
-        <translation>Rayon de {a} à {b} m</translation>
+        <source>Radius {a} to {b}</source>
+        <translation>Rayon de {a} à {b}</translation>
     </message>
     <message>
         <source>{radius}; {a:n} to {b:n} % of the surface seen.</source>
