@@ -16,6 +16,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from lispac.errors import Cancelled
+from lispac.gui.tidying import GivingBack
 from lispac.progress import Progress
 
 REFRESH_MS = 50
@@ -165,6 +166,7 @@ class TaskRunner(QObject):
         self.changed.emit()
 
     def _loop(self) -> None:
+        memory = GivingBack()
         while (task := self._inbox.get()) is not None:
             try:
                 task.report(0.0)
@@ -172,6 +174,7 @@ class TaskRunner(QObject):
             except BaseException as error:  # noqa: BLE001, RUF100 - handed to the GUI thread whole
                 task.error = error
             self._ended.emit()
+            memory.when_due()
 
     def _finish(self) -> None:
         task, self.current = self.current, None

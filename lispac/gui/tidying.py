@@ -5,7 +5,10 @@ widget or graphics of a window that has gone would delete them there, which Qt a
 survive. What lies in no cycle goes at once, as ever.
 """
 
+import ctypes
 import gc
+import sys
+import time
 
 from PySide6.QtCore import QObject, QTimer
 
@@ -14,6 +17,9 @@ EVERY_MS = 100
 YOUNG, MIDDLE, OLD = 700, 10, 100
 """What makes a collection of each generation due; Python's own but for the last, which takes 0.1 s
 with all libraries loaded, and so comes once in two busy minutes."""
+
+REST_S = 5.0
+"""Between two times that memory is given back: it takes 0.01 to 0.04 s."""
 
 
 class Tidying(QObject):
@@ -41,3 +47,22 @@ class Tidying(QObject):
         """Leave it to Python again."""
         self._timer.stop()
         gc.enable()
+
+
+class GivingBack:
+    """Gives the system what arrays that have gone leave in holes between others.
+
+    The C library of Linux keeps them for later: after four minutes of changing projects and
+    languages the program held 2.7 GB of which it used 1.7. Those of other systems give them back.
+    """
+
+    def __init__(self) -> None:
+        library = ctypes.CDLL(None) if sys.platform.startswith("linux") else None
+        self._trim = getattr(library, "malloc_trim", None)  # musl has none and needs none
+        self._last = time.monotonic()
+
+    def when_due(self) -> None:
+        """For a worker that has just finished something."""
+        if self._trim is not None and time.monotonic() > self._last + REST_S:
+            self._trim(0)
+            self._last = time.monotonic()

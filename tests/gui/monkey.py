@@ -26,7 +26,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, QUrl, Slot
+from PySide6.QtCore import QCoreApplication, QEvent, QEventLoop, QObject, Qt, QTimer, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMessageBox
@@ -259,17 +259,17 @@ class Monkey(QObject):
             design.hide()
         window.document.open(None, None)
         window.open_project(project)
-        QTest.qWait(100)
+        wait(100)
         self.rest()
         for name in ("estimate", "validate"):
             window.actions_[name].trigger()
-            QTest.qWait(100)
+            wait(100)
             self.rest()
-        QTest.qWait(500)
+        wait(500)
         self.rest()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
-        QTest.qWait(100)
+        wait(100)
         self.seen.memory_mb.append(round(resident_mb(), 1))
         self.seen.widgets.append(len(QApplication.allWidgets()))
 
@@ -337,6 +337,13 @@ def main() -> int:
     return 0
 
 
+def wait(ms: int) -> None:
+    """Let the program run; `QTest.qWait` keeps the interpreter to itself, and workers starve."""
+    loop = QEventLoop()
+    QTimer.singleShot(ms, loop.quit)
+    loop.exec()
+
+
 def end(monkey: Monkey) -> None:
     """Close the window as a user does, and look what is left."""
     window = monkey.session.window
@@ -344,11 +351,11 @@ def end(monkey: Monkey) -> None:
     letting_go.timeout.connect(_discard)
     letting_go.start()
     while not window.close():
-        QTest.qWait(100)
+        wait(100)
     letting_go.stop()
     window.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    QTest.qWait(1000)
+    wait(1000)
     gc.collect()
     monkey.seen.left = [
         *(t.name for t in threading.enumerate() if t.name.startswith(("lispac", "pulse"))),

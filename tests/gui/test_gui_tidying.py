@@ -1,15 +1,18 @@
 """Garbage is collected by the window's thread alone."""
 
 import gc
+import mmap
+import sys
 import threading
 import time
 import weakref
+from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.tidying import OLD, YOUNG, Tidying
+from lispac.gui.tidying import OLD, REST_S, YOUNG, GivingBack, Tidying
 from tests.gui.support import WAIT_MS
 
 
@@ -62,3 +65,22 @@ def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.Mo
     finally:
         tidying.end()
     assert collected == [2, 1, 2]
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux' C library")
+def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    def resident() -> int:
+        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+        return pages * mmap.PAGESIZE
+
+    blocks = [b"x" * 100_000 for _ in range(4000)]  # 400 MB, too small to be mapped by itself
+    held = resident()
+    del blocks[::2]
+    memory = GivingBack()
+    memory.when_due()  # just begun
+    assert resident() > held - 20e6
+    later = time.monotonic() + REST_S + 1
+    monkeypatch.setattr(time, "monotonic", lambda: later)
+    memory.when_due()
+    assert resident() < held - 150e6
+    assert len(blocks) == 2000
