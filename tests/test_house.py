@@ -27,6 +27,20 @@ HEAVY = {
     "vtk",
     "vtkmodules",
 }
+NOT_YET = {
+    "dask",
+    "distributed",
+    "fontTools",
+    "matplotlib",
+    "open3d",
+    "scipy.ndimage",
+    "scipy.optimize",
+    "scipy.signal",
+    "scipy.spatial",
+    "scipy.special",
+    "scipy.stats",
+}
+"""What the window imports with the work that needs it; the 3D view brings matplotlib of its own."""
 
 
 def requirements(lock: str) -> dict[str, list[str]]:
@@ -137,6 +151,12 @@ def test_importing_the_package_imports_nothing_heavy() -> None:
     loaded = set(done.stdout.split())
     assert not HEAVY & loaded
     assert {name for name in loaded if name.startswith("lispac")} == {"lispac"}
+
+
+def test_window_starts_without_what_it_does_not_need_yet() -> None:
+    done = run_python("import lispac.gui.app, lispac.gui.session, sys; print(*sys.modules)")
+    assert done.returncode == 0, done.stderr
+    assert not NOT_YET & set(done.stdout.split())
 
 
 def test_core_loads_no_qt() -> None:

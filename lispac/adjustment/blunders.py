@@ -13,7 +13,6 @@ from typing import Literal
 import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
-from scipy.special import chdtrc
 
 from lispac.adjustment.adaptation import with_surface
 from lispac.adjustment.normal import columns_basis
@@ -153,6 +152,8 @@ def _without(linearised: Linearised, found: Blunder) -> Linearised:
 
 def _chance(linearised: Linearised, found: Blunder) -> float:
     """Of data like these where nothing is wrong, by a score test of new unknowns (Rao 1948)."""
+    from scipy.special import chdtrc
+
     normal = linearised.normal
     own, by_unknowns, by_pos, right = _new_unknowns(linearised, found)
     solved = scipy.linalg.cho_solve_banded((normal.factor, True), by_pos.T)

@@ -11,7 +11,6 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtri
 
 from lispac.adjustment.adaptation import with_surface
 from lispac.adjustment.components import SMALLEST_SURFACE
@@ -44,6 +43,8 @@ def contradictions(
     least : float
         Sigmas by which an angle would move at least.
     """
+    from scipy.special import ndtri
+
     problem = linearised.problem
     estimated = {parameter.name for parameter in problem.parameters}
     omitted = [Parameter(name) for name in SWITCHED if name not in estimated]

@@ -4,7 +4,6 @@ import time
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import chdtri
 
 from lispac.adjustment.conditions import misclosures
 from lispac.adjustment.observability import observability
@@ -51,6 +50,8 @@ def summary(
     origins : ndarray of shape (targets, 3), metres, local
         Where the points of each target are counted from.
     """
+    from scipy.special import chdtri
+
     problem, normal = linearised.problem, linearised.normal
     observations = problem.observations
     layout = normal.layout

@@ -5,10 +5,14 @@ plain call: cells are split at their middle instead of at the median point, and 
 asked in spatial order, so that one after the other walks through the same leaves of the tree.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 Points = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -19,8 +23,10 @@ _COLLINEAR = 1e-12
 _MAX_SWEEPS = 12
 
 
-def build_tree(points: Points) -> cKDTree:
+def build_tree(points: Points) -> "cKDTree":
     """K-d tree of ``points`` (n, 3), built for speed rather than for balance."""
+    from scipy.spatial import cKDTree
+
     return cKDTree(points, balanced_tree=False)
 
 
@@ -29,6 +35,8 @@ def spatial_order(points: Points) -> Indices:
 
     It is the order in which the leaves of a k-d tree hold the points.
     """
+    from scipy.spatial import cKDTree
+
     tree = cKDTree(points, balanced_tree=False, compact_nodes=False, leafsize=64)
     return np.asarray(tree.indices, dtype=np.intp)
 

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, QhullError
 
 from lispac.errors import SphereNotFound
 from lispac.geometry.planes import LINE_SHARE
@@ -144,6 +143,8 @@ def share_seen(sphere: Sphere, points: Array) -> float:
     It is the area inside their outline, drawn in Lambert's equal-area projection about the middle
     of the cap, so it depends neither on how dense the points are nor on where.
     """
+    from scipy.spatial import ConvexHull, QhullError
+
     directions = sphere.directions(points)
     axis = cap_axis(directions)
     across = np.linalg.svd(axis[None, :])[2][1:]

@@ -1,6 +1,7 @@
 """The program with a window: ``lispac-gui [PROJECT]``."""
 
 import argparse
+import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -38,6 +39,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     application.setDesktopFileName("lispac")
 
     caches.use(os.environ)
+    gc.disable()  # `Tidying` takes over; among what is imported there is nothing to be found
     # Imported when the application exists: VTK and Qt set up their graphics together.
     from lispac.gui.logbook import Logbook
     from lispac.gui.session import Session

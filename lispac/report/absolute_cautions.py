@@ -1,15 +1,14 @@
 """What page one says of the comparison with a reference."""
 
 from collections.abc import Callable, Iterator, Sequence
-
-from scipy.special import ndtri
+from statistics import NormalDist
 
 from lispac.report.absolute_values import Absolute
 from lispac.report.values import Caution, mild, serious
 from lispac.report.wording import mm
 from lispac.validation.absolute_words import Off, lines_off, points_off
 
-NORMAL_95 = float(ndtri(0.975))
+NORMAL_95 = NormalDist().inv_cdf(0.975)
 LARGE, TOO_LARGE = 2.0, 3.0
 """RMS over the one expected, from which it is told, and from which it is serious: what lines share
 makes an RMS scatter about as much as a single error does."""
@@ -47,6 +46,8 @@ def absolute_cautions(found: Absolute | None) -> Iterator[Caution]:
 def _single(
     code: str, words: Callable[[Sequence[Off], int], str], each: Sequence[Off]
 ) -> Iterator[Caution]:
+    from scipy.special import ndtri
+
     off = [one for one in each if abs(one[1]) > one[2]]
     if not off:
         return

@@ -6,7 +6,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import erf
 
 Array = NDArray[np.float64]
 
@@ -96,6 +95,8 @@ class Pass:
         return float(own.speed - (own.speed - own.speed_abeam) * slow)
 
     def _along(self, time: Array) -> Array:
+        from scipy.special import erf
+
         own = self.handling
         return np.asarray(own.speed * time - self._lost * erf(time / own.slow_time))
 

@@ -1,12 +1,11 @@
 """How good one sighting is, with a traffic light and its reason in words."""
 
 from dataclasses import dataclass, replace
+from statistics import NormalDist
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, QhullError
-from scipy.special import fdtrc, ndtri
 
 from lispac.geometry.planes import Plane, extent_in_plane, in_plane_axes, rms_distance
 from lispac.geometry.spheres import Sphere, rms_from_sphere, share_seen
@@ -36,7 +35,7 @@ SPARSE = (0.7, 0.5)
 CURVED, UNEVEN = (1.0, 3.0), (1.0, 1.5)
 # Chance at which a departure counts as there, and as beyond a limit.
 CERTAIN = 1e-3
-SIGMAS = float(-ndtri(CERTAIN))
+SIGMAS = -NormalDist().inv_cdf(CERTAIN)
 # Share of a sphere's surface; a full view shows half of it.
 LITTLE_SEEN = (0.2, 0.12)
 
@@ -274,6 +273,8 @@ def _judged(said: list[tuple[int, str]]) -> tuple[Light, tuple[str, ...]]:
 
 def _cell(placed: Array) -> float:
     """Side of a cell that a patch without holes fills, metres: 2.5 mean spacings of its points."""
+    from scipy.spatial import ConvexHull, QhullError
+
     try:
         spacing = np.sqrt(ConvexHull(placed).volume / len(placed))
     except QhullError:  # all in one row
@@ -283,6 +284,8 @@ def _cell(placed: Array) -> float:
 
 def _coverage(placed: Array, cell: float) -> float:
     """Share of the cells inside the convex outline that hold points."""
+    from scipy.spatial import ConvexHull, QhullError
+
     low = placed.min(axis=0)
     at = np.floor((placed - low) / cell).astype(np.int64)
     filled = np.zeros(at.max(axis=0) + 1, dtype=bool)
@@ -302,6 +305,8 @@ def _shape(placed: Array, off: Array, cell: float) -> tuple[float, float, bool, 
 
     From the means of the cells: neighbours see the same roughness, and cells do not.
     """
+    from scipy.special import fdtrc
+
     at = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
     _, key, count = np.unique(at[:, 0] * (at[:, 1].max() + 1) + at[:, 1], False, True, True)
     key = key.reshape(-1)

@@ -9,15 +9,18 @@ neighbourhood, or a point beyond the edge of the reference, can then never make 
 
 import os
 from concurrent.futures import ThreadPoolExecutor
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial import cKDTree
 
 from lispac.errors import InputError
 from lispac.geometry.knn import build_tree, spatial_order
 from lispac.progress import Progress, no_progress
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 _CHUNK = 50_000
 
@@ -99,7 +102,7 @@ def cloud_to_cloud(
 def _distances(
     compared: NDArray[np.float64],
     reference: NDArray[np.float64],
-    tree: cKDTree,
+    tree: "cKDTree",
     model: LocalModel,
     limit: float,
 ) -> NDArray[np.float64]:

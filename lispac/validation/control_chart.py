@@ -7,10 +7,10 @@ lies beyond them begins a new series, whose mean no longer knows the mounting as
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from statistics import NormalDist
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtr
 
 from lispac.validation.repeatability import Calibration, Difference, difference, mean_of
 
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 LIMIT = 3.0
 """Sigmas of the difference from the mean, beyond which the mounting is said to have moved."""
-CHANCE = float(2.0 * ndtr(-LIMIT))
+CHANCE = 2.0 * NormalDist().cdf(-LIMIT)
 """Of that without a reason, for one angle; and for the three together, which are tested too. Either
 comes up without a reason for hardly one calibration in a hundred."""
 

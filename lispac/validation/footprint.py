@@ -7,7 +7,6 @@ the surface.
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import Delaunay, QhullError
 
 Array = NDArray[np.float64]
 
@@ -84,6 +83,8 @@ class Footprint:
 
 def _sparse_spacing(points: Array) -> float | None:
     """Longest side of the usual triangle between the points, metres; None where there is none."""
+    from scipy.spatial import Delaunay, QhullError
+
     step = -(-len(points) // _TRIANGULATED_POINTS)
     outline = points[:: max(step, 1)]
     try:

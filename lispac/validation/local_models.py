@@ -1,15 +1,17 @@
 """What stands for the surface between the points of a cloud: a point, a plane or a quadric."""
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from lispac.errors import InputError
 from lispac.geometry.knn import local_planes
 from lispac.geometry.quadrics import heights_above, local_quadrics
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -76,7 +78,7 @@ class LocalModel:
         return cls(**data)
 
     def distances(
-        self, compared: Array, nearest: Indices, reference: Array, tree: cKDTree
+        self, compared: Array, nearest: Indices, reference: Array, tree: "cKDTree"
     ) -> Array:
         """Unsigned distance of each compared point to the surface at its nearest point.
 
@@ -105,7 +107,9 @@ class LocalModel:
         quadrics = local_quadrics(reference, groups, counts, centroids, normals)
         return np.abs(heights_above(quadrics, offsets, surface_of))
 
-    def _groups(self, reference: Array, centres: Indices, tree: cKDTree) -> tuple[Indices, Indices]:
+    def _groups(
+        self, reference: Array, centres: Indices, tree: "cKDTree"
+    ) -> tuple[Indices, Indices]:
         """Neighbours (c, k) of the points of these numbers, and how many of each row count."""
         if self.radius is None:
             k = min(self.neighbours, len(reference))

@@ -17,7 +17,6 @@ from dataclasses import dataclass
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
-from scipy.special import stdtrit
 
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.knn import planes_of
@@ -234,6 +233,8 @@ def _differences(samples: Array) -> tuple[Array, Array]:
     samples : ndarray of shape (n, 2, 3)
         Mean, variance and number of points of either cloud.
     """
+    from scipy.special import stdtrit
+
     mean, variance, count = np.moveaxis(samples, 2, 0)
     of_mean = variance / count
     total = of_mean.sum(axis=1)

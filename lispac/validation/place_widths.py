@@ -4,11 +4,15 @@ A beam that meets a wall at 60 m leaves points farther apart than one at 15 m, a
 of a site is that of where most points are: sparse places then hold too few points for a distance.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from lispac.targets.thinning import thin
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -32,13 +36,13 @@ def candidates(surface: Array) -> Array:
     return some[kept]
 
 
-def spacing(tree: cKDTree, places: Array) -> Array:
+def spacing(tree: "cKDTree", places: Array) -> Array:
     """Distance from each place to its twelfth neighbour, metres; infinite where there are fewer."""
     far, _ = tree.query(places, k=[NEIGHBOURS + 1])
     return np.asarray(far[:, 0], dtype=np.float64)
 
 
-def diameters_at(line: cKDTree, places: Array, reach: float) -> Array:
+def diameters_at(line: "cKDTree", places: Array, reach: float) -> Array:
     """Width of a cylinder that holds a dozen points of a line at each place, metres.
 
     Parameters

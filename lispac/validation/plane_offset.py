@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import stdtrit
 
 from lispac.errors import NotComparable
 from lispac.geometry.planes import fit_plane_resisting, in_plane_axes
@@ -82,6 +81,8 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
     NotComparable
         A cloud of fewer than four points, or on one straight line.
     """
+    from scipy.special import stdtrit
+
     both = (compared, reference)
     if min(map(len, both)) <= UNKNOWNS:
         raise NotComparable("A plane with its confidence needs at least four points of each line.")

@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
-from scipy.special import stdtrit
 
 from lispac.errors import NotComparable
 from lispac.geometry.neighbours import Cells, PointGrid, gather
@@ -263,6 +262,8 @@ def _plane_before(
 def _plane_of(
     near: Array, place: Array, facing: Array, diameter: float, roughest: float
 ) -> tuple[float, float, Array] | None:
+    from scipy.special import stdtrit
+
     if len(near) < FEWEST_ON_PLANE:
         return None
     middle = near.mean(axis=0)

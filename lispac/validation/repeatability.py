@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import chdtrc
 
 from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
@@ -105,6 +104,8 @@ class Difference:
 def difference(first: Calibration, second: Calibration) -> Difference:
     """Compare two calibrations of one mounting."""
     # The short way round: a yaw of 179 degrees and one of -179 differ by two.
+    from scipy.special import chdtrc
+
     angles = (second.boresight - first.boresight + np.pi) % (2.0 * np.pi) - np.pi
     covariance = first.covariance + second.covariance
     statistic = float(angles @ np.linalg.solve(covariance, angles))
@@ -158,6 +159,8 @@ def repeated(calibrations: Sequence[Calibration]) -> Repeated:
     InputError
         Fewer than two.
     """
+    from scipy.special import chdtrc
+
     if len(calibrations) < 2:
         raise InputError("Repeatability needs at least two calibrations of the same mounting.")
     together, angles = mean_of(calibrations), _near(calibrations)

@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from lispac.adjustment.sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
@@ -37,6 +37,9 @@ from lispac.validation.place_widths import (
 from lispac.validation.reference_places import SMOOTH, Measured, at_points, flat_places, on_surface
 from lispac.workflow.references import Reference, read_reference
 from lispac.workflow.survey import Survey
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 
@@ -196,7 +199,7 @@ class _Where:
             3 * max(reference.sigma, lidar_sigma),
         )  # fmt: skip
 
-    def surfaces(self, tree: cKDTree) -> Iterator[tuple[Array, Array, Array, int]]:
+    def surfaces(self, tree: "cKDTree") -> Iterator[tuple[Array, Array, Array, int]]:
         """Surfaces that a line came near: their points, places and the diameters there by how
         dense both are, and their number among ``sigmas``."""
         wanted = diameters_at(tree, self.candidates, self.reach)

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import Delaunay, QhullError
 
 from lispac.errors import InputError, PlaneNotFound
 from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, in_plane_axes
@@ -59,6 +58,8 @@ class PlaneReference:
 
     def grid(self, spacing: float) -> Array:
         """Places on the plane within the hull of its points, shape (n, 3), metres, local frame."""
+        from scipy.spatial import Delaunay
+
         axes, middle = in_plane_axes(self.plane.normal), self.points.mean(axis=0)
         middle = middle - self.plane.distances(middle) * self.plane.normal
         flat = (self.points - middle) @ axes.T
@@ -230,6 +231,8 @@ def _plane(
     name: str, points: Array, sigmas: Sequence[float], path: Path
 ) -> tuple[PlaneReference, str]:
     """A plane, and what is to be said of points that do not lie on it."""
+    from scipy.spatial import Delaunay, QhullError
+
     if len(points) < 3:
         raise InputError(
             f"{path}: the plane {name} has {len(points)} points and a plane needs three; survey "

@@ -4,7 +4,6 @@ import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
-from scipy.spatial.transform import Rotation
 
 from lispac.geometry.rotations import rotation_matrix
 from lispac.gui import theme
@@ -45,6 +44,8 @@ def exaggerated(boresight: np.ndarray) -> tuple[int, np.ndarray]:
     factor : int
     rotation : ndarray of shape (3, 3)
     """
+    from scipy.spatial.transform import Rotation
+
     factor = exaggeration(boresight)
     return factor, Rotation.from_rotvec(factor * _rotation_vector(boresight)).as_matrix()
 
@@ -56,6 +57,8 @@ def turn_words(factor: int) -> str:
 
 
 def _rotation_vector(boresight: np.ndarray) -> np.ndarray:
+    from scipy.spatial.transform import Rotation
+
     return Rotation.from_matrix(rotation_matrix(*boresight)).as_rotvec()
 
 
