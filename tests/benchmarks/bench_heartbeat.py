@@ -1,0 +1,216 @@
+"""How the window keeps up with its user: the beat of its thread on a whole way through a survey.
+
+A process of its own goes from the raw files to the preview of the report, in the program's own
+window with its own dialogues, on a screen. A timer beats every 10 ms on the window's thread; for
+each step the longest pause is told, and the one that 99 of 100 beats keep within. A pause is told
+with what of it was computing by that thread: the rest is drawing (by software, where there is no
+graphics card) and waiting for a processor (on a busy machine). Aim: nothing computes over 200 ms.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication
+from PySide6.QtWidgets import QApplication, QWidget
+
+from lispac.project import Project
+from tests.gui.pulse import Draws, Pulse, timed_viewport
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+LONG_MS = 200.0
+PATIENCE_S = 300.0
+
+
+@pytest.mark.timeout(900)
+def test_the_window_keeps_up(tmp_path: Path, whole_demo: Project) -> None:
+    if QGuiApplication.platformName() in ("offscreen", "minimal"):
+        pytest.skip("OpenGL needs a screen, a virtual one will do")
+    home = tmp_path / "home"
+    home.mkdir()
+    run = subprocess.run(
+        [sys.executable, "-m", "tests.benchmarks.bench_heartbeat", whole_demo.folder,
+         tmp_path / "made"],
+        capture_output=True, text=True, check=False, cwd=CHECKOUT,
+        env={
+            **os.environ, "PYTHONPATH": str(CHECKOUT), "HOME": str(home),
+            "XDG_CACHE_HOME": str(home), "XDG_CONFIG_HOME": str(home),
+        },
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    for step, told in json.loads(run.stdout.splitlines()[-1]).items():
+        print(f"\n  {step}: {told}", end="")
+    print()
+
+
+# -- in the process --------------------------------------------------------------------------------
+
+
+class Heart(Pulse):
+    """Keeps every beat: ms by the clock, and ms of them that were computing."""
+
+    def forget(self) -> None:
+        """Begin anew."""
+        self.beaten: list[tuple[float, float]] = []
+        super().forget()
+
+    def _beat(self) -> None:
+        before = self._last
+        super()._beat()
+        took, _drawn, computed, _waited = np.subtract(self._last, before)
+        self.beaten.append((1000 * took, 1000 * computed))
+
+    def told(self) -> str:
+        """The longest pause, the usual ones, and where the thread was in those that computed."""
+        took, computed = np.array(self.beaten).T
+        late = [pause for pause in self.pauses if pause.computing > self.limit]
+        return (
+            f"longest pause {took.max():.0f} ms, longest computing {computed.max():.0f} ms, "
+            f"99 % of {len(took)} beats within {np.percentile(took, 99):.0f} ms, "
+            f"{len(late)} over {self.limit:.0f} ms of computing"
+            + "".join(f"\n    {pause}" for pause in late)
+        )
+
+
+class Way:
+    """A user's way through a survey, from its raw files."""
+
+    def __init__(self, application: QApplication, session: Any, heart: Heart) -> None:
+        self._application, self._window, self._heart = application, session.window, heart
+        self.told: dict[str, str] = {}
+
+    def until(self, done: Callable[[], bool]) -> None:
+        """Let the window live until something is so."""
+        limit = time.monotonic() + PATIENCE_S
+        while not done():
+            self._application.processEvents()
+            time.sleep(0.0005)
+            if time.monotonic() > limit:
+                raise TimeoutError(f"after {list(self.told)}: {QApplication.activeModalWidget()}")
+
+    def idle(self) -> bool:
+        """Whether no work is left."""
+        return not self._window.runner.active and not self._window.document.awaits_result
+
+    def step(
+        self,
+        name: str,
+        act: Callable[[], object],
+        done: Callable[[], bool] | None = None,
+        answer: Callable[[Any], object] | None = None,
+    ) -> None:
+        """Do something, and tell the beat until it is done and the window has come to rest.
+
+        Parameters
+        ----------
+        done : whether it is; when no work is left, unless stated
+        answer : is given the dialogue that is open, every 100 ms
+        """
+        self._heart.forget()
+        begun = time.monotonic()
+        answering = QTimer(interval=100)
+        if answer is not None:
+            answering.timeout.connect(
+                lambda: (dialog := QApplication.activeModalWidget()) and answer(dialog)
+            )
+            answering.start()
+        act()
+        self.until(done or self.idle)
+        answering.stop()
+        took = time.monotonic() - begun
+        rested = time.monotonic() + 1.0  # the detail is drawn, panels follow
+        self.until(lambda: time.monotonic() > rested)
+        beats = self._heart.beats
+        self.until(lambda: self._heart.beats > beats)  # the last pause has its end
+        self.told[name] = f"{took:.1f} s; {self._heart.told()}"
+
+
+def drop(widget: QWidget, paths: Sequence[Path]) -> None:
+    """What the window system sends when files are dropped."""
+    mime = QMimeData()
+    mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    how = Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(widget, QDragEnterEvent(QPoint(20, 20), *how))
+    QApplication.sendEvent(widget, QDropEvent(QPointF(20, 20), *how))
+
+
+def walk(raw: Path, folder: Path) -> dict[str, str]:
+    """Import, pick, estimate, validate and preview the report; what is told of each step."""
+    application = QApplication(sys.argv[:1])
+    application.setQuitOnLastWindowClosed(False)
+    from lispac.gui.dialogs.import_files.dialog import ImportDialog
+    from lispac.gui.session import Session
+    from lispac.gui.tidying import Tidying
+    from lispac.gui.viewport.base import PickedPoint
+    from lispac.workflow.demo import demo_seeds
+    from lispac.workflow.projects import open_project
+
+    draws = Draws()
+    tidying = Tidying(application)
+    session = Session(application, timed_viewport(draws))
+    window = session.window
+    heart = Heart(LONG_MS, draws)
+    heart.start()
+    way = Way(application, session, heart)
+
+    project = open_project(raw)
+    assert project.accuracy is not None
+    files = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
+
+    def fill(dialog: QWidget) -> None:
+        """Name a folder once every file has been looked into, and go on."""
+        if isinstance(dialog, ImportDialog) and not dialog.work.busy:
+            if dialog.folder.text() != str(folder):
+                dialog.folder.setText(str(folder))
+                dialog.folder.textEdited.emit(str(folder))
+            dialog.ok.click()
+
+    way.step("an idle window", lambda: None, lambda: True)
+    way.step(
+        "import, files dropped on the window", lambda: drop(window, files),
+        lambda: window.document.survey is not None and way.idle(), fill,
+    )  # fmt: skip
+    window.document.undo_stack.setClean()
+    # The boresight and lever arm that a surveyor enters
+    way.step("opening the project", lambda: window.open_project(raw))
+    first = window.document.survey.lines[0]
+    for name, (role, position) in demo_seeds().items():
+        window.targets.set_role(role)
+        seen = PickedPoint(first, position)
+        way.step(
+            f"seed on {name}", lambda seen=seen: window.viewport.signals.seed_clicked.emit(seen)
+        )
+        way.step(f"{name} accepted", window.actions_["accept"].trigger)
+    way.step("estimate", window.actions_["estimate"].trigger)
+    way.step("validate", window.actions_["validate"].trigger)
+    docks = [dock for dock in window.docks.values() if dock.isVisible()]
+    for dock in docks:
+        way.step(f"{dock.windowTitle()} looked at", dock.raise_)
+    pages = window.diagnostics.list
+    for k in range(pages.count()):
+        way.step(f"diagnostics, {pages.item(k).text()}", lambda k=k: pages.setCurrentRow(k))
+    previewed: list[QWidget] = []
+
+    def leave(dialog: QWidget) -> None:
+        previewed.append(dialog)
+        dialog.reject()
+
+    way.step("report, to its preview", window.report.preview.click, lambda: bool(previewed), leave)
+    way.step("saved", window.actions_["save"].trigger)
+    heart.stop()
+    tidying.end()
+    window.document.undo_stack.setClean()
+    window.close()
+    return way.told
+
+
+if __name__ == "__main__":
+    print(json.dumps(walk(Path(sys.argv[1]), Path(sys.argv[2]))))
