@@ -93,8 +93,10 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     position, _attitude = turn_to(shown, "POS error").canvas.figure.axes
     item = result.reliability[0]
     assert position.lines[0].get_ydata()[0] == pytest.approx(item.pos_error[0] * 1000)
-    band = position.patches[0]
-    assert band.get_height() == pytest.approx(4 * item.pos_sigma[0] * 1000)
+    band = position.collections[0].get_paths()[0].get_extents()
+    half = 2 * item.pos_sigma[0] * 1000
+    assert (band.y0, band.y1) == (pytest.approx(-half), pytest.approx(half))
+    assert (band.x0 + band.x1) / 2 == pytest.approx(position.lines[0].get_xdata()[0])
     words = turn_to(shown, "Observability").words.text()
     for sentence in result.observability.sentences:
         assert sentence in words
@@ -243,3 +245,16 @@ def test_thesis_mode_says_what_it_does_not_work_out(shown: Driver, estimated: Pr
     shown.window.document.edit("estimate", estimated.with_result(thesis))
     assert turn_to(shown, "POS error").advice.startswith("Thesis mode does not work this out")
     assert set(texts(turn_to(shown, "Sightings").table, "Remark")) == {"no test"}
+
+
+def test_a_table_filled_again_is_as_wide_as_its_words(shown: Driver) -> None:
+    table = turn_to(shown, "Sightings").table
+    rows = list(table._rows)
+    wide = [
+        replace(row, cells=[replace(row.cells[0], text="W" * 60), *row.cells[1:]]) for row in rows
+    ]
+    before = table.columnWidth(0)
+    table.show_rows(wide)
+    assert table.columnWidth(0) > before + 200
+    table.show_rows(rows)
+    assert table.columnWidth(0) == before

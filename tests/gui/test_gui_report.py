@@ -145,6 +145,9 @@ def test_the_preview_shows_every_page_and_saves_what_it_shows(
             label for label in dialog.findChildren(QLabel)
             if label.objectName().startswith("preview_page_")
         ]  # fmt: skip
+        assert pages[-1].pixmap().isNull()  # unpacked when it is seen
+        for label in pages:
+            label.grab()
         seen.extend(label.pixmap() for label in pages)
         place = dialog.findChild(QLabel, "preview_place")
         adjusted.bot.waitUntil(lambda: place.text() == f"Page 1 of {len(pages)}")

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QKeyEvent, QPixmap
+from PySide6.QtCore import QBuffer, QByteArray, QEvent, QObject, Qt
+from PySide6.QtGui import QImageReader, QKeyEvent, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
@@ -27,7 +27,7 @@ class PreviewDialog(QDialog):
         self.setObjectName("preview_dialog")
         self.setWindowTitle(say("Preview of the report"))
         self._save = save
-        self._pages = [_page(data, k + 1, self.devicePixelRatioF()) for k, data in enumerate(pages)]
+        self._pages = [_Page(data, k + 1, self.devicePixelRatioF()) for k, data in enumerate(pages)]
         desk = QWidget()
         desk.setStyleSheet(f"background: {theme.DESK}")
         stack = QVBoxLayout(desk)
@@ -90,12 +90,21 @@ class PreviewDialog(QDialog):
         self.place.setText(say(f"Page {self.page} of {len(self._pages)}"))
 
 
-def _page(data: bytes, number: int, ratio: float) -> QLabel:
-    pixmap = QPixmap()
-    pixmap.loadFromData(data, "PNG")
-    pixmap.setDevicePixelRatio(ratio)
-    page = QLabel()
-    page.setObjectName(f"preview_page_{number}")
-    page.setAccessibleName(say(f"Page {number}"))
-    page.setPixmap(pixmap)
-    return page
+class _Page(QLabel):
+    """A page; its picture is unpacked when it is first seen, for a report has many."""
+
+    def __init__(self, data: bytes, number: int, ratio: float) -> None:
+        super().__init__()
+        self.setObjectName(f"preview_page_{number}")
+        self.setAccessibleName(say(f"Page {number}"))
+        self._data, self._ratio = QByteArray(data), ratio
+        buffer = QBuffer(self._data)
+        self.setFixedSize(QImageReader(buffer, QByteArray(b"PNG")).size() / ratio)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self.pixmap().isNull():
+            pixmap = QPixmap()
+            pixmap.loadFromData(self._data, "PNG")
+            pixmap.setDevicePixelRatio(self._ratio)
+            self.setPixmap(pixmap)
+        super().paintEvent(event)

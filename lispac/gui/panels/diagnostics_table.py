@@ -121,10 +121,13 @@ class DiagnosticsTable(QTableWidget):
         """Show other rows, sorted as before."""
         selected, header = self.key(self.currentRow()), self.horizontalHeader()
         self.setSortingEnabled(False)
+        # Else Qt measures a whole column again with each cell that is put into it
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self._rows = list(rows)
         self.setRowCount(len(rows))
         font = theme.tabular(self.font())
         for number, row in enumerate(rows):
+            tip = units.signs(say(row.tip), *row.bases) if row.tip else ""
             for column, cell in enumerate(row.cells):
                 item = _Item(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
@@ -133,9 +136,10 @@ class DiagnosticsTable(QTableWidget):
                 if row.marked:
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
                     item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))
-                if row.tip:
-                    item.setToolTip(units.signs(say(row.tip), *row.bases))
+                if tip:
+                    item.setToolTip(tip)
                 self.setItem(number, column, item)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setSortingEnabled(True)
         self._show_arrow(header.sortIndicatorSection())
         if selected is not None:

@@ -61,6 +61,7 @@ class Navigator(QObject):
         self._widget = widget
         self._pivot: Array = np.zeros(3)
         self._kept_in_view: Array | None = None
+        self._all: tuple[Mapping[str, Array], Array] | None = None
         self.mouse = Mouse(widget)
         self.mouse.drag_started.connect(self._on_drag_started)
         self.mouse.rotated.connect(self._on_rotated)
@@ -93,7 +94,7 @@ class Navigator(QObject):
 
     def release(self) -> None:
         """Keep nothing in view."""
-        self._kept_in_view = None
+        self._kept_in_view = self._all = None
 
     def view(self, name: str) -> None:
         """Look at everything from a standard direction."""
@@ -117,6 +118,12 @@ class Navigator(QObject):
         self.refit()
 
     def _everything(self) -> Array:
+        """Points that say where everything is, found once for what is drawn."""
+        if self._all is None or self._all[0] is not self.coarse:
+            self._all = self.coarse, self._sample()
+        return self._all[1]
+
+    def _sample(self) -> Array:
         total = sum(map(len, self.coarse.values()))
         share = min(1.0, FITTED / total) if total else 1.0
         parts = [points[: int(np.ceil(share * len(points)))] for points in self.coarse.values()]
