@@ -141,15 +141,15 @@ class HistogramsPanel(QWidget):
         self._comparisons = comparisons
         self.table.blockSignals(True)
         self.table.setRowCount(len(comparisons))
+        font = theme.tabular(self.table.font())
         for row, each in enumerate(comparisons):
+            tip = say(f"{each.name}: {each.pooled_from} of lines, {each.model.in_words}")
             for column, text in enumerate(_texts(each)):
                 item = QTableWidgetItem(units.signs(say(text), "mm") if column else text)
-                item.setFont(theme.tabular(self.table.font()))
+                item.setFont(font)
                 if column:
                     item.setTextAlignment(_RIGHT)
-                item.setToolTip(
-                    say(f"{each.name}: {each.pooled_from} of lines, {each.model.in_words}")
-                )
+                item.setToolTip(tip)
                 self.table.setItem(row, column, item)
         self.table.clearSelection()
         self.table.blockSignals(False)

@@ -126,8 +126,8 @@ class VtkViewport:
         if first:
             self._layer.origin = common_origin(self._layer.clouds)
         self._draw_clouds()
-        self.show_highlights(self._highlighting.highlights)
         if first:
+            self.show_highlights(self._highlighting.highlights)  # from the new origin
             self.view("isometric")
 
     def set_line_visible(self, line: str, visible: bool) -> None:
