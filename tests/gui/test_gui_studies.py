@@ -5,7 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.backend_bases import MouseEvent
+import shiboken6
+from matplotlib.backend_bases import LocationEvent, MouseEvent
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QDialog
@@ -191,7 +192,9 @@ def test_the_error_budget(adjusted: Driver) -> None:
     answered(adjusted, look)
 
 
-def test_visible_errors_are_chosen_read_off_and_copied(driver: Driver) -> None:
+def test_visible_errors_are_chosen_read_off_and_copied(
+    driver: Driver, capsys: pytest.CaptureFixture[str]
+) -> None:
     """Without a project: boards are thought of before there is a survey."""
 
     def look(dialog: VisibilityDialog) -> None:
@@ -230,6 +233,9 @@ def test_visible_errors_are_chosen_read_off_and_copied(driver: Driver) -> None:
             "Roll 2 deg", "Pitch 2 deg", "Yaw 2 deg",
         ]  # fmt: skip
         assert dialog.error.currentText() == "Yaw 2 deg"
+        shiboken6.delete(dialog.reading)  # as when all goes: not in the order of what is shown
+        LocationEvent("axes_leave_event", dialog.canvas, x, y)._process()
+        assert capsys.readouterr().err == ""
 
     action = driver.window.actions_["visibility"]
     assert action.isEnabled()

@@ -79,8 +79,12 @@ class VisibilityDialog(StudyDialog):
         table.itemSelectionChanged.connect(self._row_selected)
         self.criterion.currentIndexChanged.connect(lambda _index: self._draw())
         canvas = self.figure().canvas
-        canvas.mpl_connect("motion_notify_event", self._read)
-        canvas.mpl_connect("axes_leave_event", lambda _event: self.reading.setText(say(READ)))
+        heard = (
+            canvas.mpl_connect("motion_notify_event", self._read),
+            canvas.mpl_connect("axes_leave_event", lambda _event: self.reading.setText(say(READ))),
+        )
+        # Where the words go first, the mouse may still leave the canvas
+        self.reading.destroyed.connect(lambda: [canvas.mpl_disconnect(each) for each in heard])
         self.resize(1180, 860)
         self._another_site()
 

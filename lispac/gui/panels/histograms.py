@@ -229,10 +229,13 @@ class HistogramsPanel(QWidget):
             self.canvas.setObjectName("histogram_canvas")
             self.canvas.setMinimumSize(260, 120)
             self._zooming = Zooming(self.canvas)
-            self.canvas.mpl_connect("motion_notify_event", self._read)
-            self.canvas.mpl_connect(
-                "axes_leave_event", lambda _event: self.reading.setText(say(ZOOM))
+            canvas, leave = self.canvas, lambda _event: self.reading.setText(say(ZOOM))
+            heard = (
+                canvas.mpl_connect("motion_notify_event", self._read),
+                canvas.mpl_connect("axes_leave_event", leave),
             )
+            # Where the words go first, the mouse may still leave the canvas
+            self.reading.destroyed.connect(lambda: [canvas.mpl_disconnect(each) for each in heard])
             self._plots.insertWidget(1, self.canvas, 1)
         return self.canvas
 
