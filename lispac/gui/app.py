@@ -4,8 +4,10 @@ import argparse
 import gc
 import os
 import sys
+import threading
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QIcon
@@ -14,6 +16,11 @@ from PySide6.QtWidgets import QApplication
 import lispac
 from lispac import caches
 from lispac.installed import resource
+
+if TYPE_CHECKING:
+    from lispac.gui.viewport.base import Viewport
+
+IMPORT_AFTER_MS = 300
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -40,14 +47,16 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     caches.use(os.environ)
     gc.disable()  # `Tidying` takes over; among what is imported there is nothing to be found
-    # Imported when the application exists: VTK and Qt set up their graphics together.
     from lispac.gui.logbook import Logbook
     from lispac.gui.session import Session
     from lispac.gui.tidying import Tidying
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.late import LateViewport
 
     tidying = Tidying(application)
-    session = Session(application, VtkViewport)
+    session = Session(application, lambda: LateViewport(_viewport))
+    # It is there when the first project has been read, and the window is drawn before
+    importing = threading.Thread(target=_import_viewport, name="lispac-import")
+    QTimer.singleShot(IMPORT_AFTER_MS, importing.start)
     logbook = Logbook(session.log_folder, session.tell_unforeseen)
     logbook.begin()
     if arguments.project is not None:
@@ -61,6 +70,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     finally:
         logbook.end()
         tidying.end()
+
+
+def _import_viewport() -> "type[Viewport]":
+    """When the application exists: VTK and Qt set up their graphics together."""
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    return VtkViewport
+
+
+def _viewport() -> "Viewport":
+    return _import_viewport()()
 
 
 def _no_screen() -> bool:
