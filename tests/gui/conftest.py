@@ -3,6 +3,7 @@
 import shutil
 import threading
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,9 @@ from lispac.project import Project
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.picking import pick
+from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
+from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver
@@ -60,6 +63,13 @@ def demo_copy(demo: Demo, tmp_path: Path) -> Path:
 
 
 @pytest.fixture
+def picked_folder(demo: Demo, demo_copy: Path) -> Path:
+    """A project folder with picked targets."""
+    save_project(replace(demo.picked, folder=demo_copy))
+    return demo_copy
+
+
+@pytest.fixture
 def driver(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
     """An empty window with a recording viewport."""
     theme.apply_theme(qapp)
@@ -77,6 +87,19 @@ def real(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
 
     theme.apply_theme(qapp)
     made = Driver(qtbot, VtkViewport(), tmp_path)
+    yield made
+    made.leave()
+
+
+@pytest.fixture
+def hands(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Hands]:
+    """The program with an empty window that draws and asks."""
+    if qapp.platformName() == "offscreen":
+        pytest.skip("OpenGL needs a screen, if only a virtual one")
+    from lispac.gui.viewport.late import LateViewport
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    made = Hands(qtbot, lambda: LateViewport(VtkViewport), tmp_path)
     yield made
     made.leave()
 

@@ -4,8 +4,8 @@ import gc
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.language import language, say, speak
@@ -15,6 +15,7 @@ from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.project import Project
+from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import Demo, ScriptedDialogs
 
 SOON_MS = 20_000
@@ -33,26 +34,6 @@ def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
     made.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     speak("en")
-
-
-def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
-    """Click through menus as the mouse does."""
-    for name in names:
-        action = next(a for a in menu.actions() if name in a.text())
-        bot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(action).center())
-        if action.menu() is not None:
-            menu = action.menu()
-            bot.waitUntil(menu.isVisible, timeout=SOON_MS)
-
-
-def open_menu(bot: QtBot, window: MainWindow, name: str) -> QMenu:
-    """Open a menu of the menu bar by a click."""
-    bar = window.menuBar()
-    action = next(a for a in bar.actions() if name in a.text().replace("&", ""))
-    at: QPoint = bar.actionGeometry(action).center()
-    bot.mouseClick(bar, Qt.MouseButton.LeftButton, pos=at)
-    bot.waitUntil(action.menu().isVisible, timeout=SOON_MS)
-    return action.menu()
 
 
 def test_the_language_changes_and_nothing_is_lost(

@@ -1,10 +1,6 @@
 """A crash loses at most the last edit, and nobody overwrites what he has not seen."""
 
 import os
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -13,43 +9,15 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.safekeeping import LOCK_NAME
 from lispac.gui.viewport.recording import RecordingViewport
-from lispac.io.project_file import FILE_NAME, UNSAVED_NAME, read_project, read_unsaved
+from lispac.io.project_file import FILE_NAME, UNSAVED_NAME, read_project
+from tests.gui.killed import killed_after_editing
 from tests.gui.support import WAIT_MS, Driver
-
-WINDOW = """
-import sys
-from pathlib import Path
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication
-from lispac.gui.main_window import MainWindow
-from lispac.gui.settings import AppSettings
-from lispac.gui.viewport.recording import RecordingViewport
-
-folder = Path(sys.argv[1])
-application = QApplication([])
-window = MainWindow(RecordingViewport(), AppSettings(folder.parent / "settings.ini"))
-window.show()
-
-def edit():
-    window.controller.rename("T1", "North wall")
-    window.controller.rename("T2", "South wall")
-    print("edited", flush=True)
-
-window.document.opened.connect(lambda: QTimer.singleShot(0, edit))
-window.open_project(folder)
-application.exec()
-"""
 
 
 @pytest.fixture
-def folder(demo, demo_copy: Path) -> Path:
+def folder(picked_folder: Path) -> Path:
     """A project folder with picked targets."""
-    from dataclasses import replace
-
-    from lispac.workflow.projects import save_project
-
-    save_project(replace(demo.picked, folder=demo_copy))
-    return demo_copy
+    return picked_folder
 
 
 def names(project) -> set[str]:
@@ -64,24 +32,6 @@ def opened(driver: Driver, folder: Path) -> None:
 
 def unsaved(driver: Driver, folder: Path, wanted: bool) -> None:
     driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).exists() == wanted, timeout=WAIT_MS)
-
-
-def killed_after_editing(folder: Path) -> None:
-    """A program that edits the project and is killed as soon as that is written down."""
-    program = subprocess.Popen(
-        [sys.executable, "-c", WINDOW, str(folder)], stdout=subprocess.PIPE, text=True
-    )
-    assert program.stdout is not None
-    assert program.stdout.readline() == "edited\n"
-    until = time.monotonic() + 60
-    while time.monotonic() < until:
-        found = read_unsaved(folder)
-        if found is not None and "South wall" in names(found):
-            break
-        time.sleep(0.02)
-    os.kill(program.pid, signal.SIGKILL)
-    program.wait()
-    program.stdout.close()
 
 
 def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> None:

@@ -1,0 +1,266 @@
+"""A hand at mouse and keyboard: the program with its own dialogues, and what a test does to it.
+
+Every way waits with a limit, and none waits in vain for what a dialogue keeps from coming: one
+that no test foresaw is rejected, and what it said is the failure.
+"""
+
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+from time import monotonic
+
+import numpy as np
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QFileDialog,
+    QLabel,
+    QLineEdit,
+    QMenu,
+    QMessageBox,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.language import speak
+from lispac.gui.main_window import MainWindow
+from lispac.gui.session import Session
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.base import Viewport
+from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, in_front, press
+
+LOOK_MS = 50
+CLOSES_S = 10.0
+"""What an answered dialogue may still do before it goes."""
+
+Act = Callable[[QDialog], bool]
+
+
+class Answers(QObject):
+    """Answers the dialogues a test foresees, in their order, and rejects every other.
+
+    Attributes
+    ----------
+    trouble : what went otherwise than foreseen, in words
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.trouble: list[str] = []
+        self._foreseen: deque[tuple[type[QDialog], Act]] = deque()
+        self._acting: QWidget | None = None
+        self._answered: QWidget | None = None
+        self._until = 0.0
+        self._on = True
+        self._look_later()
+
+    def foresee(self, kind: type[QDialog], act: Act) -> None:
+        """Do something to a dialogue that will come, again and again until it says that was all."""
+        self._foreseen.append((kind, act))
+
+    def stop(self) -> None:
+        """Look no more, and say which of those foreseen did not come."""
+        self._on = False
+        self.trouble += [f"no {kind.__name__} came" for kind, _ in self._foreseen]
+        self._foreseen.clear()
+
+    @property
+    def all_given(self) -> bool:
+        """Whether all that was foreseen has come and is answered."""
+        return not self._foreseen
+
+    def _look_later(self) -> None:
+        # Each time another timer: one that is at work, be it in a dialogue's loop, does not tick
+        if self._on:
+            QTimer.singleShot(LOOK_MS, self._look)
+
+    def _look(self) -> None:
+        self._look_later()
+        dialog = QApplication.activeModalWidget()
+        if dialog is None:
+            self._answered = None
+        if dialog is None or not dialog.isVisible() or dialog is self._acting:
+            return
+        closes = dialog is self._answered and monotonic() < self._until
+        if self.trouble:  # what is beneath the one that nobody foresaw
+            _reject(dialog)
+        elif self._foreseen and isinstance(dialog, self._foreseen[0][0]):
+            if in_front(dialog):  # what is typed before is lost
+                self._answer(dialog)
+        elif not closes:
+            self.trouble.append(f"nobody foresaw {_told(dialog)}")
+            _reject(dialog)
+
+    def _answer(self, dialog: QDialog) -> None:
+        kind, act = self._foreseen.popleft()
+        former, self._acting = self._acting, dialog
+        try:
+            if act(dialog):
+                self._answered, self._until = dialog, monotonic() + CLOSES_S
+            else:
+                self._foreseen.appendleft((kind, act))
+        except Exception as error:  # it would be lost in the loop of events, and the dialogue stay
+            self.trouble.append(f"{error!r} at {_told(dialog)}")
+        finally:
+            self._acting = former
+
+
+def _told(dialog: QWidget) -> str:
+    words = [label.text() for label in dialog.findChildren(QLabel) if label.isVisible()]
+    return f"{type(dialog).__name__} {dialog.windowTitle()!r}: {' '.join(filter(None, words))}"
+
+
+def _reject(dialog: QWidget) -> None:
+    if isinstance(dialog, QDialog):
+        dialog.reject()
+    else:
+        dialog.close()
+
+
+class Hands(Driver):
+    """The program as its user has it: windows in their turn, and dialogues that ask.
+
+    Parameters
+    ----------
+    viewport : makes the view of a window
+    folder : holds the settings, those of a new user who reads English
+    """
+
+    def __init__(self, qtbot: QtBot, viewport: Callable[[], Viewport], folder: Path) -> None:
+        self.bot, self.dialogs, self.answers = qtbot, Dialogs(), Answers()
+        self.settings = AppSettings(folder / "settings.ini")
+        self.settings.language = "en"
+        application = QApplication.instance()
+        # The system's own are beyond this hand
+        application.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
+        self.session = Session(application, viewport, self.settings, self.dialogs)
+        self._take()
+
+    def _take(self) -> None:
+        self.window, self.viewport = self.session.window, self.session.window.viewport
+        self.until(lambda: in_front(self.window))
+
+    def until(self, done: Callable[[], bool]) -> None:
+        """Wait for something, as long as only what was foreseen is asked."""
+        self.bot.waitUntil(lambda: bool(self.answers.trouble) or done(), timeout=WAIT_MS)
+        assert not self.answers.trouble, "; ".join(self.answers.trouble)
+
+    def rest(self) -> None:
+        """Wait until no work is left, and the window is in front.
+
+        It leaves the front where it gets its first 3D view: Qt makes another of the window system.
+        """
+        QCoreApplication.processEvents()
+        self.until(lambda: not self.window.runner.active)
+        self.until(lambda: in_front(self.window))
+
+    def answered(self) -> None:
+        """See that all that was foreseen was asked."""
+        self.until(lambda: self.answers.all_given)
+
+    def to_next_window(self) -> None:
+        """Go on in the window that comes in the place of this one."""
+        self.until(lambda: self.session.window is not self.window)
+        self._take()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        self.rest()
+
+    def leave(self) -> None:
+        """Close the window without a question, and see that nothing of it is left."""
+        self.window = self.session.window
+        self.window.document.undo_stack.setClean()
+        try:
+            super().leave()
+        finally:
+            self.answers.stop()
+            self.session.deleteLater()
+            self.answers.deleteLater()
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+            speak("en")
+        assert not self.answers.trouble, "; ".join(self.answers.trouble)
+
+
+def push(hands: Hands, text: str) -> None:
+    """Click a button of the next question."""
+
+    def act(box: QMessageBox) -> bool:
+        found = next(b for b in box.buttons() if text in b.text().replace("&", ""))
+        hands.bot.mouseClick(found, Left)
+        return True
+
+    hands.answers.foresee(QMessageBox, act)
+
+
+def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
+    """Ctrl+O, and the file's name; then the button of the question that follows, if one does."""
+
+    wanted = str(folder / "project.json")
+
+    def act(dialog: QFileDialog) -> bool:
+        name = dialog.findChild(QLineEdit, "fileNameEdit")
+        if name.text() != wanted:
+            name.selectAll()
+            hands.bot.keyClicks(name, wanted)
+            return False
+        hands.bot.keyClick(name, Key.Key_Return)
+        return True
+
+    hands.answers.foresee(QFileDialog, act)
+    if then:
+        push(hands, then)
+    press(hands, Key.Key_O, Control)
+    hands.until(lambda: hands.window.document.project is not None)
+    hands.answered()
+    hands.rest()
+
+
+def rename(hands: Hands, row: int, to: str) -> None:
+    """F2 in the list of targets."""
+    table = hands.window.targets.table
+    hands.bot.mouseClick(
+        table.viewport(), Left, pos=table.visualItemRect(table.item(row, 0)).center()
+    )
+    hands.bot.keyClick(table, Key.Key_F2)
+    editor = table.findChild(QLineEdit)
+    editor.selectAll()
+    hands.bot.keyClicks(editor, to)
+    hands.bot.keyClick(editor, Key.Key_Return)
+    hands.until(lambda: to in [target.name for target in hands.project.targets])
+    hands.rest()
+
+
+def ctrl_click(hands: Hands, place: QPoint) -> None:
+    """On the drawn lines, at a pixel; a plane is found there."""
+    hands.bot.mouseClick(hands.viewport.canvas, Left, Control, place)
+    hands.rest()
+    assert hands.window.controller.candidate is not None
+
+
+def open_menu(bot: QtBot, window: MainWindow, name: str) -> QMenu:
+    """Open a menu of the menu bar by a click."""
+    bar = window.menuBar()
+    action = next(a for a in bar.actions() if name in a.text().replace("&", ""))
+    bot.mouseClick(bar, Left, pos=bar.actionGeometry(action).center())
+    bot.waitUntil(action.menu().isVisible, timeout=WAIT_MS)
+    return action.menu()
+
+
+def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
+    """Click through menus as the mouse does."""
+    for name in names:
+        action = next(a for a in menu.actions() if name in a.text().replace("&", ""))
+        bot.mouseClick(menu, Left, pos=menu.actionGeometry(action).center())
+        if action.menu() is not None:
+            menu = action.menu()
+            bot.waitUntil(menu.isVisible, timeout=WAIT_MS)
+
+
+def shows_something(hands: Hands, file: Path) -> None:
+    """Keep a picture of the window, which is not blank."""
+    hands.bot.wait(300)
+    assert hands.window.grab().save(str(file))
+    image = QImage(str(file)).convertToFormat(QImage.Format.Format_RGB32)
+    assert len(np.unique(np.frombuffer(image.constBits(), np.uint32))) > 50
