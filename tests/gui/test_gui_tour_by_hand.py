@@ -1,0 +1,75 @@
+"""The tour as its card tells it, from the start page to its end, by mouse and keyboard alone."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint
+
+from lispac.gui.tour import STEPS
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.projects import open_project
+from tests.gui.by_hand import Hands, ctrl_click, shows_something
+from tests.gui.support import Control, Key, click, press
+
+PLACES = ("T1", "T2", "V1")
+"""Of the demo, in the order in which the tour leads there."""
+
+
+def middle(hands: Hands) -> QPoint:
+    """Of the view, where the tour brings what it speaks of."""
+    hands.bot.wait(300)
+    return hands.viewport.canvas.rect().center()
+
+
+def test_the_tour_from_the_start_page_to_its_end(
+    hands: Hands, demo_copy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    start, card = hands.window.stage.start, hands.window.stage.card
+
+    def at(step: int) -> None:
+        hands.until(lambda: card.head.text() == f"Tour, step {step} of {len(STEPS)}")
+        hands.rest()
+        assert card.isVisible()
+
+    assert start.isVisible()
+    click(hands, start.ways["tour"])
+    at(1)
+    ctrl_click(hands, middle(hands))
+    at(2)
+    press(hands, Key.Key_Return)
+    at(3)
+    ctrl_click(hands, middle(hands))
+    press(hands, Key.Key_Return)
+    at(4)
+    press(hands, Key.Key_F9)
+    at(5)
+    press(hands, Key.Key_F7)
+    ctrl_click(hands, middle(hands))
+    press(hands, Key.Key_Return)
+    at(6)
+    press(hands, Key.Key_F10)
+    at(7)
+    assert hands.window.scene.which == "estimated"
+    press(hands, Key.Key_B)
+    hands.rest()
+    assert hands.window.scene.which == "prior"
+    shows_something(hands, tmp_path / "last-step.png")
+    assert card.end.text() == "Close"
+    click(hands, card.end)
+    assert not card.isVisible()
+    assert not hands.window.tour.on
+
+    press(hands, Key.Key_S, Control)
+    kept = open_project(demo_copy)
+    assert len(kept.targets) == 3
+    for target, (role, position) in zip(kept.targets, map(demo_seeds().get, PLACES), strict=True):
+        assert target.role == role
+        assert np.linalg.norm(np.subtract(target.seed, position)) < 0.5, "another plane"
+    off = np.degrees(kept.result.boresight) - kept.truth_deg
+    assert (np.abs(off) < 3 * np.degrees(kept.result.sigma[:3])).all()
+    assert (np.abs(off) < 0.1).all()
+    assert kept.validation
+    assert not hands.window.isWindowModified()
+    shows_something(hands, tmp_path / "ended.png")
