@@ -182,8 +182,11 @@ class Actions(QObject):
         stack.redoTextChanged.connect(self._name_redo)
         self["undo"].triggered.connect(stack.undo)
         self["redo"].triggered.connect(stack.redo)
-        for name in ("undo", "redo"):
-            self[name].setEnabled(False)
+        # A window made anew begins with the steps of the former one
+        self["undo"].setEnabled(stack.canUndo())
+        self["redo"].setEnabled(stack.canRedo())
+        self._name_undo(stack.undoText())
+        self._name_redo(stack.redoText())
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]

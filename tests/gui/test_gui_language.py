@@ -58,6 +58,9 @@ def test_the_language_changes_and_nothing_is_lost(
     assert french.document.survey is demo.survey
     stack = french.document.undo_stack
     assert (stack.canUndo(), stack.canRedo()) == (True, True)
+    for name in ("undo", "redo"):
+        assert french.actions_[name].isEnabled()
+        assert french.actions_[name].text().endswith("T1" if name == "undo" else "T2")
     stack.redo()
     assert {target.name for target in french.document.project.targets} >= {"South wall"}
     stack.undo()
