@@ -1,4 +1,4 @@
-"""The cache: what the program can make again (built-in survey, compiled code, lists of fonts).
+"""The cache: what the program can make again (built-in survey, manual, compiled code, fonts).
 
 Its place is the user's choice, for the window and the command line alike. Nothing that the program
 has not put there is ever removed from it.
@@ -19,6 +19,8 @@ CHOICE = "cache-folder.txt"
 NAME = "lispac"
 """Of our folder in the chosen one."""
 DEMO = "demo"
+MANUAL, MANUAL_MARK = "manual", "made-by-lispac"
+"""Folder of the built manual, and the file in it that says whose it is."""
 VARIABLES = {"NUMBA_CACHE_DIR": "numba", "MPLCONFIGDIR": "matplotlib"}
 """Parts of the cache that other packages fill, by the variable that tells them where."""
 
@@ -147,4 +149,6 @@ def _parts(place: Path) -> list[Path]:
     # A folder called demo may be anybody's; ours is marked.
     if (place / DEMO / "raw" / DEMO).is_file():
         parts.append(place / DEMO)
+    if (place / MANUAL / MANUAL_MARK).is_file():
+        parts.append(place / MANUAL)
     return [part for part in parts if part.is_dir() and not part.is_symlink()]

@@ -11,7 +11,7 @@ from lispac.cli.main import main
 from tests.bad_files import DOUBTED, REFUSED, Scene
 from tests.bad_places import REMEDIES
 
-MANUAL = Path(__file__).resolve().parents[1] / "resources" / "manual" / "bad-input.md"
+MANUAL = Path(__file__).resolve().parents[1] / "resources" / "manual" / "en" / "bad-input.md"
 REMEDY = (
     r"copy|export|choose|check|give|leave|state|clean|make room|say which|sort|bring|move|add|name"
 )

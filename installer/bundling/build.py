@@ -59,6 +59,23 @@ def run_pyinstaller() -> None:
         raise BundleError("PyInstaller failed; what it says stands above.")
 
 
+def build_manual() -> None:
+    """Build the pages of the manual into build/bundle/manual, where the spec takes them from.
+
+    Raises
+    ------
+    BundleError
+    """
+    from lispac.errors import InputError
+    from lispac.workflow import manual
+
+    shutil.rmtree(BUILD / "manual", ignore_errors=True)
+    try:
+        manual.build(names.CHECKOUT / "resources" / "manual", BUILD / "manual", strict=True)
+    except InputError as error:
+        raise BundleError(str(error)) from error
+
+
 def contents() -> list[Path]:
     """The files that PyInstaller took, where it took them from."""
     return sources_of(json.loads((BUILD / "work" / "lispac" / "contents.json").read_text("utf-8")))
@@ -167,6 +184,8 @@ def build(*, packed: bool) -> Path:
     ------
     BundleError, LicenceMissingError
     """
+    say("Building the manual")
+    build_manual()
     say("Collecting the files (about a minute)")
     run_pyinstaller()
     made = BUILD / "dist" / names.COMMAND_LINE

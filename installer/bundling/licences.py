@@ -20,6 +20,7 @@ LICENCE_FILE = re.compile(r"(licen[cs]e|copying|notice|copyright)", re.IGNORECAS
 PYTHON = "Python"
 PROJECT = "LISPAC"
 FILE_NAME = "LICENSES.txt"
+IN_PAGES = ("furo", "sphinx", "sphinx-basic-ng")
 
 
 class LicenceMissingError(Exception):
@@ -154,8 +155,11 @@ def collected(
             package, text = debian_copyright(source)
             found[f"{package} (system library)"] = [text]
     for distribution in owned.values():
-        if normalised(distribution.metadata["Name"]) == "pyinstaller":
-            parts["pyinstaller"] = distribution  # the two programs begin with its loader
+        name = normalised(distribution.metadata["Name"])
+        # The two programs begin with the loader of the one, the manual's pages hold scripts and
+        # styles of the others
+        if name in ("pyinstaller", *IN_PAGES):
+            parts[name] = distribution
     for distribution in parts.values():
         title = f"{distribution.metadata['Name']} {distribution.version}"
         found[title] = texts_of(distribution, notices)

@@ -6,7 +6,8 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import PurePosixPath
 
-# Open3D, PyVista and Numba name these for notebooks, web pages and developers.
+# Open3D, PyVista and Numba name these for notebooks, web pages and developers; Sphinx and what it
+# needs are in the environment, since the manual is built there.
 UNUSED_MODULES = [
     "IPython",
     "PyInstaller",
@@ -14,16 +15,20 @@ UNUSED_MODULES = [
     "PyQt6",
     "PySide6.QtNetwork",
     "_tkinter",
+    "babel",
     "dash",
     "dask",
     "distributed",
+    "docutils",
     "flask",
+    "furo",
     "imageio",
     "ipywidgets",
     "jedi",
     "jsonschema",
     "jupyter",
     "matplotlib.backends.backend_tkagg",
+    "myst_parser",
     "nbformat",
     "notebook",
     "open3d._ml3d",
@@ -39,6 +44,7 @@ UNUSED_MODULES = [
     "pytest",
     "setuptools",
     "sklearn",
+    "sphinx",
     "tkinter",
     "tornado",
     "trame",
@@ -122,6 +128,7 @@ NEVER = [
     r"(^|/)(nbextension|labextension)(/|$)",
     r"(^|/)tests?(/|$)|(^|/)(sample_data|testdata|baseline_images)(/|$)|libvtkTesting",
     r"(^|/)(pytest|hypothesis|mypy|ruff|pip|setuptools|hatchling)(/|$)",
+    r"(^|/)(sphinx|docutils|myst_parser|furo|babel)(/|$)",
     r"(^|/)lib(gtk|gdk)-3",
 ]
 """What a check of the finished folder refuses, by path."""

@@ -91,6 +91,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                  "All there is to be warned of; each leads to its cause"),
     **VIEW_ACTIONS,
     **INSPECT_ACTIONS,
+    "manual": ("Ma&nual", "Manual", "book-open-outline", "Shift+F1",
+               "The manual in the browser; it needs no network"),
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
     "english": ("&English", "English", "", "", "The window in English"),
     "french": ("&Français", "Français", "", "", "La fenêtre en français"),
@@ -150,7 +152,7 @@ _MENUS: dict[str, Menu] = {
     ),
     "&Adjust": ("estimate", "", "subsampling", "visibility", "design", "", "cancel"),
     "Va&lidate": ("validate", "check", "", "budget", "history"),
-    "&Help": ("tour", "keys", "", "log_file", "about"),
+    "&Help": ("tour", "manual", "keys", "", "log_file", "about"),
 }
 _TOOLBAR = (
     "new", "open", "save", "", "undo", "redo", "", "seed_target", "seed_validation", "", "estimate",

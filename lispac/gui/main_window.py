@@ -22,6 +22,7 @@ from lispac.gui.life import ProjectLife
 from lispac.gui.logbook import LOG
 from lispac.gui.logbook import NAME as LOG_NAME
 from lispac.gui.looking import Looking
+from lispac.gui.manual import Manual
 from lispac.gui.notifying import Notifying
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import TITLE as CONVENTION
@@ -123,6 +124,7 @@ class MainWindow(QMainWindow):
         Studies(self)
         Scripting(self)
         Preferring(self)
+        Manual(self)
         self.designing = Designing(self)
         self.safekeeping = Safekeeping(self)
         self.cautioning = Cautioning(self)

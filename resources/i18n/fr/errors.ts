@@ -5055,4 +5055,23 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{part} : suppression impossible ({error}) ; fermez les programmes qui peuvent l&apos;utiliser et recommencez.</translation>
     </message>
 </context>
+<context>
+    <name>manual</name>
+    <message>
+        <source>The manual cannot be built here, since {missing:kept} is not installed; start the program with installer/bootstrap.py run, or read the texts in {folder:file}.</source>
+        <translation>Le manuel ne peut pas être produit ici : {missing} n&apos;est pas installé ; démarrez le programme par installer/bootstrap.py run, ou lisez les textes dans {folder}.</translation>
+    </message>
+    <message>
+        <source>The manual could not be built ({error:foreign}); read its texts in the folder resources/manual, and report this.</source>
+        <translation>Le manuel n&apos;a pas pu être produit ({error}) ; lisez ses textes dans le dossier resources/manual, et signalez-le.</translation>
+    </message>
+    <message>
+        <source>{place:file}: the manual cannot be written there ({error:foreign}); make room, or choose another cache folder in the settings.</source>
+        <translation>{place} : le manuel ne peut pas y être écrit ({error}) ; faites de la place, ou choisissez un autre dossier de cache dans les réglages.</translation>
+    </message>
+    <message>
+        <source>building the pages in {language:kept}</source>
+        <translation>production des pages en {language}</translation>
+    </message>
+</context>
 </TS>

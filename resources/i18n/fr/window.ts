@@ -8823,4 +8823,23 @@ m/s</translation>
         <translation>Le scanner au bout de son bras de levier, à l&apos;échelle ; le navire autour n&apos;a pas de taille particulière. En gris : axes du corps. En couleur : axes du scanner tournés des angles de visée a priori, les petites rotations étant agrandies.</translation>
     </message>
 </context>
+<context>
+    <name>manual</name>
+    <message>
+        <source>Ma&amp;nual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>The manual in the browser; it needs no network</source>
+        <translation>Le manuel dans le navigateur ; il n&apos;a pas besoin de réseau</translation>
+    </message>
+    <message>
+        <source>Opening the manual</source>
+        <translation>Ouverture du manuel</translation>
+    </message>
+</context>
 </TS>

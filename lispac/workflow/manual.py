@@ -1,0 +1,147 @@
+"""The manual as pages for a browser: shipped with a bundle, built once from its sources elsewhere.
+
+Sphinx runs as a program of its own: nothing of it is loaded here, nor gets into a bundle.
+"""
+
+import hashlib
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from contextlib import suppress
+from pathlib import Path
+
+from lispac.caches import MANUAL, MANUAL_MARK, cache_place
+from lispac.errors import InputError
+from lispac.installed import resource
+from lispac.language.catalogue import LANGUAGES
+from lispac.progress import Progress, no_progress
+
+SHIPPED = "html"
+"""Folder of the built pages beside their sources, in a bundle."""
+BUILDERS = {"sphinx": "Sphinx", "myst_parser": "myst-parser", "furo": "furo"}
+"""Packages that build the manual, and their names."""
+LOOK_S = 0.1
+
+
+def manual_page(
+    language: str,
+    page: str = "index",
+    *,
+    sources: Path | None = None,
+    place: Path | None = None,
+    progress: Progress = no_progress,
+) -> Path:
+    """The file of a page, after building the manual where that was not done yet.
+
+    Parameters
+    ----------
+    language : of `lispac.language.catalogue.LANGUAGES`
+    page : name of the page, without ending; one that this language lacks is given in English
+    sources : Path or None
+        Folder with ``conf.py``, ``en`` and ``fr``; None for the manual of this installation.
+    place : Path or None
+        Folder that keeps what is built; None for the one in the cache.
+
+    Raises
+    ------
+    InputError
+        Where the manual is not built and cannot be.
+    Cancelled
+    """
+    sources = sources or resource("manual")
+    built = sources / SHIPPED
+    if not built.is_dir():
+        place = place or cache_place() / MANUAL
+        built = place / _digest(sources)
+        if not built.is_dir():
+            _make(sources, place, built, progress)
+    file = built / language / f"{page}.html"
+    return file if file.is_file() else built / "en" / f"{page}.html"
+
+
+def build(
+    sources: Path, output: Path, *, strict: bool = False, progress: Progress = no_progress
+) -> None:
+    """Build the pages of all languages into folders ``en`` and ``fr`` of a folder.
+
+    Parameters
+    ----------
+    strict : a link to nowhere, a picture that is missing and the like fail
+
+    Raises
+    ------
+    InputError
+        Where the packages that build it are not installed, or they refuse.
+    Cancelled
+    """
+    missing = [name for module, name in BUILDERS.items() if not importlib.util.find_spec(module)]
+    if missing:
+        raise InputError(
+            f"The manual cannot be built here, since {' and '.join(missing)} is not installed; "
+            f"start the program with installer/bootstrap.py run, or read the texts in {sources}."
+        )
+    for k, language in enumerate(LANGUAGES):
+        progress(k / len(LANGUAGES), f"building the pages in {LANGUAGES[language]}")
+        with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
+            command = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-c", str(sources)]
+            command += ["-D", f"language={language}", "-d", scratch]
+            command += ["-W", "--keep-going"] if strict else []
+            _run([*command, str(sources / language), str(output / language)], progress)
+
+
+def _run(command: list[str], progress: Progress) -> None:
+    variables = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
+    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as said:
+        # One after the other: what it says can be read when it has ended
+        with subprocess.Popen(
+            command, stdout=said, stderr=subprocess.STDOUT, env=variables
+        ) as process:
+            try:
+                while process.poll() is None:
+                    progress(0.5)
+                    time.sleep(LOOK_S)
+            except BaseException:
+                process.kill()
+                raise
+        if process.returncode != 0:
+            said.seek(0)
+            raise InputError(
+                f"The manual could not be built ({said.read().strip()}); "
+                "read its texts in the folder resources/manual, and report this."
+            )
+
+
+def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
+    """Build beside the place and rename, so that there is all of it or nothing."""
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        (place / MANUAL_MARK).touch()
+        draft = Path(tempfile.mkdtemp(prefix=".draft-", dir=place))
+        try:
+            build(sources, draft, progress=progress)
+            with suppress(FileExistsError):
+                draft.rename(built)
+        finally:
+            shutil.rmtree(draft, ignore_errors=True)
+    except OSError as error:
+        raise InputError(
+            f"{place}: the manual cannot be written there ({error.strerror or error}); make room, "
+            "or choose another cache folder in the settings."
+        ) from error
+    for former in place.iterdir():
+        if former.is_dir() and former != built and not former.name.startswith(".draft-"):
+            shutil.rmtree(former, ignore_errors=True)
+
+
+def _digest(sources: Path) -> str:
+    """Of everything that the pages are made from."""
+    total = hashlib.sha256()
+    for path in sorted(sources.rglob("*")):
+        if path.is_file() and "__pycache__" not in path.parts:
+            total.update(str(path.relative_to(sources)).encode())
+            total.update(path.read_bytes())
+    return total.hexdigest()[:16]

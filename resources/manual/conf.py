@@ -1,0 +1,97 @@
+"""What Sphinx is told to build the manual with, in each of its languages.
+
+`lispac/workflow/manual.py` runs it with this folder as the place of the configuration and ``en`` or
+``fr`` as that of the sources. Pages of one name in both languages are the same page.
+"""
+
+import html
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from docutils.utils.math.latex2mathml import tex2mathml
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxRole
+
+HERE = Path(__file__).resolve().parent
+LANGUAGES = {"en": "English", "fr": "Français"}
+TITLES = {"en": "LISPAC manual", "fr": "Manuel de LISPAC"}
+
+project = "LISPAC"
+extensions = ["myst_parser"]
+myst_enable_extensions = ["dollarmath", "deflist"]
+myst_heading_anchors = 3
+# [text](en:mathematics#anchor) in a French page leads to the English one.
+myst_url_schemes = {
+    "http": None,
+    "https": None,
+    "en": {"url": "../en/{{path}}.html#{{fragment}}", "classes": ["in-english"]},
+}
+nitpicky = True
+highlight_language = "none"
+html_theme = "furo"
+html_static_path = ["_static"]
+html_css_files = ["manual.css"]
+templates_path = ["_templates"]
+html_copy_source = False
+html_show_sphinx = False
+html_show_copyright = False
+html_show_sourcelink = False
+html_math_renderer = "mathml"
+html_sidebars = {
+    "**": [
+        "sidebar/brand.html",
+        "languages.html",
+        "sidebar/search.html",
+        "sidebar/scroll-start.html",
+        "sidebar/navigation.html",
+        "sidebar/scroll-end.html",
+    ]
+}
+
+
+def _inline(translator: Any, node: nodes.math) -> None:
+    translator.body.append(tex2mathml(node.astext(), as_block=False))
+    raise nodes.SkipNode
+
+
+def _display(translator: Any, node: nodes.math_block) -> None:
+    formula = tex2mathml(node.astext(), as_block=True)
+    translator.body.append(f'<div class="formula">{formula}</div>\n')
+    raise nodes.SkipNode
+
+
+class Typed(SphinxRole):
+    """What is to be typed as it stands; `tests/tutorial_steps.py` types it."""
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        """Shown as letters of a typewriter."""
+        return [nodes.literal(self.rawtext, self.text, classes=["typed"])], []
+
+
+def _settle(app: Sphinx, config: Any) -> None:
+    config.html_title = TITLES[config.language]
+
+
+def _name_languages(
+    app: Sphinx, page: str, _template: str, context: dict[str, Any], _tree: object
+) -> None:
+    """Leads to the same page in each language, and to the first where it has none."""
+    context["languages"] = [
+        (
+            html.escape(name),
+            f"{'../' * (page.count('/') + 1)}{key}/"
+            f"{page if (HERE / key / f'{page}.md').is_file() else 'index'}.html",
+            key == app.config.language,
+        )
+        for key, name in LANGUAGES.items()
+    ]
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Called by Sphinx: formulas become MathML, which browsers draw without a script."""
+    app.add_html_math_renderer("mathml", (_inline, None), (_display, None))
+    app.add_role("typed", Typed())
+    app.connect("config-inited", _settle)
+    app.connect("html-page-context", _name_languages)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,153 @@
+"""The manual: built without a warning, whole, and without anything from elsewhere."""
+
+import shutil
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+from lispac.errors import Cancelled, InputError
+from lispac.installed import resource
+from lispac.workflow import manual
+
+LOADED = {("script", "src"), ("link", "href"), ("img", "src"), ("iframe", "src")}
+"""What a browser fetches by itself."""
+
+
+@pytest.fixture(scope="session")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The whole manual; any warning of the builder fails."""
+    folder = tmp_path_factory.mktemp("manual")
+    manual.build(resource("manual"), folder, strict=True)
+    return folder
+
+
+@pytest.fixture
+def small(tmp_path: Path) -> Path:
+    """A manual of one page in each language."""
+    sources = tmp_path / "sources"
+    shutil.copytree(resource("manual"), sources, ignore=shutil.ignore_patterns("*.md", "*.png"))
+    for language in ("en", "fr"):
+        (sources / language).mkdir(exist_ok=True)
+        (sources / language / "index.md").write_text("# One\n\nA page with $x^2$.\n")
+    (sources / "en" / "mathematics.md").write_text("---\norphan: true\n---\n# Two\n")
+    return sources
+
+
+class _Reader(HTMLParser):
+    """Places that a page refers to, and its own that can be referred to."""
+
+    def __init__(self, file: Path) -> None:
+        super().__init__()
+        self.links: list[str] = []
+        self.loads: list[str] = []
+        self.own: set[str] = set()
+        self.feed(file.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        for name, value in attributes:
+            if value is None:
+                continue
+            if name == "id":
+                self.own.add(value)
+            elif tag == "a" and name == "href":
+                self.links.append(value)
+            elif (tag, name) in LOADED:
+                self.loads.append(value)
+
+
+def test_every_link_leads_somewhere_and_nothing_comes_from_elsewhere(pages: Path) -> None:
+    read = {file: _Reader(file) for file in pages.rglob("*.html")}
+    for source in resource("manual").rglob("*.md"):
+        assert pages / source.relative_to(resource("manual")).with_suffix(".html") in read
+    for file, page in read.items():
+        assert [each for each in page.loads if urlsplit(each).netloc] == [], file
+        for link in [*page.loads, *page.links]:
+            parts = urlsplit(link)
+            if parts.scheme or parts.netloc:
+                continue
+            target = (file.parent / unquote(parts.path)).resolve() if parts.path else file
+            assert target.is_file(), f"{file.name} leads to {link}"
+            if parts.fragment and target in read:
+                known = read[target].own
+                assert unquote(parts.fragment) in known, f"{file.name} leads to {link}"
+
+
+def test_formulas_are_drawn_by_the_browser(pages: Path) -> None:
+    assert "<math " in (pages / "en" / "mathematics.html").read_text("utf-8")
+
+
+def test_french_pages_have_an_english_one_of_the_same_name() -> None:
+    names = {
+        language: {path.name for path in (resource("manual") / language).glob("*.md")}
+        for language in ("en", "fr")
+    }
+    assert names["fr"] <= names["en"]
+
+
+def test_it_is_built_once_and_again_when_a_text_changes(small: Path, tmp_path: Path) -> None:
+    place = tmp_path / "cache"
+    first = manual.manual_page("fr", sources=small, place=place)
+    assert first.is_file()
+    assert first.parent.name == "fr"
+    when = first.stat().st_mtime_ns
+    assert manual.manual_page("fr", sources=small, place=place) == first
+    assert first.stat().st_mtime_ns == when
+    # A page that there is in English only
+    english = manual.manual_page("fr", "mathematics", sources=small, place=place)
+    assert english.parent.name == "en"
+    (small / "fr" / "index.md").write_text("# Another\n")
+    second = manual.manual_page("fr", sources=small, place=place)
+    assert "Another" in second.read_text("utf-8")
+    assert not first.exists()
+    assert {each.name for each in place.iterdir()} == {"made-by-lispac", second.parents[1].name}
+
+
+def test_pages_that_were_shipped_are_not_built(small: Path, tmp_path: Path) -> None:
+    (small / "html" / "en").mkdir(parents=True)
+    (small / "html" / "en" / "index.html").write_text("shipped")
+    page = manual.manual_page("en", sources=small, place=tmp_path / "cache")
+    assert page.read_text() == "shipped"
+    assert not (tmp_path / "cache").exists()
+
+
+def test_where_the_builder_is_missing_a_sentence_says_what_to_do(
+    small: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(manual.BUILDERS, "no_such_module", "Sphinx of tomorrow")
+    with pytest.raises(InputError) as refused:
+        manual.manual_page("en", sources=small, place=tmp_path / "cache")
+    assert str(refused.value) == (
+        "The manual cannot be built here, since Sphinx of tomorrow is not installed; start the "
+        f"program with installer/bootstrap.py run, or read the texts in {small}."
+    )
+    assert [each.name for each in (tmp_path / "cache").iterdir()] == ["made-by-lispac"]
+
+
+def test_what_the_builder_refuses_is_told_and_leaves_nothing(small: Path, tmp_path: Path) -> None:
+    (small / "en" / "index.md").write_text("# One\n\n![gone](gone.png)\n")
+    with pytest.raises(InputError, match=r"gone\.png"):
+        manual.build(small, tmp_path / "out", strict=True)
+    (small / "conf.py").write_text("raise RuntimeError('no way')\n")
+    with pytest.raises(InputError, match="no way"):
+        manual.manual_page("en", sources=small, place=tmp_path / "cache")
+    assert [each.name for each in (tmp_path / "cache").iterdir()] == ["made-by-lispac"]
+
+
+def test_cancelled_it_leaves_nothing(small: Path, tmp_path: Path) -> None:
+    def stop(fraction: float, message: str = "") -> None:
+        if fraction == 0.5:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        manual.manual_page("en", sources=small, place=tmp_path / "cache", progress=stop)
+    assert [each.name for each in (tmp_path / "cache").iterdir()] == ["made-by-lispac"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a folder below a file is another error there")
+def test_a_place_that_cannot_be_written_is_named(small: Path, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match="cannot be written there"):
+        manual.manual_page("en", sources=small, place=tmp_path / "file" / "manual")
