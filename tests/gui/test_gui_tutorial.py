@@ -1,0 +1,135 @@
+"""The tutorial of the manual, followed to the letter in the real window."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import actions
+from lispac.gui.language import say, speak
+from lispac.gui.main_window import MainWindow
+from lispac.gui.session import Session
+from lispac.gui.settings import AppSettings
+from lispac.gui.status import STEPS
+from lispac.workflow.projects import open_project
+from tests.gui.reader import Lost, Reader
+from tests.gui.support import WAIT_MS
+from tests.tutorial_steps import Step, page, steps_of
+
+REPORTS = {"en": "boresight.pdf", "fr": "etalonnage.pdf"}
+
+
+@pytest.fixture
+def program(
+    qtbot: QtBot, qapp: QApplication, tmp_path: Path, request: pytest.FixtureRequest
+) -> Iterator[MainWindow]:
+    """The program as it is started for the first time, in a language."""
+    if qapp.platformName() == "offscreen":
+        pytest.skip("OpenGL needs a screen, if only a virtual one")
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    settings = AppSettings(tmp_path / "settings.ini")
+    settings.language, settings.theme = request.param, "light"
+    session = Session(qapp, VtkViewport, settings)
+    session.window.setGeometry(0, 0, 1280, 800)
+    qtbot.waitUntil(session.window.isActiveWindow, timeout=WAIT_MS)
+    yield session.window
+    session.window.document.undo_stack.setClean()
+    session.window.retire()
+    session.window.deleteLater()
+    session.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    speak("en")
+
+
+@pytest.mark.parametrize(
+    "program", ["en", pytest.param("fr", marks=pytest.mark.long)], indirect=True
+)
+def test_the_tutorial_leads_to_a_report(
+    program: MainWindow, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As for a user, but that the built-in survey is there already, with a third of the points."""
+    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    language = program.settings.language
+    source = page(language, "tutorial")
+    looked: list[str] = []
+
+    def look(_front: QWidget, picture: str) -> None:
+        assert (source.parent / picture).is_file()
+        looked.append(picture)
+
+    Reader(program, steps_of(source.read_text(encoding="utf-8")), look).follow()
+    assert len(looked) == 7
+    assert (demo_copy / REPORTS[language]).read_bytes().startswith(b"%PDF")
+    kept = open_project(demo_copy)
+    assert [target.name for target in kept.targets] == ["T1", "T2", "V1"]
+    assert (kept.identity.surveyor, kept.identity.vessel) == ("E. Tremblay", "Saucier")
+    assert kept.validation
+    assert kept.result is not None
+    assert (np.abs(np.degrees(kept.result.boresight) - kept.truth_deg) < 0.1).all()
+    assert not program.isWindowModified()
+
+
+def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
+    english, french = (
+        steps_of(page(language, "tutorial").read_text(encoding="utf-8")) for language in REPORTS
+    )
+    assert [step.kind for step in french] == [step.kind for step in english]
+    texts = [text for text, *_ in actions._ACTIONS.values()] + list(actions._MENUS)
+    numbered = [f"{k + 1} {name}" for k, name in enumerate(STEPS)]
+    speak("fr")
+    try:
+        names = {_bare(text): _bare(say(text)) for text in texts}
+        names |= {"English": "Français"}  # of the report
+        names |= {each: f"{each[:2]}{say(each[2:])}" for each in numbered}
+        for one, other in zip(english, french, strict=True):
+            if one.kind == "menu":
+                said = " > ".join(names[part] for part in one.text.split(" > "))
+            elif one.kind in ("click", "see"):
+                said = names.get(one.text) or _bare(say(one.text))
+            else:
+                continue
+            assert other.text == said, f"line {other.line} of the French page"
+    finally:
+        speak("en")
+
+
+def _bare(text: str) -> str:
+    return " ".join(text.replace("&", "").split())
+
+
+@pytest.mark.parametrize("program", ["en"], indirect=True)
+@pytest.mark.parametrize(
+    ("step", "complaint"),
+    [
+        (Step("click", "Four-minute tour", 3), "is not there to be clicked"),
+        (Step("click", "Undo", 3), "is greyed"),
+        (Step("menu", "File > Send", 3), "no menu has 'Send'"),
+        (Step("see", "Tour, step 1 of 8", 3), "is not seen"),
+        (Step("type", "Saucier", 3), "nothing is there to type"),
+    ],
+)
+def test_a_page_that_names_what_is_not_there_fails(
+    program: MainWindow, step: Step, complaint: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tests.gui.reader.PATIENCE_S", 0.5)
+    with pytest.raises(Lost, match=complaint) as refused:
+        Reader(program, [step], lambda _front, _picture: None).follow()
+    assert "at line 3 of the page" in refused.value.__notes__[0]
+
+
+def test_the_marks_of_a_page_are_its_steps() -> None:
+    text = (
+        "1. Click {guilabel}`A` or\n{menuselection}`File > Save`, press {kbd}`F9`, type\n"
+        "{typed}`x y`, see **It\n is done**.\n\n![Picture](pictures/a.png)\n"
+    )
+    assert steps_of(text) == [
+        Step("click", "A", 1), Step("menu", "File > Save", 2), Step("press", "F9", 2),
+        Step("type", "x y", 3), Step("see", "It is done", 3), Step("look", "pictures/a.png", 6),
+    ]  # fmt: skip
+    with pytest.raises(ValueError, match="line 1: samp is none of"):
+        steps_of("{samp}`x`")

@@ -1,0 +1,61 @@
+"""What a page of the manual tells the reader to do, in the order of the page.
+
+The marks are those of the page itself: ``{guilabel}`` is clicked, ``{menuselection}`` chosen,
+``{kbd}`` pressed, ``{typed}`` typed, ``**bold**`` has to be seen, and at a picture one looks.
+"""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from lispac.installed import resource
+
+Kind = Literal["click", "menu", "press", "type", "see", "look"]
+_ROLES: dict[str, Kind] = {
+    "guilabel": "click", "menuselection": "menu", "kbd": "press", "typed": "type",
+}  # fmt: skip
+_MARK = re.compile(
+    r"\{(?P<role>\w+)\}`(?P<said>[^`]+)`|\*\*(?P<bold>[^*]+)\*\*|"
+    r"!\[[^\]]*\]\((?P<picture>[^)]+)\)",
+)
+
+
+@dataclass(frozen=True)
+class Step:
+    """One thing to do.
+
+    Attributes
+    ----------
+    text : name of what is clicked, the keys, the text to type, or the picture's path on the page
+    line : of the page, from 1
+    """
+
+    kind: Kind
+    text: str
+    line: int
+
+
+def page(language: str, name: str) -> Path:
+    """The source of a page."""
+    return resource("manual") / language / f"{name}.md"
+
+
+def steps_of(text: str) -> list[Step]:
+    """The marks of a page.
+
+    Raises
+    ------
+    ValueError
+        At a role that is no step: a slip of the pen would be skipped otherwise.
+    """
+    found = []
+    for mark in _MARK.finditer(text):
+        line = text.count("\n", 0, mark.start()) + 1
+        role, said = mark["role"], mark["said"]
+        if role is not None and role not in _ROLES:
+            raise ValueError(f"line {line}: {role} is none of {', '.join(_ROLES)}")
+        kind: Kind = _ROLES[role] if role else "see" if mark["bold"] else "look"
+        words = said or mark["bold"] or mark["picture"]
+        found.append(Step(kind, re.sub(r"\s+", " ", words), line))
+    return found
