@@ -28,6 +28,7 @@ myst_url_schemes = {
     "en": {"url": "../en/{{path}}.html#{{fragment}}", "classes": ["in-english"]},
 }
 nitpicky = True
+exclude_patterns = ["tables/*"]  # included in pages; tests/manual_tables.py writes them
 highlight_language = "none"
 html_theme = "furo"
 html_static_path = ["_static"]

@@ -35,7 +35,8 @@ from lispac.gui.main_window import MainWindow
 from tests.tutorial_steps import Step
 
 BEAT_MS = 30
-PATIENCE_S = 20.0
+PATIENCE_S, PATIENCE_WITH_WORK_S = 20.0, 150.0
+"""For what a page names to be there, and for what it has started to end."""
 CTRL_CLICK = ("Ctrl+click", "Ctrl+clic")
 KEYS = {"Entrée": "Return"}
 """Keys that are called otherwise in French."""
@@ -141,10 +142,13 @@ class Reader(QObject):
         yield from self._until(
             lambda: not (self._window.runner.active or self._window.document.awaits_result),
             "waits for work without end",
+            PATIENCE_WITH_WORK_S,
         )
 
-    def _until(self, there: Callable[[], object], complaint: str) -> Iterator[None]:
-        end = time.monotonic() + PATIENCE_S
+    def _until(
+        self, there: Callable[[], object], complaint: str, patience: float | None = None
+    ) -> Iterator[None]:
+        end = time.monotonic() + (patience or PATIENCE_S)
         while not there():
             if time.monotonic() > end:
                 assert self.at is not None

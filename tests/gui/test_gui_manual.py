@@ -3,11 +3,13 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt, QUrl
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, QUrl
 from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QApplication
 
 from lispac import caches
 from tests.gui.support import Driver, Key, press
+from tests.manual_tables import folder, tables
 
 
 @pytest.mark.parametrize("spoken", ["en", "fr"])
@@ -25,3 +27,14 @@ def test_it_is_opened_in_the_language_of_the_window(
     page = Path(url.toLocalFile())
     assert page.parts[-2:] == (spoken, "index.html")
     assert "LISPAC" in page.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("spoken", ["en", "fr"])
+def test_its_tables_are_those_of_the_window_and_the_readers(
+    qapp: QApplication, spoken: str
+) -> None:
+    """After a change of fields or options: python -m tests.manual_tables."""
+    kept = {file.name: file.read_text(encoding="utf-8") for file in folder(spoken).iterdir()}
+    made = tables(spoken)
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert kept == made

@@ -1,0 +1,217 @@
+"""Writes the manual's tables of fields and formats, from the window and the readers themselves.
+
+``python -m tests.manual_tables`` renews ``resources/manual/*/tables``; a test in
+`tests/gui/test_gui_manual.py` holds what is there against what would be written. No screen is
+needed.
+"""
+
+import os
+import re
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QLineEdit,
+    QWidget,
+)
+
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.language import say, speak
+from lispac.gui.panels.adjust import AdjustPanel
+from lispac.gui.panels.convention import ConventionPanel
+from lispac.gui.panels.data import DataPanel
+from lispac.gui.panels.histograms import HistogramsPanel
+from lispac.gui.panels.report import ReportPanel
+from lispac.gui.panels.targets import TargetsPanel
+from lispac.gui.panels.validate import ValidatePanel
+from lispac.gui.settings import AppSettings
+from lispac.installed import resource
+from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
+from lispac.io.registry import Format, Option
+from lispac.language.catalogue import LANGUAGES
+from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
+
+WORDS = {
+    "en": ("Field", "Unit, range, choices", "What it is", "{} to {}", "Option", "Choices", "usual"),
+    "fr": ("Champ", "Unité, étendue, choix", "Ce que c'est", "de {} à {}", "Option", "Choix",
+           "habituel"),
+}  # fmt: skip
+PROGRAMS = {
+    "en": ("X, Y, Z:", "Angles:", "Product:", "Status:", "Source:", "Assumed:"),
+    "fr": ("X, Y, Z :", "Angles :", "Produit :", "État :", "Source :", "Supposé :"),
+}
+PANELS: dict[str, Callable[[], QWidget]] = {
+    "data": DataPanel, "targets": TargetsPanel, "adjust": AdjustPanel, "validate": ValidatePanel,
+    "histograms": HistogramsPanel, "report": ReportPanel, "convention": ConventionPanel,
+}  # fmt: skip
+FIELDS = (QAbstractSpinBox, QComboBox, QAbstractButton, QLineEdit)
+LONGEST = 6
+"""Choices of a field that are named; longer lists are those of a library."""
+SHARED = tuple(
+    option for option in POINTS[0].options if all(option in each.options for each in POINTS)
+)
+"""Options of every format of points."""
+
+
+def tables(language: str) -> dict[str, str]:
+    """Text of each table, by the name of its file."""
+    speak(language)
+    try:
+        made = {f"{name}.md": _fields(make(), language) for name, make in PANELS.items()}
+        with tempfile.TemporaryDirectory() as scratch:
+            settings = AppSettings(Path(scratch) / "settings.ini")
+            made["import.md"] = _fields(ImportDialog(settings), language)
+        kinds = (("trajectories", TRAJECTORIES), ("accuracies", ACCURACIES), ("points", POINTS))
+        for name, formats in kinds:
+            own = {each: [o for o in each.options if o not in SHARED] for each in formats}
+            made[f"{name}.md"] = "\n".join(_format(each, own[each], language) for each in formats)
+        made["programs.md"] = _programs(language)
+        made["points-shared.md"] = _options(list(SHARED), language)
+    finally:
+        speak("en")
+    return made
+
+
+def _table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    lines = [head, tuple("---" for _ in head), *rows]
+    return "".join(f"| {' | '.join(_cell(cell) for cell in line)} |\n" for line in lines)
+
+
+def _cell(text: str) -> str:
+    bare = re.sub(r"[ \t\n]+", " ", re.sub(r"<[^>]+>", "", text)).strip(" ")
+    return bare.replace("|", r"\|").replace("*", r"\*").replace("<", "&lt;")
+
+
+# -- panels --------------------------------------------------------------------------------------
+
+
+def _fields(panel: QWidget, language: str) -> str:
+    rows = list(dict.fromkeys(_rows(panel, language)))
+    panel.close()
+    panel.deleteLater()
+    return _table(WORDS[language][:3], rows)
+
+
+def _rows(panel: QWidget, language: str) -> Iterator[tuple[str, ...]]:
+    labels = _labels(panel)
+    for field in panel.findChildren(QWidget):
+        if not isinstance(field, FIELDS) or isinstance(field.parent(), FIELDS):
+            continue
+        told = field.toolTip()
+        name = _name(field, labels)
+        if told and name and told != name:
+            yield name, _range(field, language), told
+
+
+def _name(field: QWidget, labels: dict[QWidget, str]) -> str:
+    if isinstance(field, QAbstractButton) and field.text():
+        return re.sub(r"\s*(⏎|Esc|Échap)$", "", field.text().replace("&", "")).strip()
+    holder: QWidget | None = field
+    alone = re.split(r"[:,(]", field.accessibleName())[0].strip()
+    while holder is not None:
+        if holder in labels:
+            row = [each for each in labels if labels[each] == labels[holder]]
+            many = len(row) > 1 or len(holder.findChildren(QDoubleSpinBox)) > 1
+            return alone if many and alone else labels[holder]
+        holder = holder.parentWidget()
+    return alone
+
+
+def _labels(panel: QWidget) -> dict[QWidget, str]:
+    """The label that a form has beside a widget."""
+    found: dict[QWidget, str] = {}
+    for form in panel.findChildren(QFormLayout):
+        for row in range(form.rowCount()):
+            label = form.itemAt(row, QFormLayout.ItemRole.LabelRole)
+            item = form.itemAt(row, QFormLayout.ItemRole.FieldRole)
+            if label is None or item is None or label.widget() is None:
+                continue
+            inside = item.layout()
+            held = (
+                [item.widget()]
+                if inside is None
+                else [inside.itemAt(k).widget() for k in range(inside.count())]
+            )
+            found |= {each: label.widget().text() for each in held if each is not None}
+    return {widget: text.replace("&", "").strip() for widget, text in found.items()}
+
+
+def _range(field: QWidget, language: str) -> str:
+    if isinstance(field, QDoubleSpinBox):
+        ends = [f"{value:,.10g}" for value in (field.minimum(), field.maximum())]
+        if language == "fr":
+            ends = [each.replace(",", "\xa0").replace(".", ",") for each in ends]
+        said = WORDS[language][3].format(*ends).replace("-", "−")
+        return f"{said}\xa0{field.suffix().strip()}".replace(" ", "\xa0").strip()
+    if isinstance(field, QComboBox):
+        items = [field.itemText(k) for k in range(field.count())]
+        return "; ".join(items) if len(items) <= LONGEST else ""
+    return ""
+
+
+# -- formats -------------------------------------------------------------------------------------
+
+
+def _format(format: Format, options: list[Option], language: str) -> str:
+    endings = ", ".join(f"`{each}`" for each in format.endings)
+    head = f"### {say(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
+    return f"{head}\n{_options(options, language)}" if options else head
+
+
+def _options(options: list[Option], language: str) -> str:
+    words = WORDS[language]
+    rows = []
+    for option in options:
+        choices = ", ".join(f"`{each}`" for each in option.choices if each)
+        colon = "\xa0: " if language == "fr" else ": "
+        usual = f" ({words[6]}{colon}`{option.default}`)" if option.default else ""
+        rows.append((f"`{option.name}`", f"{choices}{usual}".strip(), say(option.meaning)))
+    return _table((words[4], words[5], words[2]), rows)
+
+
+# -- conventions of other programs ---------------------------------------------------------------
+
+
+def _programs(language: str) -> str:
+    heads = PROGRAMS[language]
+    parts = []
+    for system in SYSTEMS:
+        angles = ", ".join(f"{say(turn.name)} {say(turn.meaning)}" for turn in system.turns)
+        order = " · ".join(f"R{'xyz'[system.turns[k].axis]}" for k in system.order)
+        values = (
+            ", ".join(say(each) for each in system.axes), angles, order,
+            say(STATUS_WORDS[system.status]), say(system.source), say(system.assumption),
+        )  # fmt: skip
+        lines = [
+            f"- {head} {_cell(value)}" for head, value in zip(heads, values, strict=True) if value
+        ]
+        parts.append(f"### {_cell(say(system.name))}\n\n" + "\n".join(lines) + "\n")
+    return "\n".join(parts)
+
+
+def folder(language: str) -> Path:
+    """Where the tables of a language are kept."""
+    return resource("manual") / language / "tables"
+
+
+def main() -> None:
+    """Write all tables."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    application = QApplication(sys.argv[:1])
+    for language in LANGUAGES:
+        folder(language).mkdir(exist_ok=True)
+        for name, text in tables(language).items():
+            (folder(language) / name).write_text(text, encoding="utf-8")
+    application.quit()
+
+
+if __name__ == "__main__":
+    main()
