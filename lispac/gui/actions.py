@@ -93,6 +93,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     **INSPECT_ACTIONS,
     "manual": ("Ma&nual", "Manual", "book-open-outline", "Shift+F1",
                "The manual in the browser; it needs no network"),
+    "manual_step": ("This &step in the manual", "This step", "", "Ctrl+F1",
+                    "What the manual says of the step that is open"),
     "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
     "english": ("&English", "English", "", "", "The window in English"),
     "french": ("&Français", "Français", "", "", "La fenêtre en français"),
@@ -152,7 +154,7 @@ _MENUS: dict[str, Menu] = {
     ),
     "&Adjust": ("estimate", "", "subsampling", "visibility", "design", "", "cancel"),
     "Va&lidate": ("validate", "check", "", "budget", "history"),
-    "&Help": ("tour", "manual", "keys", "", "log_file", "about"),
+    "&Help": ("tour", "manual", "manual_step", "keys", "", "log_file", "about"),
 }
 _TOOLBAR = (
     "new", "open", "save", "", "undo", "redo", "", "seed_target", "seed_validation", "", "estimate",

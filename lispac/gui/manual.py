@@ -12,6 +12,9 @@ from lispac.progress import Progress
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
+PANELS = "panels"
+"""The page that has a part for each step, called ``step-1`` to ``step-5``."""
+
 
 class Manual(QObject):
     """Joined to the window's parts."""
@@ -20,18 +23,24 @@ class Manual(QObject):
         super().__init__(window)
         self._runner, self._controller = window.runner, window.controller
         window.actions_["manual"].triggered.connect(lambda _=False: self.open())
+        window.actions_["manual_step"].triggered.connect(
+            lambda _=False: self.open(PANELS, f"step-{window.workflow.opened + 1}")
+        )
 
-    def open(self) -> None:
-        """Show its first page, in the language of the window."""
+    def open(self, page: str = "index", place: str = "") -> None:
+        """Show a page, or a place on it, in the language of the window."""
         wanted = language()
 
         def work(progress: Progress) -> Path:
             from lispac.workflow.manual import manual_page
 
-            return manual_page(wanted, progress=progress)
+            return manual_page(wanted, page, progress=progress)
 
-        self._runner.run("Opening the manual", work, self._show)
+        self._runner.run("Opening the manual", work, lambda file: self._show(file, place))
 
-    def _show(self, file: Path) -> None:
-        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(file))):
+    def _show(self, file: Path, place: str) -> None:
+        url = QUrl.fromLocalFile(str(file))
+        if place:
+            url.setFragment(place)
+        if not QDesktopServices.openUrl(url):
             self._controller.noted.emit(f"No program is set up to open {file}")

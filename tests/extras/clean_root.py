@@ -234,6 +234,8 @@ def check_bundle(root: Root, folder: Path, output: Path) -> None:
     )
     if lacking.strip():
         raise RootError(f"Libraries are missing:\n{lacking}")
+    pages = f"{here}/_internal/resources/manual/html"
+    root.run("the manual is built", f"test -s {pages}/en/index.html -a -s {pages}/fr/index.html")
     project = "/root/demo"
     said = root.run("lispac demo --no-window", f"{here}/lispac demo --output {project} --no-window")
     say("    " + "\n    ".join(said.splitlines()[-12:]))

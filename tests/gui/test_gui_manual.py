@@ -8,7 +8,7 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication
 
 from lispac import caches
-from tests.gui.support import Driver, Key, press
+from tests.gui.support import Control, Driver, Key, open_step, press
 from tests.manual_tables import folder, tables
 
 
@@ -22,11 +22,20 @@ def test_it_is_opened_in_the_language_of_the_window(
     monkeypatch.setattr("lispac.gui.manual.language", lambda: spoken)
     press(driver, Key.Key_F1, Qt.KeyboardModifier.ShiftModifier)
     driver.rest()
+    for step in range(5):
+        open_step(driver, step)
+        press(driver, Key.Key_F1, Control)
+        driver.rest()
     assert driver.dialogs.errors == []
-    (url,) = opened
-    page = Path(url.toLocalFile())
+    first, *parts = opened
+    page = Path(first.toLocalFile())
     assert page.parts[-2:] == (spoken, "index.html")
     assert "LISPAC" in page.read_text(encoding="utf-8")
+    panels = page.with_name("panels.html")
+    text = panels.read_text(encoding="utf-8")
+    for step, url in enumerate(parts, start=1):
+        assert (url.toLocalFile(), url.fragment()) == (str(panels), f"step-{step}")
+        assert f'id="step-{step}"' in text
 
 
 @pytest.mark.parametrize("spoken", ["en", "fr"])

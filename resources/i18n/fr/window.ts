@@ -8841,5 +8841,17 @@ m/s</translation>
         <source>Opening the manual</source>
         <translation>Ouverture du manuel</translation>
     </message>
+    <message>
+        <source>This &amp;step in the manual</source>
+        <translation>Cette é&amp;tape dans le manuel</translation>
+    </message>
+    <message>
+        <source>This step</source>
+        <translation>Cette étape</translation>
+    </message>
+    <message>
+        <source>What the manual says of the step that is open</source>
+        <translation>Ce que le manuel dit de l&apos;étape ouverte</translation>
+    </message>
 </context>
 </TS>
