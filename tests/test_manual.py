@@ -79,6 +79,12 @@ def test_formulas_are_drawn_by_the_browser(pages: Path) -> None:
     assert "<math " in (pages / "en" / "mathematics.html").read_text("utf-8")
 
 
+def test_french_signs_stay_with_their_words_and_pictures_open_in_full(pages: Path) -> None:
+    text = (pages / "fr" / "tutorial.html").read_text("utf-8")
+    assert "à la lettre\N{NO-BREAK SPACE}: noms" in " ".join(text.split("\n"))
+    assert '<a class="reference internal" href="_images/start.png"><img ' in text
+
+
 def test_french_pages_have_an_english_one_of_the_same_name() -> None:
     names = {
         language: {path.name for path in (resource("manual") / language).glob("*.md")}

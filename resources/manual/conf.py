@@ -5,6 +5,7 @@
 """
 
 import html
+import re
 from pathlib import Path
 from typing import Any
 
@@ -89,10 +90,23 @@ def _name_languages(
     ]
 
 
+def _finish(app: Sphinx, doctree: nodes.document) -> None:
+    """Pictures open in full by a click; French signs are not parted from their words."""
+    for image in doctree.findall(nodes.image):
+        image["width"] = "100%"
+    if app.config.language != "fr":
+        return
+    for text in list(doctree.findall(nodes.Text)):
+        if not isinstance(text.parent, (nodes.literal, nodes.literal_block, nodes.math)):
+            bound = re.sub(r" (?=[:;?!»%])|(?<=«) ", "\N{NO-BREAK SPACE}", str(text))
+            text.parent.replace(text, nodes.Text(bound))
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Called by Sphinx: formulas become MathML, which browsers draw without a script."""
     app.add_html_math_renderer("mathml", (_inline, None), (_display, None))
     app.add_role("typed", Typed())
     app.connect("config-inited", _settle)
+    app.connect("doctree-read", _finish)
     app.connect("html-page-context", _name_languages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
