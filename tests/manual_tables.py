@@ -38,12 +38,17 @@ from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
 from lispac.language.catalogue import LANGUAGES
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
+from tests.manual_samples import assumed, samples
 
 WORDS = {
     "en": ("Field", "Unit, range, choices", "What it is", "{} to {}", "Option", "Choices", "usual"),
     "fr": ("Champ", "Unité, étendue, choix", "Ce que c'est", "de {} à {}", "Option", "Choix",
            "habituel"),
 }  # fmt: skip
+ASSUMED = {
+    "en": "Assumed of a usual file without options:",
+    "fr": "Supposé d'un fichier habituel, sans options :",
+}
 PROGRAMS = {
     "en": ("X, Y, Z:", "Angles:", "Product:", "Status:", "Source:", "Assumed:"),
     "fr": ("X, Y, Z :", "Angles :", "Produit :", "État :", "Source :", "Supposé :"),
@@ -70,9 +75,11 @@ def tables(language: str) -> dict[str, str]:
             settings = AppSettings(Path(scratch) / "settings.ini")
             made["import.md"] = _fields(ImportDialog(settings), language)
         kinds = (("trajectories", TRAJECTORIES), ("accuracies", ACCURACIES), ("points", POINTS))
-        for name, formats in kinds:
-            own = {each: [o for o in each.options if o not in SHARED] for each in formats}
-            made[f"{name}.md"] = "\n".join(_format(each, own[each], language) for each in formats)
+        with tempfile.TemporaryDirectory() as scratch:
+            files = samples(Path(scratch))
+            for name, formats in kinds:
+                parts = [_format(each, files[each.key], language) for each in formats]
+                made[f"{name}.md"] = "\n".join(parts)
         made["programs.md"] = _programs(language)
         made["points-shared.md"] = _options(list(SHARED), language)
     finally:
@@ -160,10 +167,14 @@ def _range(field: QWidget, language: str) -> str:
 # -- formats -------------------------------------------------------------------------------------
 
 
-def _format(format: Format, options: list[Option], language: str) -> str:
+def _format(format: Format, file: Path, language: str) -> str:
     endings = ", ".join(f"`{each}`" for each in format.endings)
-    head = f"### {say(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
-    return f"{head}\n{_options(options, language)}" if options else head
+    text = f"### {say(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
+    told = [say(each) for each in assumed(format.key, file)]
+    if told:
+        text += f"\n{ASSUMED[language]}\n\n" + "".join(f"- {_cell(each)}\n" for each in told)
+    own = [option for option in format.options if option not in SHARED]
+    return f"{text}\n{_options(own, language)}" if own else text
 
 
 def _options(options: list[Option], language: str) -> str:

@@ -1,0 +1,59 @@
+"""A usual file of each format, for what its reader assumes of it."""
+
+from pathlib import Path
+
+import numpy as np
+
+from lispac.io.formats import format_of
+from lispac.survey.trajectory import TrajectoryAccuracy
+from tests import point_files
+from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
+
+
+def samples(folder: Path) -> dict[str, Path]:
+    """A file of each format in a folder, by the format's key."""
+    from lispac.io.sbet import write_smrmsg
+
+    records = vessel(400)
+    degrees = np.degrees(records[:, [1, 2, 7, 8, 9]])
+    np.savetxt(
+        folder / "columns.txt",
+        np.column_stack([records[:, 0], degrees[:, :2], records[:, 3], degrees[:, 2:]]),
+        fmt="%.9f",
+        header="Time Lat(deg) Lon(deg) H Roll Pitch Heading",
+        comments="",
+    )
+    sigmas = np.full((len(records), 3), 0.01)
+    write_smrmsg(
+        folder / "smrmsg.out", TrajectoryAccuracy(records[:, 0], sigmas, np.radians(sigmas))
+    )
+    cidco = point_files.cidco(folder / "cidco.bin")
+    delph = write_delph(folder / "delph.txt", records)
+    pospac = write_pospac(folder / "pospac.txt", records)
+    return {
+        "sbet": write_records(folder / "a.sbet", records),
+        "exail-text": delph,
+        "exail-sigmas": write_delph(folder / "sigmas.txt", records, sigmas=True),
+        "pospac-text": pospac,
+        "pospac-sigmas": pospac,
+        "ascii-trajectory": folder / "columns.txt",
+        "smrmsg": folder / "smrmsg.out",
+        "cidco-states": cidco,
+        "cidco-sigmas": cidco,
+        "cidco": cidco,
+        "planes": point_files.planes(folder / "planes.txt"),
+        "las": point_files.las(folder / "a.las"),
+        "e57": point_files.e57(folder / "a.e57"),
+        "ply": point_files.cloud(folder / "a.ply"),
+        "pcd": point_files.cloud(folder / "a.pcd"),
+        "text": point_files.text(folder / "a.csv", head="time,x,y,z,ring\n"),
+    }
+
+
+def assumed(key: str, file: Path) -> list[str]:
+    """What the reader of a format says that it assumes of a file."""
+    if key == "pospac-sigmas":
+        return []  # the file of the samples has none
+    finding = format_of(key).look(file, {})
+    told = finding.facts.get("assumed", "")
+    return [*finding.assumptions, *([told] if told else [])]
