@@ -23,7 +23,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.gui import actions
+from lispac.gui.dialogs.about import keys_said
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.settings import SettingsDialog
+from lispac.gui.language import language as spoken
 from lispac.gui.language import say, speak
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import ConventionPanel
@@ -32,7 +36,9 @@ from lispac.gui.panels.histograms import HistogramsPanel
 from lispac.gui.panels.report import ReportPanel
 from lispac.gui.panels.targets import TargetsPanel
 from lispac.gui.panels.validate import ValidatePanel
+from lispac.gui.preferences import Preferences
 from lispac.gui.settings import AppSettings
+from lispac.gui.viewing_actions import KEYS, Menu
 from lispac.installed import resource
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
@@ -45,6 +51,12 @@ WORDS = {
     "fr": ("Champ", "Unité, étendue, choix", "Ce que c'est", "de {} à {}", "Option", "Choix",
            "habituel"),
 }  # fmt: skip
+STANDARD = {
+    actions.Keys.New: "Ctrl+N", actions.Keys.Open: "Ctrl+O", actions.Keys.Save: "Ctrl+S",
+    actions.Keys.SaveAs: "Ctrl+Shift+S", actions.Keys.Quit: "Ctrl+Q", actions.Keys.Undo: "Ctrl+Z",
+}  # fmt: skip
+"""Keys that the desktop has a say in; these are the usual ones."""
+MENUS = {"en": ("Entry", "Keys", "What it does"), "fr": ("Entrée", "Touches", "Ce qu'elle fait")}
 ASSUMED = {
     "en": "Assumed of a usual file without options:",
     "fr": "Supposé d'un fichier habituel, sans options :",
@@ -74,6 +86,11 @@ def tables(language: str) -> dict[str, str]:
         with tempfile.TemporaryDirectory() as scratch:
             settings = AppSettings(Path(scratch) / "settings.ini")
             made["import.md"] = _fields(ImportDialog(settings), language)
+            made["settings.md"] = _fields(
+                SettingsDialog(Preferences(cache=Path(scratch)), Path(scratch)), language
+            )
+        made["menus.md"] = _menus(language)
+        made["keys.md"] = _keys(language)
         kinds = (("trajectories", TRAJECTORIES), ("accuracies", ACCURACIES), ("points", POINTS))
         with tempfile.TemporaryDirectory() as scratch:
             files = samples(Path(scratch))
@@ -162,6 +179,41 @@ def _range(field: QWidget, language: str) -> str:
         items = [field.itemText(k) for k in range(field.count())]
         return "; ".join(items) if len(items) <= LONGEST else ""
     return ""
+
+
+# -- menus and keys ------------------------------------------------------------------------------
+
+
+def _menus(language: str) -> str:
+    parts = []
+    for title, names in actions._MENUS.items():
+        rows = list(_entries(names, ""))
+        parts.append(f"### {_bare(say(title))}\n\n{_table(MENUS[language], rows)}")
+    return "\n".join(parts)
+
+
+def _entries(names: Menu, under: str) -> Iterator[tuple[str, ...]]:
+    for name in names:
+        if isinstance(name, tuple):
+            yield from _entries(name[1], f"{under}{_bare(say(name[0]))} > ")
+        elif name in actions._ACTIONS:
+            text, _, _, keys, tip = actions._ACTIONS[name]
+            first = keys[0] if isinstance(keys, tuple) else keys
+            shown = STANDARD.get(first, first)
+            shown = shown.replace("Shift", "Maj") if spoken() == "fr" else shown
+            yield f"{under}{_bare(say(text))}", shown, say(tip)
+
+
+def _bare(text: str) -> str:
+    return text.replace("&", "")
+
+
+def _keys(language: str) -> str:
+    parts = []
+    for title, rows in KEYS:
+        said = [(keys_said(keys), say(what)) for keys, what in rows]
+        parts.append(f"### {say(title)}\n\n{_table(MENUS[language][1:], said)}")
+    return "\n".join(parts)
 
 
 # -- formats -------------------------------------------------------------------------------------

@@ -53,9 +53,14 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     return box
 
 
+def keys_said(keys: str) -> str:
+    """Keys in the user's language; a letter is that on its key: W is not west."""
+    return keys if len(keys) == 1 else say(keys)
+
+
 def _keys(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
     rows = "".join(
-        f"<tr><td style='white-space: nowrap'><b>{say(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
+        f"<tr><td style='white-space: nowrap'><b>{keys_said(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
         f"<td style='white-space: nowrap'>{say(what)}</td></tr>"
         for keys, what in part[1]
     )

@@ -5067,7 +5067,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>{place:file}: the manual cannot be written there ({error:foreign}); make room, or choose another cache folder in the settings.</source>
-        <translation>{place} : le manuel ne peut pas y être écrit ({error}) ; faites de la place, ou choisissez un autre dossier de cache dans les réglages.</translation>
+        <translation>{place} : le manuel ne peut pas y être écrit ({error}) ; faites de la place, ou choisissez un autre dossier de cache dans les préférences.</translation>
     </message>
     <message>
         <source>building the pages in {language:kept}</source>
