@@ -85,6 +85,17 @@ def test_french_signs_stay_with_their_words_and_pictures_open_in_full(pages: Pat
     assert '<a class="reference internal" href="_images/start.png"><img ' in text
 
 
+def test_the_frame_of_a_french_page_is_french(pages: Path) -> None:
+    text = (pages / "fr" / "report.html").read_text("utf-8")
+    for french, english in (
+        ("Suivant", "Next"),
+        ("Précédent", "Previous"),
+        ("Recherche", "Search"),
+    ):
+        assert french in text
+        assert f">{english}<" not in text
+
+
 def test_french_pages_have_an_english_one_of_the_same_name() -> None:
     names = {
         language: {path.name for path in (resource("manual") / language).glob("*.md")}

@@ -12,10 +12,20 @@ from typing import Any
 from docutils import nodes
 from docutils.utils.math.latex2mathml import tex2mathml
 from sphinx.application import Sphinx
+from sphinx.locale import get_translation
 from sphinx.util.docutils import SphinxRole
 
 HERE = Path(__file__).resolve().parent
 LANGUAGES = {"en": "English", "fr": "Français"}
+FRAME = {
+    "Next": "Suivant",
+    "Previous": "Précédent",
+    "Home": "Accueil",
+    "On this page": "Sur cette page",
+    "Back to top": "Haut de la page",
+    "Made with ": "Fait avec ",
+}
+"""Words of the theme, which knows no French."""
 TITLES = {"en": "LISPAC manual", "fr": "Manuel de LISPAC"}
 
 project = "LISPAC"
@@ -29,6 +39,7 @@ myst_url_schemes = {
     "en": {"url": "../en/{{path}}.html#{{fragment}}", "classes": ["in-english"]},
 }
 nitpicky = True
+smartquotes_action = "q"  # dashes and dots stay as the program says them
 exclude_patterns = ["tables/*"]  # included in pages; tests/manual_tables.py writes them
 highlight_language = "none"
 html_theme = "furo"
@@ -79,6 +90,10 @@ def _name_languages(
     app: Sphinx, page: str, _template: str, context: dict[str, Any], _tree: object
 ) -> None:
     """Leads to the same page in each language, and to the first where it has none."""
+    if app.config.language == "fr":
+        context["_"] = context["gettext"] = lambda text: (
+            FRAME.get(text) or get_translation("sphinx")(text)
+        )
     context["languages"] = [
         (
             html.escape(name),
