@@ -5,11 +5,13 @@ import inspect
 import numpy as np
 import pytest
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.viewport.base import Viewport, ViewportSignals
 from lispac.gui.viewport.late import ANSWERED, PER_WHAT, LateViewport
 from lispac.gui.viewport.recording import RecordingViewport
+from tests.gui.support import WAIT_MS, in_front
 
 CLOUDS = {"A": np.zeros((3, 3)), "B": np.ones((2, 3))}
 COLOURS = {"A": (255, 0, 0), "B": (0, 0, 255)}
@@ -83,6 +85,28 @@ def test_it_is_made_for_an_answer(late: LateViewport, made: Made) -> None:
     assert len(made.all) == 1
     late.close()
     assert made.all[0].calls[-1] == ("close", ())
+
+
+def test_the_window_stays_the_same_and_in_front(qtbot: QtBot, shown: object) -> None:
+    """A window that gets its first OpenGL when it is shown already is made anew by Qt."""
+    from lispac.gui.viewport.vtk import VtkViewport
+
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    views = [LateViewport(VtkViewport, window)]
+    window.setCentralWidget(QStackedWidget())
+    for page in (QWidget(), views[0].widget):
+        window.centralWidget().addWidget(page)
+    window.resize(400, 300)
+    window.show()
+    qtbot.waitUntil(lambda: in_front(window), timeout=WAIT_MS)
+    before, handle = window.winId(), window.windowHandle()
+    window.centralWidget().setCurrentIndex(1)
+    views[0].show_clouds(CLOUDS, COLOURS)
+    qtbot.wait(200)
+    assert window.isActiveWindow()
+    assert (window.winId(), window.windowHandle()) == (before, handle)
+    views.pop().close()
 
 
 def test_every_signal_is_passed_on(late: LateViewport, made: Made) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 from PySide6.QtGui import QShowEvent
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.gui.viewport.base import Array, Colour, Shading, Viewport, ViewportSignals
@@ -91,6 +92,9 @@ class _Place(QWidget):
         super().__init__(parent)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        # With the first widget that draws by OpenGL, Qt makes the native window anew: it flickers
+        # and is no longer the active one. So there is one from the start, never seen.
+        QOpenGLWidget(self).hide()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
