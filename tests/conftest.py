@@ -33,13 +33,24 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
     """
     if "qapp" not in getattr(item, "fixturenames", ()):
         return (yield)
+    from tests.leavings import left_behind
+
     gc.disable()
     gc.freeze()
     try:
-        return (yield)
+        ended = yield
+        if left := left_behind():
+            _fail(item, "left behind: " + ", ".join(left))
+        return ended
     finally:
-        gc.collect()
         gc.enable()
+
+
+def _fail(item: pytest.Item, why: str) -> None:
+    report = pytest.TestReport(
+        item.nodeid, item.location, {}, outcome="failed", longrepr=why, when="teardown"
+    )
+    item.ihook.pytest_runtest_logreport(report=report)
 
 
 @pytest.fixture(scope="session")
@@ -96,6 +107,7 @@ def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
 @pytest.fixture
 def shown(qtbot):
     """Show viewports, each with the budget asked for, and take them away at the end."""
+    from PySide6.QtCore import QCoreApplication, QEvent
     from PySide6.QtGui import QGuiApplication
 
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
@@ -117,6 +129,7 @@ def shown(qtbot):
         view.close()
         view.widget.close()
         view.widget.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture

@@ -3,36 +3,46 @@
 import gc
 import sys
 import threading
+import time
 
 import shiboken6
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtCore import QCoreApplication, QEvent, QTimer
+from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
+
+SETTLES_S = 1.0
+"""What is about to end may end: a timer that fires once, a thread that says so last of all."""
 
 
 def left_behind() -> list[str]:
-    """Name what lives on of what was made since `gc.freeze`, once garbage has been collected."""
+    """Name what lives on of what was made since `gc.freeze`, once all that may go has gone."""
+    until = time.monotonic() + SETTLES_S
+    while (left := _left()) and time.monotonic() < until:
+        time.sleep(0.01)
+        QCoreApplication.processEvents()
+    return left
+
+
+def _left() -> list[str]:
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
     made = gc.get_objects()
-    windows = [each for each in made if isinstance(each, QWidget) and _is_window(each)]
-    timers = [each for each in made if isinstance(each, QTimer) and shiboken6.isValid(each)]
     shown = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
     return [
         *(f"thread {each.name}" for each in threading.enumerate() if _is_ours(each)),
-        *(f"timer {each.objectName()}" for each in timers if each.isActive()),
-        *(f"window {type(each).__name__}" for each in windows),
+        *(f"timer {each.objectName()}" for each in made if _beats(each)),
         *(f"shown {type(each).__name__}" for each in shown),
-        *(f"graphics {type(each).__name__}" for each in made if isinstance(each, _graphics())),
+        # Also where Qt has deleted one: what Python holds of it is its points and graphics
+        *(type(each).__name__ for each in made if isinstance(each, (QMainWindow, QDialog))),
+        *(type(each).__name__ for each in made if isinstance(each, _graphics())),
     ]
-
-
-def _is_window(each: QWidget) -> bool:
-    try:
-        return each.isWindow()
-    except RuntimeError:  # Qt has deleted it; what Python holds of it matters all the same
-        return True
 
 
 def _is_ours(thread: threading.Thread) -> bool:
     return thread.name.startswith("lispac")
+
+
+def _beats(each: object) -> bool:
+    return isinstance(each, QTimer) and shiboken6.isValid(each) and each.isActive()
 
 
 def _graphics() -> tuple[type, ...]:

@@ -9,11 +9,13 @@ import weakref
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QCoreApplication, QEvent, QTimer
+from PySide6.QtWidgets import QApplication, QMainWindow
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.tidying import OLD, REST_S, YOUNG, GivingBack, Tidying
 from tests.gui.support import WAIT_MS
+from tests.leavings import left_behind
 
 
 class Cycle:
@@ -84,3 +86,25 @@ def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyP
     memory.when_due()
     assert resident() < held - 150e6
     assert len(blocks) == 2000
+
+
+def test_what_a_test_leaves_behind_is_seen(qapp: QApplication, qtbot: QtBot) -> None:
+    """By the check that follows each test of a window."""
+    assert left_behind() == []
+    window, timer, stop = QMainWindow(), QTimer(objectName="beat"), threading.Event()
+    window.show()
+    timer.start(1000)
+    worker = threading.Thread(target=stop.wait, name="lispac-worker")
+    worker.start()
+    found = left_behind()
+    stop.set()
+    worker.join()
+    timer.stop()
+    window.close()
+    window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert found == [
+        "thread lispac-worker", "timer beat", "shown QMainWindow", "QMainWindow"
+    ]  # fmt: skip
+    del window, timer
+    assert left_behind() == []
