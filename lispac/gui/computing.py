@@ -11,6 +11,7 @@ from lispac.gui.controller import Controller
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
+from lispac.gui.status import counted
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.progress import Progress
 from lispac.project import Project
@@ -125,9 +126,8 @@ class Computing(QObject):
                 self.validated.emit()
                 for reason in validated.not_compared.values():
                     self._controller.noted.emit(reason)
-                self._controller.noted.emit(
-                    f"Compared the lines on {len(validated.validation)} validation planes"
-                )
+                planes = counted(len(validated.validation), "validation plane")
+                self._controller.noted.emit(f"Compared the lines on {planes}")
 
         task = self._runner.run("Validating", work, done, key="validate")
         self._controller.based_on_project(task)

@@ -108,7 +108,7 @@ QPushButton[primary="true"]:disabled {{ background: {s.disabled_fill};
 QPushButton[segment="true"] {{ padding: 5px 8px; }}
 QPushButton[segment="true"]:focus {{ padding: 4px 7px; }}
 QPushButton[segment="true"]:checked {{ background: {s.chosen}; border-color: {s.accent};
-    color: {s.on_chosen}; font-weight: 600; }}
+    color: {s.on_chosen}; }}
 QPushButton[step="true"] {{ text-align: left; padding: 0; border: none; border-radius: 0;
     border-bottom: 1px solid {s.border}; background: {s.bar}; }}
 QPushButton[step="true"]:hover {{ background: {s.hover}; }}
