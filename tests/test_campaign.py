@@ -18,6 +18,7 @@ import dask
 import distributed
 import numpy as np
 import pytest
+import scipy.stats
 
 from lispac.design.monte_carlo import Scatter, surveyed
 from lispac.design.plan import System
@@ -348,7 +349,7 @@ def test_chi_square_knows_that_angles_go_together() -> None:
     errors = np.random.default_rng(8).multivariate_normal(np.zeros(3), covariance, 2000)
     found = Scatter(errors, np.tile(sigma, (2000, 1)), sigma, correlation, 0)
     low, high = found.chi_square_expected
-    assert low < 6000 < high
+    assert (low, high) == pytest.approx(scipy.stats.chi2.ppf((0.025, 0.975), 6000), rel=1e-9)
     assert low < found.chi_square < high
     each = [e @ np.linalg.solve(covariance, e) for e in errors]
     assert found.chi_square == pytest.approx(sum(each), rel=1e-9)
