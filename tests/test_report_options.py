@@ -85,7 +85,8 @@ def test_a_template_holds_what_a_company_wants(template: Path) -> None:
 
 
 def test_the_template_of_the_manual_is_one(tmp_path: Path) -> None:
-    manual = Path(__file__).resolve().parents[1] / "resources" / "manual" / "report.md"
+    checkout = Path(__file__).resolve().parents[1]
+    manual = checkout / "resources" / "manual" / "en" / "report.md"
     blocks = re.findall(r"(?:^ {4}.*\n)+", manual.read_text(encoding="utf-8"), re.MULTILINE)
     (text,) = (textwrap.dedent(block) for block in blocks if "logo" in block)
     (tmp_path / "logo.svg").write_bytes(LOGO)

@@ -16,7 +16,7 @@ from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
 
 CHECKOUT = Path(__file__).resolve().parents[1]
-MANUAL = CHECKOUT / "resources" / "manual" / "scripts.md"
+MANUAL = CHECKOUT / "resources" / "manual" / "en" / "scripts.md"
 TRUTH = (0.27, -1.14, 0.36)
 
 
