@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from lispac.errors import AdjustmentError
+from lispac.errors import AdjustmentError, Cancelled
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
@@ -67,6 +67,7 @@ class Computing(QObject):
         self._controller = controller
         self._subsample = 0.0
         self._stale_count = False
+        self._counting: Task | None = None
         self.distance_to = SIX_POINT_PLANE
         runner.idle.connect(self._count_again)
 
@@ -100,7 +101,7 @@ class Computing(QObject):
             else:
                 self.counted.emit(PointCount(kept, total, len(sightings)))
 
-        self._runner.run("Counting points", work, done, quiet=True, key="count")
+        self._counting = self._runner.run("Counting points", work, done, quiet=True, key="count")
 
     def measure_to(self, model: LocalModel) -> None:
         """Measure so from the next validation on."""
@@ -194,6 +195,9 @@ class Computing(QObject):
         return self._document.project, self._document.survey if current else None
 
     def _count_again(self) -> None:
+        last = self._counting
+        if last is not None and last.error is not None and not isinstance(last.error, Cancelled):
+            return  # it would end so again, and say so again
         if self._stale_count:
             self.count(self._subsample)
 

@@ -214,7 +214,8 @@ class Monkey(QObject):
         front = QApplication.activePopupWidget() or QApplication.activeModalWidget()
         if front is None:
             for runner in self._runners():
-                runner.cancel()
+                if runner.busy:  # what is quiet would only be begun again
+                    runner.cancel()
             yield
             return
         if isinstance(front, QDialog) and not self._hands.chance.randrange(3):
@@ -236,11 +237,9 @@ class Monkey(QObject):
         return bool(QApplication.activePopupWidget() or QApplication.activeModalWidget())
 
     def _rests(self) -> bool:
-        """Whether the time is over, no dialogue waits and no work runs."""
+        """Whether the time is over, no dialogue waits and no work runs that a user sees."""
         return (
-            self.ending
-            and not self._waits()
-            and not any(runner.active for runner in self._runners())
+            self.ending and not self._waits() and not any(runner.busy for runner in self._runners())
         )
 
     def rest(self) -> None:
@@ -254,6 +253,7 @@ class Monkey(QObject):
 
     def stand(self, project: Path) -> None:
         """Bring the program to where memory is compared: a project, estimated and validated."""
+        faulthandler.dump_traceback_later(HANGS_S, exit=True)
         window = self.session.window
         if (design := window.designing.window) is not None:
             design.hide()
@@ -327,10 +327,10 @@ def main() -> int:
     monkey.pulse.stop()
     seen = monkey.seen
     seen.longest_ms = monkey.pulse.longest
-    faulthandler.cancel_dump_traceback_later()
     monkey.session.window.document.undo_stack.setClean()
     monkey.stand(folder / "away")
     end(monkey)
+    faulthandler.cancel_dump_traceback_later()
     logbook.end()
     tidying.end()
     (folder / "seen.json").write_text(json.dumps(vars(seen), indent=1, ensure_ascii=False))
@@ -346,6 +346,7 @@ def wait(ms: int) -> None:
 
 def end(monkey: Monkey) -> None:
     """Close the window as a user does, and look what is left."""
+    faulthandler.dump_traceback_later(HANGS_S, exit=True)
     window = monkey.session.window
     letting_go = QTimer(interval=200)
     letting_go.timeout.connect(_discard)

@@ -205,6 +205,25 @@ def test_the_point_count_follows_the_distance(picked: Driver):
     assert picked.project.settings.subsample == 0.10  # nothing is edited until Estimate
 
 
+def test_a_count_that_fails_is_told_once(picked: Driver, monkeypatch):
+    def broken(*_):
+        raise OSError(5, "Input/output error", "lines/L1")
+
+    monkeypatch.setattr("lispac.workflow.calibration.count_of", broken)
+    open_step(picked, 2)
+    picked.window.adjust.distance.selectAll()
+    picked.bot.keyClicks(picked.window.adjust.distance, "30")
+    picked.bot.waitUntil(lambda: bool(picked.dialogs.errors), timeout=30_000)
+    picked.bot.wait(300)
+    assert [error.strerror for error in picked.dialogs.errors] == ["Input/output error"]
+    monkeypatch.undo()
+    picked.dialogs.errors.clear()
+    picked.window.adjust.distance.selectAll()
+    picked.bot.keyClicks(picked.window.adjust.distance, "20")
+    picked.bot.waitUntil(lambda: count_text(picked).startswith("About"), timeout=30_000)
+    assert not picked.dialogs.errors
+
+
 def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver):
     open_step(picked, 2)
     click(picked, picked.window.adjust.estimate)
