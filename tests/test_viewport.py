@@ -12,6 +12,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from lispac.errors import InputError
 from lispac.gui.viewport.base import (
@@ -24,7 +25,7 @@ from lispac.gui.viewport.base import (
 )
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording import RecordingViewport
-from tests.view_scenes import BLUE, GREEN, RED, YELLOW, count, picture, pixel, scene, wall
+from tests.view_scenes import BLUE, GREEN, RED, YELLOW, array_of, count, picture, pixel, scene, wall
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 PLAIN = Qt.KeyboardModifier.NoModifier
@@ -95,6 +96,34 @@ def test_a_hidden_line_is_neither_seen_nor_picked_and_stays_hidden(viewport, qtb
     assert count(picture(viewport, tmp_path), RED) == 0
     viewport.set_line_visible("red", True)
     assert count(picture(viewport, tmp_path), RED) > 500
+
+
+def test_what_has_not_changed_is_not_rendered_again(viewport, qtbot):
+    viewport.show_clouds(*scene())
+    viewport.view("front")
+    viewport.set_point_size(5)
+    before = viewport.picture()
+    rendered = viewport.canvas.frames
+    cover = QWidget(viewport.widget)  # what a menu does
+    cover.resize(viewport.widget.size())
+    cover.setAutoFillBackground(True)
+    cover.show()
+    qtbot.wait(50)
+    cover.hide()
+    viewport.canvas.repaint()
+    viewport.show_markers([Marker("T1", (0.0, 15.0, 1.5), YELLOW)])
+    qtbot.wait(50)
+    assert viewport.canvas.frames == rendered
+    viewport.show_markers([])
+    viewport.canvas.repaint()
+    shown = viewport.canvas.grabFramebuffer()
+    assert viewport.canvas.frames == rendered
+    hidden, seen = (count(each, RED) for each in (array_of(before), array_of(shown)))
+    assert hidden == seen > 500
+    viewport.set_line_visible("red", False)
+    shown = viewport.canvas.grabFramebuffer()
+    assert count(array_of(shown), RED) == 0
+    assert viewport.canvas.frames > rendered
 
 
 def test_before_and_after_keep_the_camera(viewport):

@@ -36,7 +36,12 @@ def picture(viewport, tmp_path) -> np.ndarray:
     """What is on the screen as (height, width, 3)."""
     path = tmp_path / "picture.png"
     viewport.screenshot(path)
-    image = QImage(str(path)).convertToFormat(QImage.Format.Format_RGB888)
+    return array_of(QImage(str(path)))
+
+
+def array_of(image: QImage) -> np.ndarray:
+    """An image as (height, width, 3)."""
+    image = image.convertToFormat(QImage.Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
     return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
 

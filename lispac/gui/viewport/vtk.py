@@ -1,7 +1,7 @@
-"""The viewport drawn with OpenGL; with `actors` the only file that knows VTK.
+"""The viewport drawn with OpenGL; with `actors` and `canvas` all that knows VTK.
 
-Every change asks Qt for a repaint (`QWidget.update`), never VTK for a rendering: Qt joins requests,
-and a picture rendered outside of Qt's painting would be rendered a second time by it.
+Every change of the scene asks for a repaint (`Canvas.redraw`), never VTK for a rendering: Qt joins
+requests, and paints in its own time.
 """
 
 import time
@@ -12,7 +12,6 @@ import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
-from pyvistaqt import QtInteractor
 
 from lispac.errors import InputError
 from lispac.geometry.neighbours import points_within
@@ -29,6 +28,7 @@ from lispac.gui.viewport.base import (
     ViewportSignals,
 )
 from lispac.gui.viewport.camera import Camera
+from lispac.gui.viewport.canvas import Canvas
 from lispac.gui.viewport.clipping import Box, right_of
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.highlighting import Highlighting
@@ -46,7 +46,7 @@ QUICK_S = 0.03
 
 
 class VtkViewport:
-    """`Viewport` on a `QtInteractor`.
+    """`Viewport` on a `Canvas`.
 
     Attributes
     ----------
@@ -59,8 +59,7 @@ class VtkViewport:
         self._stage = Stage(parent)
         # Goes with the widget, and with it what a window has joined: it would hold the window.
         self.signals = ViewportSignals(self._stage)
-        # No multisampling: it says nothing for single pixels and costs software OpenGL dearly.
-        self.canvas = QtInteractor(self._stage, auto_update=False, multi_samples=0)
+        self.canvas = Canvas(self._stage)
         self.canvas.setAcceptDrops(False)  # the window opens what is dropped, not the 3D library
         self._stage.put(self.canvas)
         self._overlay = self._stage.overlay
@@ -150,7 +149,7 @@ class VtkViewport:
     def show_markers(self, markers: Sequence[Marker]) -> None:
         """Draw seeds and labels; replaces those shown."""
         self._overlay.markers = tuple(markers)
-        self._update()
+        self._overlay.update()
 
     def clip(self, box: Box | None) -> None:
         """Draw only what lies in a box, or everything."""
@@ -321,7 +320,7 @@ class VtkViewport:
 
     def _update(self) -> None:
         self._overlay.camera = self.camera if self._layer.clouds else None
-        self.canvas.update()
+        self.canvas.redraw()
         self._overlay.update()
 
     def _on_frame(self, *_: object) -> None:
