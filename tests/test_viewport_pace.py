@@ -1,7 +1,9 @@
 """How many points a frame holds, by how long frames take."""
 
+import pytest
+
 from lispac.gui.viewport.decimation import Budget
-from lispac.gui.viewport.pace import AIM_S, LEAST, SLICES, Pace
+from lispac.gui.viewport.pace import AIM_S, LEAST, PICTURE_S, SLICES, Pace
 
 BUDGET = Budget()
 
@@ -36,6 +38,9 @@ def test_a_slow_one_draws_as_many_as_there_is_time_for() -> None:
             pace.resting == LEAST["resting"]
         )
         assert LEAST["resting"] <= pace.resting <= BUDGET.resting
+        # A picture is drawn once: it takes its time
+        wanted = max(LEAST["resting"], min(BUDGET.resting, PICTURE_S * rate / 2))
+        assert pace.picture == pytest.approx(wanted, rel=1e-5)
 
 
 def test_a_single_slow_frame_changes_nothing_and_lasting_ones_do() -> None:

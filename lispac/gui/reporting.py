@@ -1,8 +1,9 @@
 """The report from the window: its details, how it is wanted, and writing it."""
 
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -72,12 +73,18 @@ class Reporting(QObject):
             return
         path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
         if path is not None:
-            self._computing.with_placed(
-                project, survey, lambda: self._write(project, survey, options, path)
-            )
+            write = partial(self._write, project, survey, options, path)
+            self._computing.with_placed(project, survey, lambda: self._photograph(project, write))
 
-    def _write(self, project: Project, survey: Survey, options: ReportOptions, path: Path) -> None:
-        pictures, refused = self._pictures(), self._document.refused_since
+    def _write(
+        self,
+        project: Project,
+        survey: Survey,
+        options: ReportOptions,
+        path: Path,
+        pictures: dict[str, QImage],
+    ) -> None:
+        refused = self._document.refused_since
 
         def work(progress: Progress) -> Path:
             from lispac.workflow.export import write_report
@@ -96,10 +103,17 @@ class Reporting(QObject):
         project, survey, options = self._document.project, self._survey, self._options()
         if project is None or project.result is None or survey is None or options is None:
             return
-        self._computing.with_placed(project, survey, lambda: self._set(project, survey, options))
+        set_pages = partial(self._set, project, survey, options)
+        self._computing.with_placed(project, survey, lambda: self._photograph(project, set_pages))
 
-    def _set(self, project: Project, survey: Survey, options: ReportOptions) -> None:
-        pictures, refused = self._pictures(), self._document.refused_since
+    def _set(
+        self,
+        project: Project,
+        survey: Survey,
+        options: ReportOptions,
+        pictures: dict[str, QImage],
+    ) -> None:
+        refused = self._document.refused_since
         ppi = PPI * self._panel.devicePixelRatioF()
 
         def work(progress: Progress) -> "Preview":
@@ -148,19 +162,35 @@ class Reporting(QObject):
     def _survey(self) -> Survey | None:
         return self._document.survey if self._document.survey_is_current else None
 
-    def _pictures(self) -> dict[str, QImage]:
-        """The view as it is, before and after, from one camera and coloured alike; both are at
-        hand."""
-        captions: dict[Which, str] = {
-            "prior": "The lines placed with the prior boresight",
-            "estimated": "The lines placed with the estimated boresight",
-        }
-        pictures = {}
-        with self._scene.one_scale(), units.standard():
-            for which, caption in captions.items():
+    def _photograph(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
+        """Take the view before and after, from one camera and coloured alike; both are at hand.
+
+        Each has a turn of its own, for both at once would hold up the window. An edit meanwhile
+        ends it.
+        """
+        pictures: dict[str, QImage] = {}
+        waiting: list[tuple[Which, str]] = [
+            ("prior", "The lines placed with the prior boresight"),
+            ("estimated", "The lines placed with the estimated boresight"),
+        ]
+
+        def take(_nothing: None) -> None:
+            which, caption = waiting.pop(0)
+            with self._scene.one_scale(), units.standard():
                 self._scene.show(which)
                 pictures[caption] = self._viewport.picture()
-        return pictures
+            if self._document.project is not project:
+                return
+            if waiting:
+                take_next()
+            else:
+                then(pictures)
+
+        def take_next() -> None:
+            task = self._runner.run("Taking pictures of the view", lambda _progress: None, take)
+            self._controller.based_on_project(task)
+
+        take_next()
 
 
 @contextmanager

@@ -388,5 +388,5 @@ class Hands:
     }  # fmt: skip
 
 
-CANVASES = {"FigureCanvasQTAgg", "Canvas", "Gizmo", "TimelineView"}
+CANVASES = {"Chart", "Canvas", "Gizmo", "TimelineView"}
 WEIGHTS = {QAbstractButton: 6, QMenuBar: 5, QWidget: 6, QAbstractItemView: 4, QTabBar: 3}

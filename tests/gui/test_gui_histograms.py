@@ -55,6 +55,29 @@ def wheel(panel: HistogramsPanel, at: QPoint, notches: int) -> None:
     QApplication.sendEvent(panel.canvas, event)
 
 
+def test_a_hidden_plot_is_drawn_once_when_it_is_seen(
+    driver: Driver, panel: HistogramsPanel
+) -> None:
+    drawn = []
+    panel.canvas.mpl_connect("draw_event", lambda _event: drawn.append(1))
+    driver.window.docks["Diagnostics"].raise_()
+    driver.bot.waitUntil(lambda: panel.canvas.visibleRegion().isEmpty())
+    for choice in (1, AGAINST, 0, AGAINST):
+        panel.plot.setCurrentIndex(choice)
+    driver.bot.wait(100)
+    assert not drawn
+    driver.window.docks["Histograms"].raise_()
+    driver.bot.waitUntil(lambda: bool(drawn))
+    driver.bot.wait(100)
+    assert len(drawn) == 1
+    panel.plot.setCurrentIndex(0)
+    whole = panel.canvas.picture().toImage()  # what is copied does not wait
+    assert len(drawn) == 2
+    driver.bot.wait(100)
+    assert len(drawn) == 2
+    assert panel.canvas.grab().toImage() == whole
+
+
 def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPanel) -> None:
     panel.canvas.draw()
     axes = panel.canvas.figure.axes[0]

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtGui import QPixmap
+from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.panels.report import ReportPanel
 from lispac.gui.panels.widgets import Choice
-from lispac.identity import NAMES
+from lispac.identity import NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_at import hand
@@ -230,6 +230,28 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     between = names[names.index("picture") : len(names) - names[::-1].index("picture")]
     assert not {"fit", "view", "look_along", "set_parallel"} & set(between)
     assert scene.which == "prior"
+
+
+def test_an_edit_while_the_pictures_are_taken_ends_the_report(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    open_step(adjusted, REPORT)
+    adjusted.window.computing.show("estimated")
+    adjusted.rest()
+    adjusted.dialogs.path = tmp_path / "r.html"
+    taken = adjusted.viewport.picture
+
+    def edited_meanwhile() -> QImage:
+        edited = adjusted.project.with_identity(Identity(vessel="Nordlys"))
+        adjusted.window.document.edit("details for the report", edited)
+        return taken()
+
+    adjusted.viewport.picture = edited_meanwhile
+    click(adjusted, adjusted.window.report.report)
+    adjusted.rest()
+    assert adjusted.dialogs.errors == []
+    assert len([name for name, _ in adjusted.viewport.calls if name == "picture"]) == 1
+    assert not (tmp_path / "r.html").exists()
 
 
 def test_colours_mean_the_same_in_both_pictures(adjusted: Driver, tmp_path: Path) -> None:

@@ -70,12 +70,10 @@ class PicturesPanel(QWidget):
         self.which.setCurrentIndex(self.which.findData(ERRORS))
 
     def _put(self, title: str, draw: "Callable[[Figure], object]") -> None:
-        from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-        from matplotlib.figure import Figure
+        from lispac.gui.panels.chart import Chart
 
-        canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+        canvas = Chart(280, 200)
         canvas.setAccessibleName(say(f"Figure: {title}"))
-        canvas.setMinimumSize(280, 200)
         self._waiting[canvas] = draw
         at = self.which.findData(title)
         if at >= 0:

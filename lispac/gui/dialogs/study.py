@@ -68,15 +68,13 @@ class StudyDialog(QDialog):
     def figure(self):
         """The figure of the plot, which stands below the table."""
         if self.canvas is None:
-            from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-            from matplotlib.figure import Figure
+            from lispac.gui.panels.chart import Chart
 
-            self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
-            self.canvas.setMinimumSize(560, 340)
+            self.canvas = Chart(560, 340)
             self.body.insertWidget(self.body.indexOf(self._buttons), self.canvas, 2)
             self.copy_picture.show()
         return self.canvas.figure
 
     def _copy_picture(self) -> None:
         if self.canvas is not None:
-            QGuiApplication.clipboard().setPixmap(self.canvas.grab())
+            QGuiApplication.clipboard().setPixmap(self.canvas.picture())

@@ -96,18 +96,14 @@ class FigurePage(Page):
     def draw(self, result: AdjustmentResult) -> None:
         """Draw into the canvas, made on first use."""
         # Imported here, so that the start of the window does not wait for it.
-        from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-        from matplotlib.figure import Figure
-
         from lispac.gui.panels import diagnostic_figures
+        from lispac.gui.panels.chart import Chart
         from lispac.gui.panels.ticks import spoken_ticks
 
         if self.canvas is None:
-            figure = Figure(figsize=(4, 2), layout="constrained", facecolor=theme.PAPER)
-            self.canvas = FigureCanvasQTAgg(figure)
+            self.canvas = Chart(200, 120, theme.PAPER)
             self.canvas.setObjectName(f"{self.objectName()}_canvas")
             self.canvas.setAccessibleName(say(self.title))
-            self.canvas.setMinimumSize(200, 120)
             self._row.addWidget(self.canvas, 1)
         getattr(diagnostic_figures, self.draws)(result, self.canvas.figure)
         spoken_ticks(self.canvas.figure)

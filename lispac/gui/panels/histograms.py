@@ -220,14 +220,11 @@ class HistogramsPanel(QWidget):
 
     def _canvas(self):
         if self.canvas is None:
-            from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-            from matplotlib.figure import Figure
-
+            from lispac.gui.panels.chart import Chart
             from lispac.gui.panels.zooming import Zooming
 
-            self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+            self.canvas = Chart(260, 120)
             self.canvas.setObjectName("histogram_canvas")
-            self.canvas.setMinimumSize(260, 120)
             self._zooming = Zooming(self.canvas)
             canvas, leave = self.canvas, lambda _event: self.reading.setText(say(ZOOM))
             heard = (
@@ -262,7 +259,7 @@ class HistogramsPanel(QWidget):
 
     def _copy_picture(self) -> None:
         if self.canvas is not None:
-            QGuiApplication.clipboard().setPixmap(self.canvas.grab())
+            QGuiApplication.clipboard().setPixmap(self.canvas.picture())
             self.reading.setText(say("The picture is in the clipboard"))
 
     def _copy_numbers(self) -> None:

@@ -175,14 +175,11 @@ class SectionPanel(QWidget):
     def _make_canvas(self) -> None:
         if self.canvas is not None:
             return
-        from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-        from matplotlib.figure import Figure
-
+        from lispac.gui.panels.chart import Chart
         from lispac.gui.panels.zooming import Zooming
 
-        self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+        self.canvas = Chart(300, 150)
         self.canvas.setObjectName("section_canvas")
-        self.canvas.setMinimumSize(300, 150)
         self.canvas.setToolTip(say(ZOOM))
         self._zooming = Zooming(self.canvas)
         self._row.addWidget(self.canvas, 1)

@@ -54,9 +54,10 @@ class Layer:
         self.half: Any = None
         self._coarse: list[tuple[int, Any]] = []
         self._ranks: dict[str, NDArray[np.float32]] = {}
+        self._orders: dict[str, tuple[int, NDArray[np.int64]]] = {}
         self._fine: list[Any] = []
         self._rims: list[Any] = []
-        self._fine_camera: Camera | None = None
+        self._fine_of: tuple[Camera, int] | None = None
         self.seen: dict[str, Array] = {}
         self.sparse: dict[str, Array] = {}
         self.detail: dict[str, Array] = {}
@@ -74,9 +75,18 @@ class Layer:
         shading: Shading | None = None,
     ) -> None:
         """Take over lines; nothing is drawn yet."""
+        former, orders = self._ranks, self._orders
         self._clouds = {line: points for line, points in clouds.items() if len(points)}
         self.colours, self.shading = dict(colours), shading
-        self._ranks = {line: ranks(len(points)) for line, points in self._clouds.items()}
+        self._ranks, self._orders = {}, {}
+        for line, points in self._clouds.items():
+            kept = former.get(line)
+            if kept is None or len(kept) != len(points):
+                self._ranks[line] = ranks(len(points))
+                continue
+            self._ranks[line] = kept  # the same points, placed otherwise
+            if line in orders:
+                self._orders[line] = orders[line]
 
     def draw(self, hidden: set[str], budget: int, box: Box | None = None) -> None:
         """Draw what is in the box of the lines that are not hidden coarsely.
@@ -93,9 +103,7 @@ class Layer:
         shaded = self.shading is not None
         self.sparse, self._coarse = {}, []
         for line, points in self.seen.items():
-            places = self._places(line)
-            chosen = foremost(places, share[line])
-            chosen = chosen[np.argsort(places[chosen])]
+            chosen = self._ordered(line, share[line])
             self.sparse[line] = points[chosen]
             start = 0
             for k, part in enumerate(SLICES):
@@ -113,10 +121,10 @@ class Layer:
 
     def refine(self, camera: Camera, size: Size, budget: int) -> bool:
         """Draw the points in view with rims, so many in all; whether they were others so far."""
-        if self._fine_camera is camera:
+        if self._fine_of is not None and self._fine_of[0] is camera and self._fine_of[1] == budget:
             return False
         self._remove_fine()
-        self._fine_camera = camera
+        self._fine_of = camera, budget
         found = {line: in_view(points, camera, size) for line, points in self.seen.items()}
         share = shares({line: len(indices) for line, indices in found.items()}, budget)
         shaded = self.shading is not None
@@ -168,16 +176,28 @@ class Layer:
         """Let go of everything, after the renderer has."""
         self._coarse, self._fine, self._rims = [], [], []
         self._clouds, self.seen, self.sparse, self.detail = {}, {}, {}, {}
-        self._ranks = {}
+        self._ranks, self._orders = {}, {}
 
     def _remove_fine(self) -> None:
         self._remove(self._fine)
         self._remove(self._rims)
-        self._fine, self._rims, self._fine_camera, self.detail = [], [], None, {}
+        self._fine, self._rims, self._fine_of, self.detail = [], [], None, {}
 
     def _remove(self, actors: list[Any]) -> None:
         for actor in actors:
             self._renderer.RemoveActor(actor)
+
+    def _ordered(self, line: str, wanted: int) -> NDArray[np.int64]:
+        """Find the foremost points that are seen of a line, by rank; the same before and after."""
+        known = self._orders.get(line)
+        if self._kept[line] is None and known is not None and known[0] == wanted:
+            return known[1]
+        places = self._places(line)
+        chosen = foremost(places, wanted)
+        chosen = chosen[np.argsort(places[chosen])]
+        if self._kept[line] is None:
+            self._orders[line] = wanted, chosen
+        return chosen
 
     def _places(self, line: str) -> NDArray[np.float32]:
         """Ranks of the points that are seen of a line."""

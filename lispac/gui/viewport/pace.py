@@ -11,10 +11,14 @@ from lispac.gui.viewport.decimation import Budget
 
 Kind = Literal["moving", "resting"]
 
-AIM_S: dict[Kind, float] = {"moving": 0.07, "resting": 1.0}
-"""What drawing a frame is to take; choosing the points and Qt take a third as long again."""
+AIM_S: dict[Kind, float] = {"moving": 0.07, "resting": 0.14}
+"""What drawing a frame is to take; choosing the points and Qt take a third as long again. Longer
+than 0.2 s and the window is felt to hang each time the view comes to rest."""
 
-LEAST: dict[Kind, int] = {"moving": 20_000, "resting": 200_000}
+PICTURE_S = 1.0
+"""What drawing a picture for a file may take: there is one of them, and it stays."""
+
+LEAST: dict[Kind, int] = {"moving": 20_000, "resting": 100_000}
 """Points below which nothing could be made out; they are drawn however long it takes."""
 
 JUDGED = 10_000
@@ -49,10 +53,18 @@ class Pace:
     @property
     def resting(self) -> int:
         """Points for a frame at rest."""
+        return self._fitting(AIM_S["resting"])
+
+    @property
+    def picture(self) -> int:
+        """Points for a picture that goes into a file."""
+        return self._fitting(PICTURE_S)
+
+    def _fitting(self, seconds: float) -> int:
         rates = self._rates["resting"]
         # At rest each point is drawn twice, with its rim.
         rate = max(rates) if rates else 0.5 * max(self._rates["moving"], default=float("inf"))
-        fitting = min(rate * AIM_S["resting"], self._budget.resting)
+        fitting = min(rate * seconds, self._budget.resting)
         return max(int(fitting), min(LEAST["resting"], self._budget.resting))
 
     def took(self, kind: Kind, points: int, seconds: float, whole: int = 0) -> None:

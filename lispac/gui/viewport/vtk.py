@@ -84,7 +84,7 @@ class VtkViewport:
             for event, slot in (("StartEvent", self._on_frame), ("EndEvent", self._on_framed))
         ]
         self._rest = QTimer(self._stage, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self._show_detail)
+        self._rest.timeout.connect(lambda: self._show_detail(self._pace.resting))
         self._stage.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
         self._navigator.moved.connect(self._on_moved)
@@ -242,11 +242,12 @@ class VtkViewport:
 
     def picture(self) -> QImage:
         """What is shown, with all its detail and what is written over it but the mouse's help."""
-        self._show_detail()
+        self._show_detail(self._pace.picture)
         image: QImage = self.canvas.grabFramebuffer()
         painter = QPainter(image)
         self._overlay.paint(painter)
         painter.end()
+        self._rest.start()  # with as many points as can be drawn again and again
         return image
 
     def screenshot(self, path: Path) -> None:
@@ -337,9 +338,9 @@ class VtkViewport:
             drawn = int(SLICES[self._pace.slice] * whole)
             self._pace.took("moving", drawn, took, whole)
 
-    def _show_detail(self) -> None:
+    def _show_detail(self, points: int) -> None:
         self._rest.stop()
-        budget = self._pace.resting // len(self._layers)
+        budget = points // len(self._layers)
         size = self._navigator.size
         if any([layer.refine(self.camera, size, budget) for layer in self._layers]):
             self._style_points()

@@ -1901,6 +1901,10 @@
         <source>{words}  ·  {rate:n} %/s, {left} left</source>
         <translation>{words}  ·  {rate} %/s, encore {left}</translation>
     </message>
+    <message>
+        <source>Taking pictures of the view</source>
+        <translation>Prise d&apos;images de la vue</translation>
+    </message>
 </context>
 <context>
     <name>steps</name>

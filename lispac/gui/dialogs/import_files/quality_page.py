@@ -84,16 +84,13 @@ class QualityPage(QWidget):
         if not ready:
             return
         # Imported here, so that the start of the dialogue does not wait for it.
-        from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-        from matplotlib.figure import Figure
-
         from lispac.gui.dialogs.import_files.quality_figures import PAGES, Quality
+        from lispac.gui.panels.chart import Chart
         from lispac.gui.panels.ticks import spoken_ticks
 
         if self.canvas is None:
-            self.canvas = FigureCanvasQTAgg(Figure(layout="constrained", facecolor=theme.PAPER))
+            self.canvas = Chart(300, 180, theme.PAPER)
             self.canvas.setObjectName("quality_canvas")
-            self.canvas.setMinimumSize(300, 180)
             self._layout.addWidget(self.canvas, 1)
         quality = Quality.of(self._intake)
         assert quality is not None
