@@ -48,8 +48,9 @@ class Box:
         """Indices of those of the points (n, 3) that lie in it."""
         shift, found = self.axes @ self.centre, []
         for start in range(0, len(points), CHUNK):
-            seen = np.abs(points[start : start + CHUNK] @ self.axes.T - shift)
-            found.append(np.flatnonzero(np.all(seen <= self.half, axis=1)) + start)
+            near = np.abs(points[start : start + CHUNK] @ self.axes.T - shift) <= self.half
+            # Column by column: `np.all` along rows of three takes three times as long
+            found.append(np.flatnonzero(near[:, 0] & near[:, 1] & near[:, 2]) + start)
         return np.concatenate(found) if found else np.empty(0, np.int64)
 
     def moved(self, side: int, metres: float) -> "Box":

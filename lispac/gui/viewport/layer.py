@@ -51,10 +51,11 @@ class Layer:
         self.shading: Shading | None = None
         self._clouds: dict[str, Array] = {}
         self._kept: dict[str, NDArray[np.int64] | None] = {}
+        self._kept_by: Box | None = None
         self.half: Any = None
         self._coarse: list[tuple[int, Any]] = []
         self._ranks: dict[str, NDArray[np.float32]] = {}
-        self._orders: dict[str, tuple[int, NDArray[np.int64]]] = {}
+        self._orders: dict[str, tuple[int, NDArray[np.int64] | None, NDArray[np.int64]]] = {}
         self._fine: list[Any] = []
         self._rims: list[Any] = []
         self._fine_of: tuple[Camera, int] | None = None
@@ -75,18 +76,19 @@ class Layer:
         shading: Shading | None = None,
     ) -> None:
         """Take over lines; nothing is drawn yet."""
-        former, orders = self._ranks, self._orders
+        former = self._ranks
         self._clouds = {line: points for line, points in clouds.items() if len(points)}
         self.colours, self.shading = dict(colours), shading
-        self._ranks, self._orders = {}, {}
+        self._ranks = {}
         for line, points in self._clouds.items():
-            kept = former.get(line)
-            if kept is None or len(kept) != len(points):
-                self._ranks[line] = ranks(len(points))
-                continue
-            self._ranks[line] = kept  # the same points, placed otherwise
-            if line in orders:
-                self._orders[line] = orders[line]
+            known = former.get(line)
+            same = known is not None and len(known) == len(points)  # placed otherwise
+            self._ranks[line] = known if same else ranks(len(points))
+        self._kept, self._kept_by = {}, None
+        self._orders = {
+            line: order for line, order in self._orders.items()
+            if order[1] is None and former[line] is self._ranks.get(line)
+        }  # fmt: skip
 
     def draw(self, hidden: set[str], budget: int, box: Box | None = None) -> None:
         """Draw what is in the box of the lines that are not hidden coarsely.
@@ -97,7 +99,11 @@ class Layer:
         """
         self.remove()
         shown = {line: p for line, p in self._clouds.items() if line not in hidden}
-        self._kept = {line: None if box is None else box.inside(p) for line, p in shown.items()}
+        if box is not self._kept_by:
+            self._kept, self._kept_by = {}, box
+        for line, points in shown.items():
+            if line not in self._kept:
+                self._kept[line] = None if box is None else box.inside(points)
         self.seen = {line: p if box is None else p[self._kept[line]] for line, p in shown.items()}
         share = shares({line: len(points) for line, points in self.seen.items()}, budget)
         shaded = self.shading is not None
@@ -176,7 +182,7 @@ class Layer:
         """Let go of everything, after the renderer has."""
         self._coarse, self._fine, self._rims = [], [], []
         self._clouds, self.seen, self.sparse, self.detail = {}, {}, {}, {}
-        self._ranks, self._orders = {}, {}
+        self._ranks, self._orders, self._kept = {}, {}, {}
 
     def _remove_fine(self) -> None:
         self._remove(self._fine)
@@ -189,15 +195,13 @@ class Layer:
 
     def _ordered(self, line: str, wanted: int) -> NDArray[np.int64]:
         """Find the foremost points that are seen of a line, by rank; the same before and after."""
-        known = self._orders.get(line)
-        if self._kept[line] is None and known is not None and known[0] == wanted:
-            return known[1]
-        places = self._places(line)
-        chosen = foremost(places, wanted)
-        chosen = chosen[np.argsort(places[chosen])]
-        if self._kept[line] is None:
-            self._orders[line] = wanted, chosen
-        return chosen
+        order = self._orders.get(line)
+        if order is None or order[0] != wanted or order[1] is not self._kept[line]:
+            places = self._places(line)
+            chosen = foremost(places, wanted)
+            order = wanted, self._kept[line], chosen[np.argsort(places[chosen])]
+            self._orders[line] = order
+        return order[2]
 
     def _places(self, line: str) -> NDArray[np.float32]:
         """Ranks of the points that are seen of a line."""
