@@ -2,6 +2,7 @@
 
 import ast
 import json
+import os
 import re
 import subprocess
 import sys
@@ -86,7 +87,12 @@ def test_the_example_of_the_manual_runs(tmp_path: Path) -> None:
     ast.parse(other)
     done = subprocess.run(
         [sys.executable, "-c", example], cwd=tmp_path, capture_output=True, text=True, check=False,
-        env={"PYTHONPATH": str(CHECKOUT), "HOME": str(tmp_path)}, timeout=300,
+        env={
+            "PYTHONPATH": str(CHECKOUT), "HOME": str(tmp_path),
+            # What has been compiled for the other tests
+            **{name: os.environ[name] for name in ("NUMBA_CACHE_DIR",) if name in os.environ},
+        },
+        timeout=300,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("points") == 6
