@@ -120,6 +120,9 @@ def _reject(dialog: QWidget) -> None:
         dialog.close()
 
 
+SETTINGS = "settings.ini"
+
+
 class Hands(Driver):
     """The program as its user has it: windows in their turn, and dialogues that ask.
 
@@ -131,7 +134,7 @@ class Hands(Driver):
 
     def __init__(self, qtbot: QtBot, viewport: Callable[[], Viewport], folder: Path) -> None:
         self.bot, self.dialogs, self.answers = qtbot, Dialogs(), Answers()
-        self.settings = AppSettings(folder / "settings.ini")
+        self.settings = AppSettings(folder / SETTINGS)
         self.settings.language = "en"
         application = QApplication.instance()
         # The system's own are beyond this hand

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qt_compat import qt_api
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.vtk import VtkViewport
 from lispac.io.project_file import read_unsaved
 from tests.gui.by_hand import Hands, open_by_keys, rename
 from tests.gui.support import click
@@ -64,7 +64,7 @@ def main() -> None:
     qt_api.set_qt_api("pyside6")
     application = QApplication(sys.argv[:1])
     QTimer.singleShot(round(LIMIT_S * 1000), application.quit)
-    hands = Hands(QtBot(None), RecordingViewport, home)  # of no test: it closes nothing
+    hands = Hands(QtBot(None), VtkViewport, home)  # of no test: it closes nothing
     open_by_keys(hands, folder)
     click(hands, hands.window.workflow.headers[1])
     rename(hands, 0, "North wall")

@@ -7,15 +7,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QPushButton
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.settings import AppSettings
 from lispac.io.project_file import UNSAVED_NAME
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.projects import open_project
 from tests.gui.by_hand import (
+    SETTINGS,
     Answers,
     Hands,
     ctrl_click,
@@ -28,18 +31,31 @@ from tests.gui.import_support import drop, raw
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import Control, Demo, Key, Left, click, press
 
+NOTCHES = 12
+"""Of the wheel, until a plane of the demo fills the view."""
+
 
 def spot(hands: Hands, name: str) -> QPoint:
-    """Bring a plane of the demo into view: where it is drawn."""
+    """Bring a plane of the demo into view with the wheel over it: where it is drawn."""
     role, position = demo_seeds()[name]
     press(hands, Key.Key_F6 if role == "target" else Key.Key_F7)
     press(hands, Key.Key_3)
     clouds = np.concatenate([cloud.sample for cloud in hands.window.scene.clouds.values()])
-    away = np.linalg.norm(clouds - position, axis=1)
-    hands.viewport.fit(clouds[away < 3])
+    aim = clouds[np.argmin(np.linalg.norm(clouds - position, axis=1))]  # a point, not a gap
+
+    def drawn() -> QPoint:
+        return QPoint(*(int(v) for v in hands.viewport.to_pixels(aim[None])[0][:2]))
+
+    for _ in range(NOTCHES):
+        at = QPointF(drawn())
+        turned = QWheelEvent(
+            at, QPointF(hands.viewport.canvas.mapToGlobal(at.toPoint())), QPoint(), QPoint(0, 120),
+            Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )  # fmt: skip
+        QApplication.sendEvent(hands.viewport.canvas, turned)
     hands.bot.wait(300)
-    aim = clouds[np.argmin(away)]  # a drawn point of the plane, not a gap between two
-    return QPoint(*(int(v) for v in hands.viewport.to_pixels(aim[None])[0][:2]))
+    return drawn()
 
 
 def names(folder: Path) -> list[str]:
@@ -157,6 +173,9 @@ def test_after_a_crash_the_work_is_offered(
     before = names(picked_folder)
     killed_after_editing(picked_folder)
     assert names(picked_folder) == before
+    # What the program looks at when the same user starts it again
+    hands.settings.left_open = AppSettings(picked_folder.parent / "killed" / SETTINGS).left_open
+    assert hands.session.left_by_a_crash() == picked_folder
     open_by_keys(hands, picked_folder, then=button)
     back = button == "Bring it back"
     after = ["North wall", "South wall", *before[2:]] if back else before
@@ -170,3 +189,4 @@ def test_after_a_crash_the_work_is_offered(
     assert names(picked_folder) == after
     assert not hands.window.isWindowModified()
     hands.until(lambda: not (picked_folder / UNSAVED_NAME).exists())
+    assert hands.session.left_by_a_crash() is None
