@@ -44,7 +44,6 @@ def base(demo: Demo, demo_copy: Path) -> Path:
     return demo_copy
 
 
-@pytest.mark.long
 @pytest.mark.timeout(60 + 2 * WARMING_S)
 def test_a_minute_of_anything(base: Path, tmp_path: Path) -> None:
     """Stalls are printed: how long computing takes on shared processors is no matter of a test."""
