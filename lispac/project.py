@@ -234,7 +234,7 @@ class Project:
         raise ProjectError(f"{self.name}: there is no target or validation plane named {name}.")
 
     def with_points_of(self, other: "Project") -> "Project":
-        """This project, its sightings with the points they have in ``other``."""
+        """The project with the points its sightings have in ``other``."""
         return replace(
             self,
             targets=tuple(

@@ -28,8 +28,11 @@ LINES = ("L1", "L2", "L3", "L4", "L5", "L6")
 def check(
     off: dict[str, float], *, rms: float = SIGMA, points: tuple[PointCheck, ...] = ()
 ) -> AbsoluteCheck:
-    """Six lines, each of 12 mm: 95 % of single ones within 23.5 mm, of the largest of six within
-    31.7 mm (Sidak and Bonferroni agree to a tenth)."""
+    """Six lines, each of 12 mm: what the largest of them keeps within.
+
+    95 % of single ones within 23.5 mm, of the largest of six within 31.7 mm (Sidak and Bonferroni
+    agree to a tenth).
+    """
 
     def state(mean: float) -> AbsoluteState:
         known = Explained(0.0, SIGMA, 0.0, 0.0)

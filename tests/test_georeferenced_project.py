@@ -119,8 +119,10 @@ def test_a_line_whose_file_is_gone_comes_from_its_store(project: Project, tmp_pa
 def test_another_boresight_on_a_cloud_that_is_georeferenced(
     project: Project, tmp_path: Path
 ) -> None:
-    """A UTM cloud made with the prior, written again with the estimated boresight: its own system
-    by default, as if it had been made from the scanner frame."""
+    """A UTM cloud made with the prior, written again with the estimated boresight.
+
+    Its own system by default, as if it had been made from the scanner frame.
+    """
     (first,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
     choice = LAS.look(first.path, {}).choice
     reading = Reading("las", tuple((k, str(v)) for k, v in choice.items()), 18.0)

@@ -1,0 +1,1 @@
+"""Least squares: observations, stochastic model, normal equations, diagnostics."""

@@ -24,8 +24,10 @@ def critical_w(result: AdjustmentResult) -> float | None:
 
 
 def rarely_more(points: int, chance: float) -> int:
-    """How many of so many points go beyond what each exceeds with ``chance``, and no more but with
-    that chance."""
+    """How many of so many points go beyond what each exceeds with ``chance``.
+
+    More do so only with that chance again.
+    """
     from scipy.special import bdtrc
 
     mean = points * chance

@@ -34,6 +34,7 @@ SHIFTED = 2.0
 
 
 def contradicted(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    """Sightings that the others contradict, left out or not, and lines that jumped."""
     critical = critical_w(result)
     if critical is None:
         return
@@ -94,6 +95,7 @@ def _where(sighting: Sighting) -> str:
 
 
 def strays(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    """More stray points than chance explains."""
     counts = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
     tested = [
         (item.sighting, item.strays, counts[item.sighting.target, item.sighting.line])
@@ -120,6 +122,7 @@ def strays(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
 
 
 def noise(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    """Targets whose points scatter more than the LiDAR noise explains."""
     worst_first = sorted(result.targets, key=lambda target: -target.noise)
     other = [t for t in worst_first if t.noise > ANOTHER_SURFACE]
     if other:

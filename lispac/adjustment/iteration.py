@@ -69,6 +69,8 @@ def iterate(
     ------
     NotConverged
     RankDeficient
+    LinAlgError
+        Where a step cannot be solved for.
     """
     final = Loss(problem.model.loss)
     if not told:

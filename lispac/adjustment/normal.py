@@ -194,6 +194,11 @@ class Normal:
         ----------
         count : int
             No surfaces among them.
+
+        Raises
+        ------
+        RankDeficient
+            Where the points do not determine a target's shape.
         """
         reduced = self.without_surfaces.reduced
         rest = reduced[count:, count:].copy()

@@ -20,7 +20,13 @@ Array = NDArray[np.float64]
 
 
 def angles(arguments: Namespace) -> None:
-    """Convert a boresight, or list the systems."""
+    """Convert a boresight, or list the systems.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
     if not arguments.values and arguments.from_matrix is None:
         list_systems(arguments.json)
         return
@@ -104,7 +110,13 @@ def _read_matrix(path: Path) -> tuple[Array, Array | None]:
 
 
 def _current(arguments: Namespace, target: Setup) -> Present | None:
-    """Present settings of the --to system."""
+    """Present settings of the --to system.
+
+    Raises
+    ------
+    UsageError
+        Where they are stated twice.
+    """
     if arguments.current_matrix is None:
         if arguments.current is None:
             return None

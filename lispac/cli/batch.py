@@ -14,7 +14,15 @@ from lispac.workflow.report_options import report_options
 
 
 def batch(arguments: Namespace) -> None:
-    """Calibrate all projects, print and write the table, and end with 1 if one was refused."""
+    """Calibrate all projects, print and write the table, and end with 1 if one was refused.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    ProjectError
+        Where a project was refused.
+    """
     if arguments.reports is None and (arguments.report_format or arguments.template):
         raise UsageError(
             "batch: --report-format and --template go with --reports DIR; leave them out."

@@ -45,7 +45,13 @@ LABEL = 29
 
 
 def estimate(arguments: Namespace) -> None:
-    """Adjust the boresight of a project, or of plane files."""
+    """Adjust the boresight of a project, or of plane files.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
     if arguments.planes:
         result, checks = _estimate_planes(arguments)
         if arguments.json:

@@ -21,7 +21,13 @@ FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "pl
 
 
 def export(arguments: Namespace) -> None:
-    """Write what is asked for and print the names of the files."""
+    """Write what is asked for and print the names of the files.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
     what: str = arguments.what
     form: Any = arguments.format or FORMATS[what][0]
     if form not in FORMATS[what]:

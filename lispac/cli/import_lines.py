@@ -13,7 +13,14 @@ from lispac.workflow.projects import open_project
 
 
 def import_lines(arguments: Namespace) -> None:
-    """Import the lines of a project; those imported already stay."""
+    """Import the lines of a project; those imported already stay.
+
+    Raises
+    ------
+    KeyboardInterrupt
+    Cancelled
+        Where it is interrupted; what is read so far is kept.
+    """
     project = open_project(arguments.project)
     try:
         with ConsoleProgress() as progress:

@@ -71,7 +71,12 @@ def _common(project: Project, target: Target) -> dict[str, Any] | None:
 
 
 def _require_together(arguments: Namespace) -> None:
-    """Refuse options that do not go together."""
+    """Refuse options that do not go together.
+
+    Raises
+    ------
+    UsageError
+    """
     if arguments.sphere_radius is not None and arguments.shape != "sphere":
         raise UsageError("--sphere-radius is for spheres; add --shape sphere or leave it out")
     if arguments.expected is not None and arguments.shape != "plane":
@@ -121,6 +126,7 @@ def notes_on(target: Target, radius: float | None) -> tuple[str, ...]:
 def as_json(
     target: Target, spheres: dict[str, SpherePatch], found: dict[str, SightingQuality]
 ) -> dict[str, Any]:
+    """A target with its sightings as ``pick --json`` prints it; lengths in metres."""
     lines: dict[str, dict[str, Any]] = {
         s.line: {"points": len(s.indices), "rms_m": s.rms, "quality": as_values(found[s.line])}
         for s in target.sightings

@@ -16,7 +16,13 @@ from lispac.workflow.survey import load_survey
 
 
 def propose(arguments: Namespace) -> None:
-    """Detect planes in all lines, say which to use and why, and add them where that is wanted."""
+    """Detect planes in all lines, say which to use and why, and add them where that is wanted.
+
+    Raises
+    ------
+    ProjectError
+        Where the project has targets and more are to be added.
+    """
     project = projects.open_project(arguments.project)
     if arguments.accept and project.targets:
         raise ProjectError(

@@ -11,7 +11,13 @@ from lispac.workflow.survey import load_survey
 
 
 def report(arguments: Namespace) -> None:
-    """Write the report, or print the schema of its JSON."""
+    """Write the report, or print the schema of its JSON.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
     if arguments.schema:
         print(schema_text(), end="")
         return

@@ -10,7 +10,13 @@ from lispac.workflow.simulated_setup import KINDS, Simulation, simulation, suppl
 
 
 def simulate(arguments: Namespace) -> None:
-    """Simulate and write, or list what there is."""
+    """Simulate and write, or list what there is.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
     if arguments.list:
         _list(arguments)
         return

@@ -14,7 +14,13 @@ from lispac.workflow.validation import validate_with_truth
 
 
 def validate(arguments: Namespace) -> None:
-    """Compare the lines on the validation planes and save the figures."""
+    """Compare the lines on the validation planes and save the figures.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
     kind = arguments.distance_to
     if kind == "point" and not (arguments.radius is None and arguments.neighbours is None):
         raise UsageError(

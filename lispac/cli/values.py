@@ -26,7 +26,13 @@ def plain_numbers(words: Sequence[str]) -> list[str]:
 
 
 def named_value(text: str) -> tuple[str, str]:
-    """``NAME=VALUE``."""
+    """``NAME=VALUE``.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
     name, separator, value = text.partition("=")
     if not (name and separator):
         raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
@@ -39,7 +45,13 @@ def surface(text: str) -> float | str:
 
 
 def picture_file(text: str) -> Path:
-    """A file to draw to; its ending says in which form."""
+    """A file to draw to; its ending says in which form.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it ends otherwise.
+    """
     path = Path(text)
     if path.suffix.lower() not in (".png", ".svg", ".pdf"):
         raise argparse.ArgumentTypeError(f"{text!r} does not end in .png, .svg or .pdf")
@@ -89,7 +101,13 @@ def system_options(parser: argparse.ArgumentParser, default: str) -> None:
 
 
 def finite(text: str) -> float:
-    """A number."""
+    """A number.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
     try:
         value = float(text)
     except ValueError as error:
@@ -100,7 +118,13 @@ def finite(text: str) -> float:
 
 
 def positive(text: str) -> float:
-    """A number over zero."""
+    """A number over zero.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
     value = finite(text)
     if not value > 0:
         raise argparse.ArgumentTypeError(f"{text} is not larger than zero")
@@ -123,7 +147,13 @@ def whole(least: int) -> Callable[[str], int]:
 
 
 def not_negative(text: str) -> float:
-    """A number that is zero or more."""
+    """A number that is zero or more.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
     value = finite(text)
     if not value >= 0:
         raise argparse.ArgumentTypeError(f"{text} is negative")

@@ -17,7 +17,13 @@ from lispac.workflow.visibility import write_visibility
 
 
 def visibility(arguments: Namespace) -> None:
-    """Simulate a site, write what is seen, and print the best configurations."""
+    """Simulate a site, write what is seen, and print the best configurations.
+
+    Raises
+    ------
+    UsageError
+        Where an error is not among those of the site.
+    """
     site = SITES[arguments.site]
     errors = [error.replace("-", "_") for error in arguments.error or site.errors]
     unknown = [error for error in errors if error not in site.errors]

@@ -1,0 +1,1 @@
+"""Which boards and lines to choose: prediction, search, Monte Carlo."""

@@ -177,6 +177,8 @@ def surveyed(
         The plan does not determine the boresight.
     LispacError
         No survey could be adjusted, or one flatness is to be told where targets have their own.
+    Cancelled
+        Where fewer than ``enough`` are done.
     """
     if flatness_known and any(target.flatness is not None for target in plan.targets):
         raise LispacError(

@@ -37,8 +37,10 @@ HARDLY = 1e-3
 
 @dataclass(frozen=True)
 class Worth:
-    """What a target or a line is worth: the number of the plan without it, radians; infinite where
-    an angle would be left open."""
+    """What a target or a line is worth: the number of the plan without it, radians.
+
+    Infinite where an angle would be left open.
+    """
 
     name: str
     without: float

@@ -1,0 +1,1 @@
+"""Rotations, frames, planes, spheres, neighbours."""

@@ -157,7 +157,13 @@ def share_seen(sphere: Sphere, points: Array) -> float:
 
 
 def _free(points: Array, weights: Array, start: Sphere) -> Sphere:
-    """Centre and radius both sought."""
+    """Centre and radius both sought.
+
+    Raises
+    ------
+    SphereNotFound
+        Where the noise is too large to tell the radius.
+    """
     sphere, square, normal = _settle(points, weights, start, free=True)
     flat = not sphere.radius < FLAT or np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points)
     if not flat:
@@ -181,7 +187,13 @@ def _algebraic(points: Array, weights: Array) -> Sphere:
 
 
 def _known(points: Array, weights: Array, starts: list[Sphere]) -> Sphere:
-    """Centre sought from every start; all have the known radius."""
+    """Centre sought from every start; all have the known radius.
+
+    Raises
+    ------
+    SphereNotFound
+        Where the points leave the centre open, or its side of them.
+    """
     settled = [_settle(points, weights, start, free=False) for start in starts]
     settled.sort(key=lambda answer: answer[1])
     best, square, normal = settled[0]

@@ -326,7 +326,6 @@ class Controller(QObject):
 
     def change_settings(self, settings: Settings) -> None:
         """Take over edited settings."""
-
         if self._project is None:
             return
         try:

@@ -82,8 +82,11 @@ class ProjectLife(QObject):
             self._controller.add_lines(answer)
 
     def take_in(self, paths: Sequence[Path]) -> None:
-        """Files were dropped on the window: a project is opened; a list of target coordinates gives
-        seeds to the open one; others become lines of it, or a new project."""
+        """Take files that were dropped on the window.
+
+        A project is opened; a list of target coordinates gives seeds to the open one; others
+        become lines of it, or a new project.
+        """
         if self._controller.busy:
             self._controller.noted.emit(
                 "Wait until the running task has ended, then drop the files again"

@@ -187,6 +187,7 @@ class MainWindow(QMainWindow):
         )
 
     def sizeHint(self) -> QSize:
+        """The size it likes best, in pixels."""
         return QSize(1600, 1000)
 
     def _join_panels(self) -> None:
@@ -328,6 +329,7 @@ class MainWindow(QMainWindow):
     # -- the end -----------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        """Go, unless something would be lost and the user stays."""
         if not (self.life.may_leave() and self.designing.leave()):
             event.ignore()
             return

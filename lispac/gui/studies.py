@@ -1,5 +1,8 @@
-"""Studies of an answer: against a reference, over the years, with other distances between points,
-and what each source of error does; and of boards, before there is one."""
+"""Studies of an answer, and of boards before there is one.
+
+Of an answer: against a reference, over the years, with other distances between points, and what
+each source of error does.
+"""
 
 from pathlib import Path
 from typing import TYPE_CHECKING

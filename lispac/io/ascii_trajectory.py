@@ -126,6 +126,11 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
     ----------
     header : str
         Rows to pass over at the head; ``auto`` up to the first that looks like data.
+
+    Raises
+    ------
+    InputError
+        Where ``header`` is neither ``auto`` nor a number.
     """
     if header != "auto" and not header.isdecimal():
         raise InputError(f"{path}: {header!r} is not a number of header rows; state one, or auto.")

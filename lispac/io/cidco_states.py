@@ -90,7 +90,13 @@ def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
 
 
 def _states(path: Path) -> Array:
-    """Time, attitude, its sigmas, position, its sigmas; shape (n, 13), each time once."""
+    """Time, attitude, its sigmas, position, its sigmas; shape (n, 13), each time once.
+
+    Raises
+    ------
+    InputError
+        Where they are not those of one trajectory.
+    """
     path = require_filled(path, "CIDCO")
     with plainly(path, "CIDCO binary"):
         records = np.concatenate(list(records_of(path, CHUNK)))

@@ -205,7 +205,12 @@ def _opened(path: Path) -> Iterator[Any]:
 
 
 def _require_sound_header(path: Path) -> None:
-    """Refuse a header that does not fit the file (ASTM E2807, table 1)."""
+    """Refuse a header that does not fit the file (ASTM E2807, table 1).
+
+    Raises
+    ------
+    InputError
+    """
     size = path.stat().st_size
     with path.open("rb") as file:
         header = file.read(48)
@@ -264,7 +269,13 @@ def _scan(node: Any, path: Path, timed: bool) -> _Scan:
 
 
 def _pose(node: Any) -> tuple[Array, Array]:
-    """Rotation matrix and translation from the scan to the file; a part left out is zero."""
+    """Rotation matrix and translation from the scan to the file; a part left out is zero.
+
+    Raises
+    ------
+    ValueError
+        Where its quaternion is no rotation.
+    """
     rotation, translation = np.eye(3), np.zeros(3)
     if not node.isDefined("pose"):
         return rotation, translation
@@ -290,7 +301,13 @@ def _pose(node: Any) -> tuple[Array, Array]:
 def _stored(
     image: Any, scan: _Scan, path: Path, rows: int, before: int
 ) -> Iterator[dict[str, NDArray[Any]]]:
-    """Columns of the valid points of a scan, coordinates as ``x``, ``y``, ``z``."""
+    """Columns of the valid points of a scan, coordinates as ``x``, ``y``, ``z``.
+
+    Raises
+    ------
+    InputError
+        Where the scan holds fewer points than it promises.
+    """
     from pye57 import libe57
 
     rows = min(rows, scan.count)

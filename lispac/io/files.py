@@ -135,7 +135,7 @@ def written_whole(path: Path) -> Iterator[Path]:
     ------
     InputError
         Where the folder cannot be written, or the disk is full.
-    """
+    """  # noqa: DOC501 - `_not_written` makes an InputError
     path = Path(path)
     made = [folder for folder in path.parents if not folder.exists()]
     try:

@@ -291,6 +291,10 @@ class Cloud:
         """Put values into their place in the byte that several dimensions share.
 
         laspy's own way goes over the records four times for each dimension.
+
+        Raises
+        ------
+        InputError
         """
         byte, place = record.sub_fields_dict[dimension]
         shift = (place.mask & -place.mask).bit_length() - 1

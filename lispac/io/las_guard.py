@@ -59,7 +59,12 @@ def require_sound_header(path: Path) -> None:
 
 
 def _require_all_points(path: Path, held: int, header: bytes) -> None:
-    """Refuse a file that ends before the last point that its header promises."""
+    """Refuse a file that ends before the last point that its header promises.
+
+    Raises
+    ------
+    InputError
+    """
     (promised,) = struct.unpack_from("<I", header, 107)
     if header[24:26] == b"\x01\x04" and len(header) >= 255:
         (promised,) = struct.unpack_from("<Q", header, 247)

@@ -134,7 +134,13 @@ def _points_of(path: Path) -> int:
 
 
 def _sampled(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Array]:
-    """Times of points all over a long line, and coordinates (n, 3) of some, in the file's unit."""
+    """Times of points all over a long line, and coordinates (n, 3) of some, in the file's unit.
+
+    Raises
+    ------
+    InputError
+        Where no time is usable.
+    """
     parts, places = [], []
     with plainly(path, "LAS or LAZ"), laspy.open(path) as reader:
         for k, first in enumerate(np.linspace(0, count - BLOCK, BLOCKS).astype(int)):

@@ -53,7 +53,13 @@ def _of_open3d(path: Path) -> tuple[Array, NDArray[np.int64]]:
 
 
 def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
-    """Vertices (``v``) and faces (``f``); of a corner the first number counts, from 1 or back."""
+    """Vertices (``v``) and faces (``f``); of a corner the first number counts, from 1 or back.
+
+    Raises
+    ------
+    InputError
+        Where a row is no sound vertex or face.
+    """  # noqa: DOC501 - its own ValueError is caught
     vertices: list[list[float]] = []
     triangles: list[tuple[int, int, int]] = []
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
@@ -78,7 +84,13 @@ def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
 
 
 def _corner(word: str, known: int) -> int:
-    """Index of a vertex among those known so far."""
+    """Index of a vertex among those known so far.
+
+    Raises
+    ------
+    ValueError
+        Where there is no such vertex.
+    """
     given = int(word.split("/")[0])
     index = given - 1 if given > 0 else known + given
     if given == 0 or not 0 <= index < known:

@@ -146,7 +146,13 @@ def _dtype(entries: Mapping[str, list[str]]) -> np.dtype[Any]:
 
 
 def _unpacked(records: Records, rows: int) -> Iterator[Columns]:
-    """Compressed data: one field after the other for all points, so all of it is unpacked."""
+    """Compressed data: one field after the other for all points, so all of it is unpacked.
+
+    Raises
+    ------
+    InputError
+        Where they are damaged, or there are none.
+    """
     path, size = records.path, records.path.stat().st_size
     if not records.count:
         raise InputError(f"{path}: this line holds no points; leave it out.")

@@ -108,7 +108,13 @@ def pospac_layout(path: Path) -> TextLayout:
 
 
 def pospac_rows(path: Path) -> Rows:
-    """Rows of data, split; everything up to the line of names is passed over."""
+    """Rows of data, split; everything up to the line of names is passed over.
+
+    Raises
+    ------
+    InputError
+        Where a row below the names is none of numbers.
+    """
     found = _names_line(first_lines(path))
     start = found[0] + 1 if found else 0
     for row, line in lines_of(path, "POSPac text"):

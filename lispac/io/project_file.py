@@ -162,7 +162,12 @@ def _read(path: Path) -> Project:
 
 
 def _require_consistent(project: Project) -> None:
-    """Refuse values that only an edit by hand can have brought in."""
+    """Refuse values that only an edit by hand can have brought in.
+
+    Raises
+    ------
+    ValueError
+    """
     project.settings.require_sound()
     project.identity.require_sound()
     lines = {line.name for line in project.lines}

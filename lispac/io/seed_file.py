@@ -154,7 +154,13 @@ def looks_like_a_list(path: Path) -> bool:
 
 
 def _rows(path: Path) -> Iterator[tuple[int, str]]:
-    """Rows that are neither empty nor remarks; names may stand in a remark of the first rows."""
+    """Rows that are neither empty nor remarks; names may stand in a remark of the first rows.
+
+    Raises
+    ------
+    InputError
+        Where there are too many for a list of targets.
+    """
     count = 0
     for number, line in lines_of(path, WHAT):
         text = line.strip()
@@ -212,7 +218,12 @@ def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str
 
 
 def _complete(path: Path, where: str, meant: tuple[str, ...]) -> tuple[str, ...]:
-    """Refuse columns that are not three coordinates, each once."""
+    """Refuse columns that are not three coordinates, each once.
+
+    Raises
+    ------
+    InputError
+    """
     if foreign := [name.rstrip("?") for name in meant if name.endswith("?")]:
         raise InputError(
             f"{path}{where}: {', '.join(foreign)} is no axis of the local frame (north, west, up); "
@@ -242,6 +253,11 @@ def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> t
     """What the columns of a row of numbers are by their order: name, x, y, z, role.
 
     Of check points: name, x, y, z, sigma, plane; without a name there is no sigma either.
+
+    Raises
+    ------
+    InputError
+        Where the order does not tell.
     """
     fields = fields_of(text, separator)
     numbers = [is_number(field) for field in fields]
@@ -323,7 +339,12 @@ def _sigma(where: str, text: str) -> float | None:
 
 
 def _require_apart(path: Path, points: Sequence[ListedPoint]) -> None:
-    """No name and no place twice."""
+    """No name and no place twice.
+
+    Raises
+    ------
+    InputError
+    """
     names: dict[str, int] = {}
     places: dict[tuple[float, float, float], int] = {}
     for point in points:

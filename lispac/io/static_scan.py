@@ -111,7 +111,13 @@ def _kind(path: Path) -> str:
 
 
 def _of_text(path: Path, local: bool) -> Array:
-    """Columns x, y, z as the row of names says, else the first three."""
+    """Columns x, y, z as the row of names says, else the first three.
+
+    Raises
+    ------
+    InputError
+        Where no row has three coordinates, or they have commas.
+    """
     rows = (
         (number, line) for number, line in lines_of(path, WHAT)
         if line.strip() and not line.strip().startswith(REMARKS)

@@ -143,7 +143,13 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
 
 
 def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
-    """Options as the file shows them, its layout, and the first lines."""
+    """Options as the file shows them, its layout, and the first lines.
+
+    Raises
+    ------
+    InputError
+        Where no row has four numbers.
+    """
     with plainly(path, "text"), _opened(path) as file:
         lines = next(_blocks(file, path, HEAD), [])[:200]
     layout = layout_of(lines)
@@ -221,7 +227,13 @@ def _parsed(
     path: Path, block: list[str], number: int, names: Sequence[str], wanted: list[int],
     layout: Layout,
 ) -> NDArray[np.float64]:  # fmt: skip
-    """Numbers of a block of lines, of which ``number`` came before."""
+    """Numbers of a block of lines, of which ``number`` came before.
+
+    Raises
+    ------
+    InputError
+        Where a row is not of numbers.
+    """
     rows = rows_of(block)
     before = 0
     if number == 0:  # names of columns, or a count of points, at the head
@@ -246,7 +258,12 @@ def _name_the_row(
     path: Path, block: list[str], number: int, before: int, names: Sequence[str],
     wanted: list[int], layout: Layout, *, clocks: bool,
 ) -> None:  # fmt: skip
-    """Say which row of a block is at fault."""
+    """Say which row of a block is at fault.
+
+    Raises
+    ------
+    InputError
+    """
     passed = 0
     for k, line in enumerate(block, start=number + 1):
         if not rows_of([line]):
@@ -303,7 +320,13 @@ def _text(data: bytes) -> str:
 
 
 def _blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
-    """Whole lines, ``size`` bytes at once; never more than a bounded rest is carried over."""
+    """Whole lines, ``size`` bytes at once; never more than a bounded rest is carried over.
+
+    Raises
+    ------
+    InputError
+        Where the file is not text in rows.
+    """
     rest = b""
     while data := file.read(size):
         data = rest + data

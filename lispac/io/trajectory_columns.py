@@ -287,7 +287,13 @@ def _grid_of(path: Path, chosen: Sequence[Column], conventions: Conventions) -> 
 
 
 def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[str, Length]:
-    """Units of eastings, northings and heights by role."""
+    """Units of eastings, northings and heights by role.
+
+    Raises
+    ------
+    InputError
+        Where a unit does not fit what the column is.
+    """
     lengths: dict[str, Length] = {}
     for column in chosen:
         is_length = column.unit == UNSTATED or column.unit in LENGTHS

@@ -75,8 +75,10 @@ def _from_5(content: Content) -> Content:
 
 
 def _from_6(content: Content) -> Content:
-    """Version 7 says where a check against a reference saw a second surface; before, the mean of
-    both was taken, and nobody knows where. Surveyed points have an interval."""
+    """Version 7 says where a check against a reference saw a second surface.
+
+    Before, the mean of both was taken, and nobody knows where. Surveyed points have an interval.
+    """
     absolute = content.get("absolute")
     if absolute:
         points = [point | {"interval_95": None} for point in absolute["points"]]

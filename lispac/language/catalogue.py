@@ -179,7 +179,13 @@ def _capital(text: str) -> str:
 
 
 def made(code: str, rules: str, pairs: Iterable[tuple[str, str]]) -> Catalogue:
-    """The catalogue of a language from its rules (TOML) and its texts, in any order."""
+    """The catalogue of a language from its rules (TOML) and its texts, in any order.
+
+    Raises
+    ------
+    ValueError
+        Where a text stands twice.
+    """
     tables = tomllib.loads(rules)
     language = tables["language"]
     typography = [(re.compile(rule), by) for rule, by in tables["typography"].items()]

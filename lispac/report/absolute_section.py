@@ -9,6 +9,7 @@ from lispac.report.wording import known, mm, signed
 
 
 def absolute(content: ReportContent) -> list[Block]:
+    """The check against a static scan or surveyed points."""
     from lispac.report.absolute_figure import absolute_figure
 
     found = content.absolute

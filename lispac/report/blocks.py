@@ -141,8 +141,10 @@ NO_LETTERHEAD = Letterhead()
 
 @dataclass(frozen=True)
 class Document:
-    """The whole report; ``identity`` and ``summary`` stand on page one, above and below the
-    warnings."""
+    """The whole report.
+
+    ``identity`` and ``summary`` stand on page one, above and below the warnings.
+    """
 
     title: str
     project: str

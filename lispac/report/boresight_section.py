@@ -17,6 +17,7 @@ from lispac.report.wording import (
 
 
 def boresight(content: ReportContent) -> list[Block]:
+    """What was estimated, and how well it fits."""
     adjustment = content.adjustment
     if adjustment is None:
         return [Paragraph("No boresight has been estimated yet.")]

@@ -15,6 +15,7 @@ from lispac.report.wording import UNKNOWN, angle, known, listed, mm, named_parts
 
 
 def reliability(content: ReportContent) -> list[Block]:
+    """How far each sighting and each point is checked by all others."""
     adjustment = content.adjustment
     if adjustment is None:
         return []
@@ -173,6 +174,7 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
 
 
 def cross_checks(content: ReportContent) -> list[Block]:
+    """What parts of the data say by themselves."""
     if content.adjustment is None:
         return []
     checks = content.cross_checks

@@ -10,6 +10,7 @@ EXACT = 8
 
 
 def other_programs(content: ReportContent) -> list[Block]:
+    """Boresight and lever arm as other programs want them."""
     blocks: list[Block] = []
     if content.in_convention is not None:
         blocks += _convention(content.in_convention)

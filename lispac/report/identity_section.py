@@ -6,6 +6,7 @@ from lispac.report.values import ReportContent
 
 
 def identity(content: ReportContent) -> Table:
+    """Details of the survey, as a form."""
     return form(
         "Details of the survey",
         [(LABELS[name], getattr(content.identity, name)) for name in NAMES],
@@ -13,6 +14,7 @@ def identity(content: ReportContent) -> Table:
 
 
 def signature(content: ReportContent) -> Signature:
+    """Who signs."""
     known = content.identity
     return Signature(
         ("Surveyor", "Company", "Place and date", "Signature"),

@@ -36,8 +36,10 @@ BESIDE = 1.4
 
 
 def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Signed distances over the plane for each pair mapped: before and after on one scale, and
-    after on its own."""
+    """Signed distances over the plane for each pair mapped.
+
+    Before and after on one scale, and after on its own.
+    """
     return _maps(figure, comparison.name, [Mapped.of(each) for each in comparison.maps])
 
 

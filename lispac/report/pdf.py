@@ -81,7 +81,13 @@ def preview_of(
 def _typesetting(
     content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions
 ) -> Iterator[Callable[..., Any]]:
-    """What sets the report: given ``pdf`` or ``png`` and pixels per inch, its bytes."""
+    """What sets the report: given ``pdf`` or ``png`` and pixels per inch, its bytes.
+
+    Raises
+    ------
+    LispacError
+        Where typst refuses it.
+    """
     import typst
 
     document = document_of(content, pictures, options)
@@ -109,7 +115,12 @@ def _typesetting(
 
 
 def _refuse_unreadable(pictures: Iterable[Path], folder: Path) -> None:
-    """Name the first picture that typst cannot draw."""
+    """Name the first picture that typst cannot draw.
+
+    Raises
+    ------
+    LispacError
+    """
     import typst
 
     for path in pictures:

@@ -29,6 +29,7 @@ from lispac.report.wording import (
 
 
 def summary(content: ReportContent) -> list[Block]:
+    """The answer on page one."""
     blocks: list[Block] = [_angle_table(content)]
     adjustment = content.adjustment
     if adjustment is not None:
@@ -98,6 +99,7 @@ def _angle_table(content: ReportContent) -> Table:
 
 
 def residuals(content: ReportContent) -> list[Block]:
+    """What was picked, and how far the points lie from it."""
     blocks: list[Block] = []
     if content.planes:
         blocks.append(_planes_table(content))
@@ -214,6 +216,7 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
 
 
 def site(content: ReportContent) -> list[Block]:
+    """Plan of the site, its lines, and the trajectory on each."""
     from lispac.report.figures import site_figure_of
 
     blocks: list[Block] = []

@@ -20,6 +20,7 @@ NOTEWORTHY_NOISE = 1.05
 
 
 def settings(content: ReportContent) -> list[Block]:
+    """Everything that was stated of system, points and stochastic model."""
     used, adjustment = content.settings, content.adjustment
     blocks: list[Block] = [
         facts("System and points", _system(used, adjustment)),

@@ -7,6 +7,7 @@ from lispac.report.wording import count, mm
 
 
 def standards(content: ReportContent) -> list[Block]:
+    """What the standards say of it: S-44, and the overlap of swaths."""
     blocks: list[Block] = []
     if content.adjustment is not None:
         blocks += _s44(content.adjustment.s44)

@@ -12,6 +12,7 @@ PLANES = "Planes of the two lines against each other, reciprocal pairs"
 
 
 def validation(content: ReportContent) -> list[Block]:
+    """How far apart the lines were on planes that took no part, and are."""
     from lispac.report.histograms import validation_figure
     from lispac.report.maps import map_figure_of
     from lispac.report.profiles import profile_figure_of
@@ -201,6 +202,7 @@ def distance_table(
     head: Sequence[Column],
     compared: Sequence[tuple[tuple[str, ...], Distances, Distances]],
 ) -> Table:
+    """Median, RMS and 95 % of distances, before and after."""
     statistics = ("Median", "RMS", "95 %")
     columns = (
         *head,

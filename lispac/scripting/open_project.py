@@ -120,7 +120,10 @@ class OpenProject(Held):
 
         Raises
         ------
-        TargetNotFound, LispacError
+        TargetNotFound
+        LispacError
+        ProjectError
+            Where neither a place nor a point is given, or both.
         """
         survey = self.survey
         if (at is None) == (point is None):
@@ -319,6 +322,11 @@ class OpenProject(Held):
             trajectory. The first of them where none is given.
         crs, height, trajectory_datum, epoch
             As the options of ``lispac export`` and ``lispac georeference``.
+
+        Raises
+        ------
+        ProjectError
+            Where there is no such export.
         """
         if what not in ENDINGS or (form and form not in ENDINGS[what]):
             known = ", ".join(f"{key} ({', '.join(forms)})" for key, forms in ENDINGS.items())

@@ -1,0 +1,1 @@
+"""Surveys with a known truth, and what an error does to a board."""

@@ -1,0 +1,1 @@
+"""Trajectory, scan, georeferencing: how a point comes into the local frame."""

@@ -85,8 +85,15 @@ class Cloud(Protocol):
         """Points by their numbers, shape (n, 3), metres."""
 
     def within(self, centre: Array, radius: float, *, most: int | None = None) -> Region:
-        """The points within a sphere, metres; a fair sample where there are more than ``most``,
-        which is `MOST` where it is not given."""
+        """The points within a sphere; a fair sample where there are more than ``most``.
+
+        Parameters
+        ----------
+        centre : ndarray of shape (3,), metres, local frame
+        radius : float, metres
+        most : int or None
+            `MOST` where it is not given.
+        """
 
     @property
     def sample(self) -> Array:

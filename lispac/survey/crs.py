@@ -317,7 +317,13 @@ def _vertical(height: str) -> CRS:
 
 
 def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]:
-    """What heights are multiplied by to be in the unit of ``source``, and their unit in words."""
+    """What heights are multiplied by to be in the unit of ``source``, and their unit in words.
+
+    Raises
+    ------
+    InputError
+        Where the unit is not known.
+    """
     own = source.axis_info[-1].unit_conversion_factor
     if height_unit:
         if height_unit not in UNITS:
@@ -337,7 +343,13 @@ def _metres(horizontal: CRS, source: CRS, factor: float) -> tuple[float, float, 
 
 
 def _target(horizontal: CRS, trajectory_datum: str) -> CRS:
-    """Longitude, latitude and ellipsoidal height in the datum of the trajectory."""
+    """Longitude, latitude and ellipsoidal height in the datum of the trajectory.
+
+    Raises
+    ------
+    InputError
+        Where the datum cannot be told, or is not geographic.
+    """
     if trajectory_datum:
         datum = _known(trajectory_datum)
         if datum.is_geographic:

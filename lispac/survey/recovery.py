@@ -34,11 +34,16 @@ class Chunk(Protocol):
     __dataclass_fields__: ClassVar[dict[str, Any]]
 
     @property
-    def xyz(self) -> Array: ...
+    def xyz(self) -> Array:
+        """Shape (n, 3), in the coordinates of the file."""
+
     @property
-    def time(self) -> Array: ...
+    def time(self) -> Array:
+        """Shape (n,), seconds, in the trajectory's time base."""
+
     @property
-    def extra(self) -> Any: ...
+    def extra(self) -> Any:
+        """What else the file holds of each point."""
 
 
 C = TypeVar("C", bound=Chunk)

@@ -1,0 +1,1 @@
+"""From a seed to a plane or sphere on every line."""

@@ -227,7 +227,13 @@ def _match(
     shift: Shift,
     settings: FinderSettings,
 ) -> tuple[PlanePatch, float]:
-    """The plane where the translation predicts it, and how well it matches the reference."""
+    """The plane where the translation predicts it, and how well it matches the reference.
+
+    Raises
+    ------
+    PlaneNotFound
+        Where too little of the target is there, or far more than it.
+    """
     moved = reference.patch_points + shift.vector
     there = neighbourhood(cloud, reference.seed + shift.vector, settings, index=grid)
     points = cloud[there]

@@ -126,7 +126,13 @@ def _middle_of_click(points: Array) -> Array:
 
 
 def checked_seed(seed: Array) -> Array:
-    """The seed as an array of three numbers; raises PlaneNotFound when it is not one."""
+    """The seed as an array of three numbers, metres, local frame: shape (3,).
+
+    Raises
+    ------
+    PlaneNotFound
+        When it is not one.
+    """
     seed = np.asarray(seed, dtype=np.float64)
     if seed.shape != (3,) or not np.all(np.isfinite(seed)):
         raise PlaneNotFound("The seed must be three numbers: north, west and up, in metres.")

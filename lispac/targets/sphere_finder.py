@@ -249,7 +249,12 @@ def _check(
     settings: FinderSettings,
     where: str,
 ) -> None:
-    """Raise SphereNotFound, with the reason, where the points are not those of a ball."""
+    """Refuse points that are not those of a ball, with the reason.
+
+    Raises
+    ------
+    SphereNotFound
+    """
     if len(on) < settings.min_points:
         raise SphereNotFound(
             f"The sphere around {where} has only {len(on)} points, fewer than "

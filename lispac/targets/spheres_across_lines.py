@@ -105,7 +105,13 @@ def _find_in(
     settings: FinderSettings,
 ) -> SpherePatch:
     def match(shift: Shift) -> tuple[SpherePatch, float]:
-        """The sphere where the translation predicts it, and how well it matches the reference."""
+        """The sphere where the translation predicts it, and how well it matches the reference.
+
+        Raises
+        ------
+        SphereNotFound
+            Where its radius is another one.
+        """
         predicted = first.centre + shift.vector
         patch = find_sphere(cloud, predicted, sought, settings, index=grid)
         ratio = patch.sphere.radius / first.sphere.radius

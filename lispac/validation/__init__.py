@@ -1,0 +1,1 @@
+"""How far apart the lines were on what took no part, and how close they are."""

@@ -117,7 +117,13 @@ def _distances(
 
 
 def _cloud(points: ArrayLike, name: str) -> NDArray[np.float64]:
-    """Points as a contiguous (n, 3) array of finite numbers."""
+    """Points as a contiguous (n, 3) array of finite numbers.
+
+    Raises
+    ------
+    InputError
+        Where they are not.
+    """
     cloud = np.ascontiguousarray(points, dtype=np.float64)
     if cloud.ndim != 2 or cloud.shape[1] != 3:
         raise InputError(

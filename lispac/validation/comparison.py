@@ -235,7 +235,12 @@ def _check_same_points(
     after: Mapping[str, Array],
     headings: Mapping[str, float],
 ) -> None:
-    """Refuse two states that are not of the same points."""
+    """Refuse two states that are not of the same points.
+
+    Raises
+    ------
+    InputError
+    """
     if set(before) != set(after):
         only = ", ".join(sorted(set(before) ^ set(after)))
         raise InputError(

@@ -95,8 +95,10 @@ def inside(
 def _nearest(
     values: Array, thickness: float, fewest: int
 ) -> tuple[int, int, float]:  # pragma: no cover - compiled
-    """First and last, of ascending values, in the layer nearest to zero, and the distance from it
-    to the next layer; -1, -1 where there is no layer."""
+    """First and last, of ascending values, in the layer nearest to zero; -1, -1 if there is none.
+
+    And the distance from it to the next layer.
+    """
     n = len(values)
     counts, end = np.zeros(n, np.int64), 0
     for k in range(n):

@@ -123,7 +123,13 @@ class _Fit:
 
 
 def _fit(placed: Array) -> _Fit:
-    """Least squares through points (n, 3): u, v, z; strays left out."""
+    """Least squares through points (n, 3): u, v, z; strays left out.
+
+    Raises
+    ------
+    NotComparable
+        Where the points lie in one row.
+    """
     terms = np.column_stack((np.ones(len(placed)), placed[:, :2]))
     z = placed[:, 2]
     kept = np.ones(len(z), dtype=bool)

@@ -142,7 +142,6 @@ def on_surface(
     NotComparable
         No place has points of both.
     """
-
     normals = normals_at(reference, cores, facing, SMOOTH * diameters)
     noise = np.maximum(FLAT * diameters, roughest)
 
@@ -304,7 +303,13 @@ def _of_planes(places: Array, found: list[tuple[float, float, Array] | None]) ->
 def _common(
     before: NormalDistances, after: NormalDistances, beyond: Array | None = None
 ) -> Measured:
-    """Both at the places that both have."""
+    """Both at the places that both have.
+
+    Raises
+    ------
+    NotComparable
+        Where there is none.
+    """
     at = np.intersect1d(before.at, after.at)
     if not len(at):
         raise NotComparable("No place of the reference is seen before and after the calibration.")

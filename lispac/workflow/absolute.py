@@ -200,8 +200,10 @@ class _Where:
         )  # fmt: skip
 
     def surfaces(self, tree: "cKDTree") -> Iterator[tuple[Array, Array, Array, int]]:
-        """Surfaces that a line came near: their points, places and the diameters there by how
-        dense both are, and their number among ``sigmas``."""
+        """Surfaces that a line came near, each with its number among ``sigmas``.
+
+        Their points, their places, and the diameters there by how dense both are.
+        """
         wanted = diameters_at(tree, self.candidates, self.reach)
         near = np.flatnonzero(np.isfinite(wanted))
         if len(near):

@@ -111,7 +111,13 @@ def each_row(
     options: ReportOptions,
     progress: Progress,
 ) -> Iterator[Row]:
-    """The rows of `batch`, each when its project is done."""
+    """The rows of `batch`, each when its project is done.
+
+    Raises
+    ------
+    InputError
+        Where there is no such form of report.
+    """
     if form not in REPORTS:
         raise InputError(f"A report is written as {', '.join(REPORTS)}, not as {form}.")
     found = projects_in([Path(folder) for folder in folders])

@@ -96,7 +96,12 @@ def _silence() -> Iterator[None]:
 
 
 def _greet(address: str) -> None:
-    """Refuse what is no scheduler; a client would wait for ever for one that says nothing."""
+    """Refuse what is no scheduler; a client would wait for ever for one that says nothing.
+
+    Raises
+    ------
+    LispacError
+    """
     from distributed.comm import connect
     from distributed.security import Security
 
@@ -122,7 +127,12 @@ class _Cluster:
         self.under_way: set[_Sent] = set()
 
     def check(self) -> None:
-        """Refuse a cluster without workers, or whose workers are not like this program."""
+        """Refuse a cluster without workers, or whose workers are not like this program.
+
+        Raises
+        ------
+        LispacError
+        """
         try:  # one that was lost is perhaps being started again
             self.client.wait_for_workers(1, timeout=WORKERS)
         except TimeoutError:
@@ -165,7 +175,13 @@ class _Cluster:
         sent.future.add_done_callback(sent.came)
 
     def _next(self, back: "SimpleQueue[_Sent]") -> "_Sent":
-        """What comes back next, as long as there is hope."""
+        """What comes back next, as long as there is hope.
+
+        Raises
+        ------
+        LispacError
+            Where all workers are gone.
+        """
         alone_since = None
         while True:
             try:
@@ -182,7 +198,13 @@ class _Cluster:
                     )
 
     def _lost_its_worker(self, sent: "_Sent") -> bool:
-        """Whether the scheduler gave it up, and it is worth another try."""
+        """Whether the scheduler gave it up, and it is worth another try.
+
+        Raises
+        ------
+        LispacError
+            Where it was sent too often already.
+        """
         import distributed
 
         with self._talk():
@@ -213,7 +235,12 @@ class _Cluster:
 
     @contextmanager
     def _talk(self) -> Iterator[None]:
-        """What breaks while one talks to the scheduler is its connection."""
+        """What breaks while one talks to the scheduler is its connection.
+
+        Raises
+        ------
+        LispacError
+        """
         try:
             yield
         except (
@@ -264,7 +291,12 @@ def _version() -> str:
 
 
 def _same_version(who: str, found: object, wanted: str = "") -> None:
-    """Refuse another version than the one that is wanted, which is this one where none is said."""
+    """Refuse another version than the one that is wanted, which is this one where none is said.
+
+    Raises
+    ------
+    LispacError
+    """
     wanted = wanted or __version__
     if found != wanted:
         has = f"LISPAC {found}" if isinstance(found, str) else f"no LISPAC that answers ({found})"

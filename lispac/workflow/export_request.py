@@ -78,7 +78,8 @@ def export(
 
     Raises
     ------
-    InputError, ProjectError
+    InputError
+    ProjectError
         As the functions of `lispac.workflow.exporting` and `lispac.workflow.georeferencing`.
     """
     form: Any = request.form

@@ -119,7 +119,8 @@ def import_line(
 
     Raises
     ------
-    InputError, ProjectError
+    InputError
+    ProjectError
         As `import_lines`.
     """
     folder, reason = line_folder(project, line), ""
@@ -206,6 +207,8 @@ def stored_line(
     ProjectError
         Where the line is not imported, its import was interrupted, it is damaged, or its file or
         what it was made with has changed since.
+    InputError
+        Where its file cannot be read.
     """
     stored = open_store(line_folder(project, line), line.name, progress=progress)
     made_with = _made_with(line, trajectory, project.mounting("prior"))
@@ -376,8 +379,11 @@ def _usable(time: Array, latency: float, trajectory: LocalTrajectory) -> NDArray
 
 
 def _from(chunks: Iterator[PointChunk], read: int, first: int) -> Iterator[tuple[PointChunk, int]]:
-    """Chunks from the point ``first`` on, each with the places of its points in the file, and how
-    many there were up to its end; ``read`` is how many there were before all of them."""
+    """Chunks from the point ``first`` on, each with the places of its points in the file.
+
+    And with how many points there were up to its end; ``read`` is how many there were before all
+    of them.
+    """
     for chunk in chunks:
         start, read = read, read + len(chunk.time)
         if read <= first:

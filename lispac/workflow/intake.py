@@ -179,8 +179,10 @@ class Intake:
         return changed
 
     def sorted_out(self, path: Path) -> "Intake":
-        """Settle what a file is where others tell: text that may be a trajectory is a line beside
-        one that certainly is."""
+        """Settle what a file is where others tell.
+
+        Text that may be a trajectory is a line beside one that certainly is.
+        """
         entry = self.entry(path)
         surest = {e.path: e.looks[0].sureness for e in self._of("trajectory") if e.looks}
         if entry.role != "trajectory" or "points" not in entry.roles or len(surest) < 2:

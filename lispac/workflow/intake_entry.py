@@ -198,7 +198,12 @@ def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entr
 
 
 def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
-    """Look into a file with the role, format and options that the entry has now."""
+    """Look into a file with the role, format and options that the entry has now.
+
+    Raises
+    ------
+    Cancelled
+    """
     entry = replace(entry, pending=False, error="", content=None, place=None)
     if entry.role is None or entry.format is None:
         return entry

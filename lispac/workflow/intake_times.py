@@ -68,8 +68,9 @@ def line_coverage(entry: Entry, trajectory: Trajectory, longest_gap: float) -> C
 def offered_shift(
     entry: Entry, track: Trajectory, longest_gap: float, base: TimeBase | None
 ) -> Match | None:
-    """The shift to be offered for a line: where none of its points lie inside, or clearly more
-    would; never besides what is stated.
+    """The shift to be offered for a line: where no point lies inside, or clearly more would.
+
+    Never besides what is stated.
 
     Parameters
     ----------

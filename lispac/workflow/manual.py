@@ -116,7 +116,13 @@ def _run(command: list[str], progress: Progress) -> None:
 
 
 def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
-    """Build beside the place and rename, so that there is all of it or nothing."""
+    """Build beside the place and rename, so that there is all of it or nothing.
+
+    Raises
+    ------
+    InputError
+        Where it cannot be written.
+    """
     try:
         place.mkdir(parents=True, exist_ok=True)
         (place / MANUAL_MARK).touch()

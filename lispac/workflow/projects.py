@@ -115,7 +115,8 @@ def new_project(
 
     Raises
     ------
-    ProjectError, InputError
+    ProjectError
+    InputError
         As `create_project` and `load_survey`; no folder is left then.
     """
     settings.require_sound()
@@ -183,7 +184,8 @@ def with_lines_added(
 
     Raises
     ------
-    ProjectError, InputError
+    ProjectError
+    InputError
         Where a line has the name or the file of one that is there, or cannot be read; nothing
         that was imported for it is left then.
     """

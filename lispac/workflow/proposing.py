@@ -286,7 +286,13 @@ def _is_whole(planes: list[DetectedPlane], names: list[str]) -> set[str]:
 def _chosen(
     linearised: Linearised, names: list[str], whole: set[str], one_way: set[tuple[str, str]]
 ) -> tuple[list[str], dict[str, str], Array]:
-    """The planes to adjust with, the reason of each, and the sigmas they give."""
+    """The planes to adjust with, the reason of each, and the sigmas they give.
+
+    Raises
+    ------
+    AdjustmentError
+        Where no two planes determine the boresight.
+    """
     with one_thread():
         pairs = {
             pair: _sigma(linearised, pair) for pair in combinations(names, 2) if pair not in one_way

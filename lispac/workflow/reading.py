@@ -79,8 +79,9 @@ def _look(path: Path, format: Format, sure: float) -> Look:
 
 
 def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
-    """Look into a file with what is stated of it: a system that is stated is not asked for, and one
-    that is not used is doubted.
+    """Look into a file with what is stated of it.
+
+    A system that is stated is not asked for, and one that is not used is doubted.
 
     Raises
     ------

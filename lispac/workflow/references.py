@@ -230,7 +230,13 @@ def _doubtful_sigmas(points: Sequence[ListedPoint]) -> list[str]:
 def _plane(
     name: str, points: Array, sigmas: Sequence[float], path: Path
 ) -> tuple[PlaneReference, str]:
-    """A plane, and what is to be said of points that do not lie on it."""
+    """A plane, and what is to be said of points that do not lie on it.
+
+    Raises
+    ------
+    InputError
+        Where they make no plane.
+    """
     from scipy.spatial import Delaunay, QhullError
 
     if len(points) < 3:
@@ -265,7 +271,13 @@ def _read_surface(
     found: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
     reach: float, progress: Progress,
 ) -> tuple[Array, list[str]]:  # fmt: skip
-    """The part of a scan where the lines have been, and what is said of it."""
+    """The part of a scan where the lines have been, and what is said of it.
+
+    Raises
+    ------
+    InputError
+        Where no point of it is near the lines.
+    """
     seen = _Seen.of(survey, project, reach)
     parts: list[Array] = []
     numbers: list[NDArray[np.int64]] = []

@@ -80,6 +80,11 @@ def _unfinished(folder: Path) -> Iterator[None]:
 
     What a save that was ended by force has left so is removed first: the program's own files in
     the folders it has marked, nothing else.
+
+    Raises
+    ------
+    ProjectError
+        Where another save into the folder runs.
     """
     lines = folder / LINES
     lines.mkdir(parents=True, exist_ok=True)

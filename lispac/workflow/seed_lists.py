@@ -148,7 +148,8 @@ def pick_seeds(
 
     Raises
     ------
-    InputError, ProjectError
+    InputError
+    ProjectError
         Where one cannot be sought at all; then none is picked.
     """
     outcomes = []

@@ -104,7 +104,13 @@ def simulation(
 
 
 def file_of(kind: str, word: str, beside: Path | None) -> Path:
-    """The file of a name or path; paths in a scene count from where it lies."""
+    """The file of a name or path; paths in a scene count from where it lies.
+
+    Raises
+    ------
+    InputError
+        Where there is none of that name.
+    """
     path = Path(word)
     if path.suffix.lower() != ".toml":
         known = supplied(kind)

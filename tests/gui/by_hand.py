@@ -199,7 +199,6 @@ def push(hands: Hands, text: str) -> None:
 
 def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
     """Ctrl+O, and the file's name; then the button of the question that follows, if one does."""
-
     wanted = str(folder / "project.json")
 
     def act(dialog: QFileDialog) -> bool:

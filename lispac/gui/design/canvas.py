@@ -46,6 +46,7 @@ class Canvas(QWidget):
         workspace.selected.connect(self.update)
 
     def sizeHint(self) -> QSize:
+        """The size it likes best, in pixels."""
         return QSize(460, 340)
 
     def _follow(self) -> None:
@@ -60,6 +61,7 @@ class Canvas(QWidget):
         return self.dropped()
 
     def hideEvent(self, event) -> None:
+        """Let go of what is held, and give the drag up."""
         if self._frozen is not None:
             self._release()
             self.workspace.give_up()
@@ -107,6 +109,7 @@ class Canvas(QWidget):
         """What there is, over the grid."""
 
     def paintEvent(self, event) -> None:
+        """Paint grid and plan, in a frame that shows the focus."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(theme.PAPER))
@@ -182,10 +185,12 @@ class Canvas(QWidget):
         """The mouse's shape over a pixel."""
 
     def mousePressEvent(self, event) -> None:
+        """Take what is under the mouse; the scale stays while it is held."""
         if event.button() == Qt.MouseButton.LeftButton and self.take(event.position()):
             self._frozen = self._view
 
     def mouseMoveEvent(self, event) -> None:
+        """Move what is held, or show what could be taken."""
         if self._frozen is not None and event.buttons() & Qt.MouseButton.LeftButton:
             free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             self.pull(event.position(), free)
@@ -193,11 +198,13 @@ class Canvas(QWidget):
             self.setCursor(self.over(event.position()))
 
     def mouseReleaseEvent(self, event) -> None:
+        """Drop what is held: one step of undo."""
         if event.button() == Qt.MouseButton.LeftButton and self._frozen is not None:
             self.workspace.drop(self._release())
             self.update()
 
     def keyPressEvent(self, event) -> None:
+        """Give a drag up with Escape; other keys are for `key`, free with Shift."""
         free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if event.key() == Qt.Key.Key_Escape and self._frozen is not None:
             self._release()

@@ -65,6 +65,7 @@ class PlanView(Canvas):
         return self.pixel(ends[0]) + aside, self.pixel(ends[1]) + aside
 
     def bounds(self) -> Array:
+        """Middle of the site, ends of the lines, targets: shape (n, 2), metres, east and north."""
         titled = self.workspace.titled
         places = [self._middle]
         places += [place for ends in self._ends() for place in ends]
@@ -74,6 +75,7 @@ class PlanView(Canvas):
     # -- drawing -----------------------------------------------------------------------------
 
     def draw(self, painter: QPainter) -> None:
+        """Draw the site from above."""
         titled = self.workspace.titled
         wall = titled.wall
         right = np.array([-wall.right[1], wall.right[0]])
@@ -143,12 +145,14 @@ class PlanView(Canvas):
         return (best[1], False) if best[0] <= REACH else None
 
     def over(self, at: QPointF) -> Qt.CursorShape:
+        """A cross over what turns a line, a hand over what moves it."""
         found = self._at(at)
         if found is None:
             return Qt.CursorShape.ArrowCursor
         return Qt.CursorShape.CrossCursor if found[1] else Qt.CursorShape.OpenHandCursor
 
     def take(self, at: QPointF) -> bool:
+        """Take a line, to move or to turn it."""
         found = self._at(at)
         if found is None:
             return False
@@ -159,6 +163,7 @@ class PlanView(Canvas):
         return True
 
     def pull(self, at: QPointF, free: bool) -> None:
+        """Move or turn the line that was taken."""
         if self._line is None:
             return
         line, now = self._line, self.place(at) - self._middle
@@ -176,12 +181,14 @@ class PlanView(Canvas):
         self.workspace.drag(edits.with_line(self.workspace.titled, self.workspace.line, line))
 
     def dropped(self) -> str:
+        """Let go of the line."""
         self._line = None
         return f"{'turn' if self._turns else 'move'} line {self.workspace.line + 1}"
 
     # -- keys --------------------------------------------------------------------------------
 
     def key(self, key: Qt.Key, free: bool) -> bool:
+        """Choose a line, turn it, move it, add or remove one."""
         work, wall = self.workspace, self.workspace.titled.wall
         count = len(work.titled.plan.lines)
         if key in (Key.Key_PageUp, Key.Key_PageDown) and count:

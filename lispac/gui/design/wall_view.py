@@ -41,6 +41,7 @@ class WallView(Canvas):
         self._from = np.zeros(2)
 
     def bounds(self) -> Array:
+        """Corners of the targets with room around: shape (n, 2), metres, along the wall and up."""
         places = [(0.0, 0.0), (-4.0, 0.0), (4.0, 4.0)]
         for each in edits.hung(self.workspace.titled):
             places += [(each.along - each.width, each.up - ABOVE)]
@@ -55,6 +56,7 @@ class WallView(Canvas):
         return QRectF(spot.x() - wide / 2, spot.y() - tall / 2, wide, tall)
 
     def draw(self, painter: QPainter) -> None:
+        """Draw the targets on the wall, and the height of the POS."""
         level = self.pixel(np.zeros(2)).y()
         painter.setPen(QPen(QColor(theme.LEVEL), 1.5, Qt.PenStyle.DashLine))
         painter.drawLine(QPointF(0, level), QPointF(self.width(), level))
@@ -82,10 +84,12 @@ class WallView(Canvas):
         return next((k for k in order if self._box(targets[k]).contains(at)), None)
 
     def over(self, at: QPointF) -> Qt.CursorShape:
+        """A hand over a target."""
         there = self._at(at) is not None
         return Qt.CursorShape.OpenHandCursor if there else Qt.CursorShape.ArrowCursor
 
     def take(self, at: QPointF) -> bool:
+        """Take a target."""
         k = self._at(at)
         if k is None:
             return False
@@ -95,6 +99,7 @@ class WallView(Canvas):
         return True
 
     def pull(self, at: QPointF, free: bool) -> None:
+        """Move the target that was taken, along the wall and up."""
         if self._held is None:
             return
         along, up = self.place(at) - self._from
@@ -102,6 +107,7 @@ class WallView(Canvas):
         self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, to))
 
     def dropped(self) -> str:
+        """Let go of the target."""
         name = "" if self._held is None else self._held.name
         self._held = None
         return f"move {name}"
@@ -109,6 +115,7 @@ class WallView(Canvas):
     # -- keys --------------------------------------------------------------------------------
 
     def key(self, key: Qt.Key, free: bool) -> bool:
+        """Choose a target, move it, add or remove one."""
         work, step = self.workspace, 0.01 if free else 0.1
         count = len(work.titled.plan.targets)
         arrows = {

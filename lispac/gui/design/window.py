@@ -121,6 +121,7 @@ class DesignWindow(QMainWindow):
         self._show()
 
     def sizeHint(self) -> QSize:
+        """The size it likes best, in pixels."""
         return QSize(1480, 920)
 
     def _build(self) -> None:
@@ -278,6 +279,7 @@ class DesignWindow(QMainWindow):
         self.close()
 
     def closeEvent(self, event) -> None:
+        """Say that it was closed."""
         self.closed.emit()
         event.accept()
 

@@ -74,6 +74,7 @@ class PreviewDialog(QDialog):
         return above[-1] + 1 if above else 1
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Go to the first or last page with Home and End."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             bar = self.area.verticalScrollBar()
             ends = {Qt.Key.Key_Home: bar.minimum(), Qt.Key.Key_End: bar.maximum()}

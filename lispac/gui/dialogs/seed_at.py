@@ -121,7 +121,8 @@ class SeedDialog(QDialog):
 
         Raises
         ------
-        InputError, ProjectError
+        InputError
+        ProjectError
             With what is wrong.
         """
         if self.choice.problem:

@@ -37,6 +37,7 @@ class Chart(FigureCanvasQTAgg):
         return self.grab()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint what is drawn; until the new is, what was drawn last."""
         if not self._stale:
             super().paintEvent(event)
             return

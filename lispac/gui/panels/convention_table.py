@@ -53,6 +53,7 @@ class AnglesTable(QTableWidget):
         self._lay_out()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the new width out among the columns."""
         super().resizeEvent(event)
         self._lay_out()
 

@@ -92,6 +92,7 @@ class DiagnosticsPanel(QWidget):
         self.list.setCurrentRow(list(self.pages).index(title))
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Fill the page that is seen now."""
         super().showEvent(event)
         self._fill()
 

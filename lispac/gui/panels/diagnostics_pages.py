@@ -91,6 +91,7 @@ class FigurePage(Page):
         self._row.setContentsMargins(4, 4, 4, 4)
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
+        """Draw the figure."""
         self.draw(result)
 
     def draw(self, result: AdjustmentResult) -> None:
@@ -111,27 +112,37 @@ class FigurePage(Page):
 
 
 class Convergence(FigurePage):
+    """How each angle came to its last value."""
+
     title, draws = "Convergence", "convergence"
     what = "the way of each angle to its last value appears"
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
+        """Whether there was but one iteration."""
         return "" if len(result.path) > 1 else "The adjustment took one iteration: nothing to plot."
 
 
 class Correlations(FigurePage):
+    """Correlations between all estimated values."""
+
     title, draws = "Correlations", "correlations"
     what = "the correlations between all estimated values appear"
 
 
 class PosErrors(FigurePage):
+    """The estimated POS error of each sighting."""
+
     title, draws = "POS error", "pos_errors"
     what = "the estimated POS error of each sighting appears, against its prior sigma,"
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
+        """Whether the mode or the estimate has no tests of sightings."""
         return _no_reliability(result)
 
 
 class Observability(FigurePage):
+    """How well lines and targets see the angles."""
+
     title, draws = "Observability", "directions"
     what = "how well lines and targets see the angles appears"
 
@@ -144,9 +155,11 @@ class Observability(FigurePage):
         self._row.addWidget(_scrolled(self.words), 1)
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
+        """Whether it was not worked out."""
         return "" if result.observability else "Not worked out: press Estimate for it."
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
+        """Say it in words, and draw the directions."""
         seen = result.observability
         assert seen is not None
         sigma = np.degrees(seen.eigenvalues**-0.5)
@@ -176,34 +189,45 @@ class TablePage(Page):
         layout.addWidget(self.table)
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
+        """Fill the table."""
         self.table.show_rows(type(self).content_of(result))
 
     def select(self, target: str, line: str) -> None:
+        """Select the row about a sighting."""
         self.table.select(target, line)
 
 
 class Sightings(TablePage):
+    """Residuals and tests of every sighting."""
+
     title, name, columns = "Sightings", "diagnostics_sightings_table", rows.SIGHTINGS
     content_of = staticmethod(rows.sighting_rows)
     what = "the residuals and tests of every sighting appear"
 
 
 class Targets(TablePage):
+    """Residuals of every target."""
+
     title, name, columns = "Targets", "diagnostics_targets_table", rows.TARGETS
     content_of = staticmethod(rows.target_rows)
     what = "the residuals of every target appear"
 
     def select(self, target: str, line: str) -> None:
+        """Select the row about a target."""
         self.table.select(target, "")
 
 
 class Parameters(TablePage):
+    """Every estimated value with its prior and its significance."""
+
     title, name, columns = "Parameters", "diagnostics_parameters_table", rows.PARAMETERS
     content_of = staticmethod(rows.parameter_rows)
     what = "every estimated value appears with its prior and its significance"
 
 
 class Checks(Page):
+    """What parts of the data say by themselves."""
+
     title = "Cross-checks"
     what = "what parts of the data say by themselves appears"
 
@@ -228,6 +252,7 @@ class Checks(Page):
         layout.addWidget(self.spread)
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
+        """What to do where nothing was cross-checked."""
         if project.cross_checks is not None:
             return ""
         return (
@@ -236,6 +261,7 @@ class Checks(Page):
         )
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
+        """Fill the table, and say the spread."""
         assert project.cross_checks is not None
         self.table.show_rows(rows.check_rows(project.cross_checks))
         self.spread.setText(

@@ -85,6 +85,7 @@ class Gizmo(QWidget):
         self._last: QPointF | None = None
 
     def sizeHint(self) -> QSize:
+        """The size it likes best, in pixels."""
         return QSize(340, 210)
 
     def show_boresight(self, boresight: np.ndarray) -> None:
@@ -122,6 +123,7 @@ class Gizmo(QWidget):
         return np.atleast_2d(points_body) @ np.array([right, above, towards]).T
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the scanner in its frame, and in that of the body."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(theme.PAPER))
@@ -168,10 +170,12 @@ class Gizmo(QWidget):
         return float(self.project(axis)[0, 2])
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Take hold of the view."""
         self._last = event.position()
         self.setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Turn the view that is held."""
         if self._last is None:
             return
         moved = event.position() - self._last
@@ -179,13 +183,16 @@ class Gizmo(QWidget):
         self.turn_view(-_DEGREES_PER_PIXEL * moved.x(), _DEGREES_PER_PIXEL * moved.y())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Let go of the view."""
         self._last = None
         self.setCursor(Qt.CursorShape.OpenHandCursor)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Look from where it was seen first."""
         self.reset_view()
 
     def keyPressEvent(self, event) -> None:
+        """Turn the view with the arrows."""
         turns = {
             Qt.Key.Key_Left: (_STEP_DEG, 0.0),
             Qt.Key.Key_Right: (-_STEP_DEG, 0.0),

@@ -41,8 +41,7 @@ AGAINST_WORDS = {"Height (m)": "height", "Range (m)": "range"}
 
 def preload() -> None:
     """Import Matplotlib, which takes half a second: to be called in the worker."""
-
-    import lispac.report.histograms
+    import lispac.report.histograms  # noqa: F401
     import lispac.report.profiles  # noqa: F401
 
 

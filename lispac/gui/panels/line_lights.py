@@ -61,6 +61,7 @@ class LineLights(QWidget):
                 each.setAccessibleName(say(f"{line}: {said}"))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Place the names anew."""
         super().resizeEvent(event)
         self._place()
 

@@ -90,9 +90,11 @@ class MountingSketch(QWidget):
         self.doubtful = False
 
     def sizeHint(self) -> QSize:
+        """The size it likes best, in pixels."""
         return QSize(330, HEIGHT)
 
     def minimumSizeHint(self) -> QSize:
+        """The least size it is of use at, in pixels."""
         return QSize(260, HEIGHT)
 
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
@@ -137,6 +139,7 @@ class MountingSketch(QWidget):
     # -- painting --------------------------------------------------------------------------------
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint vessel and scanner from above and from starboard."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(theme.PAPER))

@@ -63,14 +63,17 @@ class NumberField(QDoubleSpinBox):
         super().setSpecialValueText(text)
 
     def textFromValue(self, value: float) -> str:
+        """Text of a value, in the unit shown."""
         shown = value * self._factor
         # Nothing has no sign, however little is left of it behind the last digit shown
         return self._face.textFromValue(shown if round(shown, self.decimals()) else 0.0)
 
     def validate(self, text: str, place: int) -> object:
+        """Whether a text may become a number."""
         return self._face.validate(self._own(text), place)
 
     def valueFromText(self, text: str) -> float:
+        """Value of a text in the unit shown; the value as it is where its text is the same."""
         typed = self._face.valueFromText(self._own(text))
         shown = self._face.valueFromText(self.textFromValue(self.value()))
         return self.value() if typed == shown else typed / self._factor
@@ -84,6 +87,7 @@ class NumberField(QDoubleSpinBox):
         super().setDecimals(KEPT)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
+        """Turn the value only with the focus: else the page under it moves."""
         if self.hasFocus():
             super().wheelEvent(event)
         else:

@@ -76,13 +76,16 @@ class SightingsModel(QAbstractTableModel):
         return 1 + self._lines.index(line) if line in self._lines else 0
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
+        """One for each target, and one for the lines where any is adjusted."""
         targets = len(self._targets)
         return 0 if parent.isValid() or not targets else targets + bool(self._adjusted)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """One for the names, and one for each line."""
         return 0 if parent.isValid() else len(self._lines) + 1
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+        """Name of a line with its heading, and its colour."""
         return _said(self._head(section, orientation, role))
 
     def _head(self, section: int, orientation: Qt.Orientation, role: int) -> Any:
@@ -103,6 +106,7 @@ class SightingsModel(QAbstractTableModel):
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
+        """What can be ticked."""
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
         if index.row() == len(self._targets):
             on_line = index.column() > 0 and self._on_line(self._lines[index.column() - 1])
@@ -112,6 +116,7 @@ class SightingsModel(QAbstractTableModel):
         return flags
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
+        """What a cell shows."""
         return _said(self._of(index, role))
 
     def _of(self, index: Index, role: int) -> Any:
@@ -129,6 +134,7 @@ class SightingsModel(QAbstractTableModel):
         return self._of_sighting(target, sighting, role)
 
     def setData(self, index: Index, value: Any, role: int = Role.EditRole) -> bool:
+        """Take over a tick."""
         if role != Role.CheckStateRole:
             return False
         used = Qt.CheckState(value) == Qt.CheckState.Checked
@@ -270,6 +276,7 @@ class SightingsTable(QTableView):
             self.scrollTo(self.sightings.index(row, column))
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the table, or what to do for one."""
         super().paintEvent(event)
         if self.sightings.rowCount() == 0:
             painter = QPainter(self.viewport())

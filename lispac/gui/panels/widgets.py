@@ -118,6 +118,7 @@ class Choice(QComboBox):
             self.setMinimumContentsLength(12)
 
     def wheelEvent(self, event) -> None:
+        """Turn the value only with the focus: else the page under it moves."""
         if self.hasFocus():
             super().wheelEvent(event)
         else:
@@ -150,6 +151,7 @@ class TallArea(QScrollArea):
         return super().eventFilter(watched, event)
 
     def minimumSizeHint(self) -> QSize:
+        """Wide enough for what is in it and the bar, in pixels."""
         inside = self.widget().minimumSizeHint().width()
         bar = self.verticalScrollBar().sizeHint().width()
         return QSize(max(inside + bar, self._least), super().minimumSizeHint().height())

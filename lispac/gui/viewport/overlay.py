@@ -37,8 +37,10 @@ MARGIN = 14.0
 
 
 def scale_length(metres_per_pixel: float, longest: float = 150.0) -> float:
-    """Metres of the longest 1, 2 or 5 times a power of ten, in the unit shown, that is at most
-    ``longest`` pixels."""
+    """Metres of the longest bar of at most ``longest`` pixels.
+
+    It is 1, 2 or 5 times a power of ten in the unit shown.
+    """
     factor = units.unit("m").factor
     limit = metres_per_pixel * longest * factor
     power = 10.0 ** np.floor(np.log10(limit))

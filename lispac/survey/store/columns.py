@@ -138,7 +138,7 @@ def opened(folder: Path, column: Column, count: int) -> NDArray[Any]:
     ------
     ProjectError
         Where the file is not what the manifest says.
-    """
+    """  # noqa: DOC501 - its own ValueError is caught
     shape = (count, *column.shape)
     if not column.file:
         value = np.array(column.value, dtype=column.dtype)

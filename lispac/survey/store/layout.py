@@ -170,7 +170,7 @@ def read_manifest(folder: Path) -> Manifest | None:
         Where it is damaged.
     ProjectError
         Where it is of a newer version of the program.
-    """
+    """  # noqa: DOC501 - its own ValueError is caught
     path = folder / MANIFEST
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
@@ -201,7 +201,12 @@ def read_manifest(folder: Path) -> Manifest | None:
 
 
 def _require_plain(manifest: Manifest) -> None:
-    """Refuse what no import writes: other types, names that lead elsewhere, columns amiss."""
+    """Refuse what no import writes: other types, names that lead elsewhere, columns amiss.
+
+    Raises
+    ------
+    ValueError
+    """
     names = (manifest.folder, *(column.file for column in manifest.files))
     counts = [manifest.points, manifest.left_out]
     numbers = [manifest.side, manifest.reach, *manifest.low, *manifest.high]
@@ -262,7 +267,10 @@ def unsealed(text: str) -> Any:
 
     Raises
     ------
-    ValueError, KeyError, TypeError, RecursionError
+    ValueError
+    KeyError
+    TypeError
+    RecursionError
         Where it is damaged.
     """
     whole = json.loads(text)

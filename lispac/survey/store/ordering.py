@@ -34,6 +34,11 @@ def write_columns(
         level.
     attributes : tuple of Column
         Of the file.
+
+    Raises
+    ------
+    OSError
+        Where the disk does not give back what was written.
     """
     points, done = spool.points, 0
     attributes = shared_by_all(spool)

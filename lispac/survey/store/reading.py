@@ -329,6 +329,8 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
     ------
     ProjectError
         Where it is not imported, its import was interrupted, or it is damaged; says what to do.
+    FileNotFoundError
+        Where a file of it vanishes meanwhile.
     """
     manifest = read_manifest(folder)
     if manifest is None:

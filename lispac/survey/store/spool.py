@@ -171,7 +171,13 @@ class Spool:
         return np.fromfile(self._path(number, "keys"), np.uint64)
 
     def slice_of(self, number: int, start: int, stop: int) -> tuple[Keys, Values]:
-        """Keys and values of a part of a block; without the columns that the block shares."""
+        """Keys and values of a part of a block; without the columns that the block shares.
+
+        Raises
+        ------
+        OSError
+            Where the block is cut short.
+        """
         block, count = self.blocks[number], stop - start
         keys = np.fromfile(self._path(number, "keys"), np.uint64, count, offset=8 * start)
         values, at = {}, 0

@@ -97,6 +97,8 @@ def write_store(
         Where the folder cannot be written, the disk is full, or another import of the line runs.
     InputError
         Where the file cannot be read.
+    LispacError
+        What ``pieces``, ``place`` and ``beside`` raise.
     """
     made = _made_folders(folder)
     try:
@@ -191,7 +193,13 @@ def _fill(
     expected: "_Expected",
     progress: Progress,
 ) -> int:
-    """Spool what is not spooled yet; gives the number of points of the file."""
+    """Spool what is not spooled yet; gives the number of points of the file.
+
+    Raises
+    ------
+    ProjectError
+        Where there is no point in it.
+    """
     if spool.read is not None:
         return spool.read
     read, pace = spool.next_index, None

@@ -334,8 +334,10 @@ class ImportDialog(QDialog):
     # -- the end -----------------------------------------------------------------------------
 
     def keyPressEvent(self, event) -> None:
-        """Enter presses the button that has the focus and never one that has not: it ends the
-        typing of an EPSG code, not the dialogue."""
+        """Enter presses the button that has the focus and never one that has not.
+
+        It ends the typing of an EPSG code, not the dialogue.
+        """
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             focused = self.focusWidget()
             if isinstance(focused, QPushButton):

@@ -67,6 +67,7 @@ class QualityPage(QWidget):
             self._draw()
 
     def showEvent(self, event) -> None:
+        """Draw what has changed while it was out of sight."""
         super().showEvent(event)
         self._draw()
 

@@ -78,10 +78,12 @@ class RemarksView(QScrollArea):
         return made
 
     def showEvent(self, event) -> None:
+        """Fit the height once it is laid out."""
         super().showEvent(event)
         QTimer.singleShot(0, self, self._fit)
 
     def resizeEvent(self, event) -> None:
+        """Fit the height to the new width."""
         super().resizeEvent(event)
         self._fit()
 

@@ -141,17 +141,21 @@ class TimelineView(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
+        """The size it likes best, in pixels."""
         return QSize(600, TOP + max(len(self.bars), 1) * ROW + AXIS)
 
     def minimumSizeHint(self) -> QSize:
+        """The least size it is of use at, in pixels."""
         return QSize(480, self.sizeHint().height())
 
     def mousePressEvent(self, event) -> None:
+        """Choose the file whose bar was clicked."""
         row = int((event.position().y() - TOP) // ROW)
         if 0 <= row < len(self.bars):
             self.file_selected.emit(self.bars[row].path)
 
     def keyPressEvent(self, event) -> None:
+        """Choose the file above or below with the arrows."""
         step = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(event.key())
         if step is None or not self.bars:
             super().keyPressEvent(event)
@@ -161,14 +165,17 @@ class TimelineView(QWidget):
         self.file_selected.emit(paths[min(max(now + step, 0), len(paths) - 1)])
 
     def focusInEvent(self, event) -> None:
+        """Show that it has the focus."""
         super().focusInEvent(event)
         self.update()
 
     def focusOutEvent(self, event) -> None:
+        """Show that it has the focus no more."""
         super().focusOutEvent(event)
         self.update()
 
     def paintEvent(self, event) -> None:
+        """Paint an axis of time and a bar for each file."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(theme.PAPER))
