@@ -53,10 +53,12 @@ class Target:
 
     Attributes
     ----------
+    seed : metres, local frame, where the user clicked
+    threshold, radius : float, metres
+        RANSAC distance threshold, and search radius about the seed.
+    missing : for each line without it, the reason in words
     shape : {"plane", "sphere"}
     sphere_radius : metres, or None where it is unknown
-    seed : metres, local frame, where the user clicked
-    missing : for each line without it, the reason in words
     expected : what is known of a plane's size and inclination beforehand
     choices : what of the finder was chosen; the points are selected again with it
     """

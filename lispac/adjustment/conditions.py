@@ -65,7 +65,15 @@ def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> 
 
 
 def evaluate(observations: Observations, mounting: Mounting, shapes: Array, wanted: slice) -> Array:
-    """Some columns of `linearise` alone, without the memory of all, shape (n, columns)."""
+    """Some columns of `linearise` alone, without the memory of all, shape (n, columns).
+
+    Parameters
+    ----------
+    shapes : ndarray of shape (targets, 4), local frame
+        As in `linearise`.
+    wanted : slice
+        Of the columns.
+    """
     out = np.empty((len(observations), wanted.stop - wanted.start))
     points, placing = Points.of(observations, mounting), Placing.of(mounting, shapes)
     in_chunks(
@@ -76,7 +84,13 @@ def evaluate(observations: Observations, mounting: Mounting, shapes: Array, want
 
 
 def misclosures(observations: Observations, mounting: Mounting, shapes: Array) -> Array:
-    """Signed distance of each point to its plane or sphere, shape (n,), metres."""
+    """Signed distance of each point to its plane or sphere, shape (n,), metres.
+
+    Parameters
+    ----------
+    shapes : ndarray of shape (targets, 4), local frame
+        As in `linearise`.
+    """
     return evaluate(observations, mounting, shapes, slice(MISCLOSURE, WIDTH))[:, 0]
 
 
@@ -134,7 +148,7 @@ class Placing(NamedTuple):
 
     @classmethod
     def of(cls, mounting: Mounting, shapes: Array) -> "Placing":
-        """Work out the rotations."""
+        """Work out the rotations; ``shapes`` of shape (targets, 4) as in `linearise`."""
         return cls(
             mounting.values,
             mounting.rotation_body_lidar,

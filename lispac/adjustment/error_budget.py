@@ -47,8 +47,10 @@ class SystemErrors:
     mounting : Mounting
         As estimated.
     prior_boresight : ndarray of shape (3,), radians
-    estimated : tuple of str, covariance : ndarray of shape (e, e)
-        Names among `CALIBRATION` and their covariance, radians, metres, seconds.
+    estimated : tuple of str
+        Names among `CALIBRATION`.
+    covariance : ndarray of shape (e, e), radians, metres, seconds
+        Of ``estimated``.
     speed : float, metres per second
     rates : ndarray of shape (3,), radians per second
         RMS of the turning of roll, pitch and heading; for the latency alone.

@@ -41,7 +41,13 @@ be crossed for ever."""
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """Where the iterations ended."""
+    """Where the iterations ended.
+
+    Attributes
+    ----------
+    path : ndarray of shape (iterations, 3), radians
+        Roll, pitch, yaw after each iteration.
+    """
 
     linearised: Linearised
     state: State

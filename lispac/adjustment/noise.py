@@ -28,7 +28,7 @@ sets a sighting off; a prior boresight that is wrong by degrees sets all of them
 
 
 def blocks_of(observations: Observations, mounting: Mounting) -> NDArray[np.int64]:
-    """Block of each point: sixteen a sighting, over its surface as placed with ``mounting``."""
+    """Block of each point (n,): sixteen a sighting, over its surface placed with ``mounting``."""
     points = points_local(observations, mounting)
     block = np.empty(len(points), dtype=np.int64)
     for s in range(len(observations.sightings)):
@@ -72,6 +72,8 @@ def noise_factors(
     ----------
     residuals : ndarray of shape (n,)
         Over the standard deviations of their conditions.
+    blocks : ndarray of shape (n,), int
+        From `blocks_of`.
     near : ndarray of shape (n,), bool, or None
         From `at_target`, where strays have no weight in the adjustment.
     denser : float
@@ -90,7 +92,17 @@ def noise_factors(
 
 
 def astray(observations: Observations, residuals: Array) -> NDArray[np.int64]:
-    """Sightings that lie off their target as a whole, by far more than most others do."""
+    """Sightings that lie off their target as a whole, by far more than most others do.
+
+    Parameters
+    ----------
+    residuals : ndarray of shape (n,)
+        As in `noise_factors`.
+
+    Returns
+    -------
+    ndarray of shape (k,), int
+    """
     found = []
     for k in range(len(observations.targets)):
         off = _off(observations, residuals, k)
@@ -102,6 +114,11 @@ def at_target(observations: Observations, residuals: Array) -> NDArray[np.bool_]
     """Which points are of sightings that do not lie off their target as a whole, shape (n,).
 
     One that does, on another surface or misplaced by metres, says nothing of the others' noise.
+
+    Parameters
+    ----------
+    residuals : ndarray of shape (n,)
+        As in `noise_factors`.
     """
     near = np.zeros(len(observations.sightings), dtype=bool)
     for k in range(len(observations.targets)):

@@ -55,7 +55,12 @@ class Layout:
         *,
         surfaces: bool,
     ) -> "Layout":
-        """Lay out ``active``, shapes of the given widths and three unknowns a sighting."""
+        """Lay out ``active`` (a,), shapes of the given widths and three unknowns a sighting.
+
+        Parameters
+        ----------
+        target_of_sighting : ndarray of shape (sightings,), int
+        """
         ends = len(active) + np.cumsum([0, *widths])
         shapes = tuple(slice(int(a), int(b)) for a, b in pairwise(ends))
         count = len(target_of_sighting)
@@ -111,7 +116,7 @@ class Normal:
 
     @cached_property
     def factor(self) -> Array:
-        """Cholesky factor of ``band``."""
+        """Cholesky factor of ``band``, in the same shape."""
         return np.asarray(scipy.linalg.cholesky_banded(self.band, lower=True))
 
     @cached_property
@@ -188,7 +193,7 @@ class Normal:
         return Normal(layout, matrix, right, quadratic, band, mixed, pull)
 
     def information(self, count: int) -> Array:
-        """Normal matrix of the first ``count`` unknowns, all others eliminated.
+        """Normal matrix (count, count) of the first unknowns, all others eliminated.
 
         Parameters
         ----------
@@ -232,7 +237,7 @@ def _span(rows: Array) -> slice:
 
 
 def inverse(matrix: Array) -> Array:
-    """Inverse of a symmetric positive definite matrix of mixed units.
+    """Inverse of a symmetric positive definite matrix of mixed units, both of shape (u, u).
 
     Raises
     ------
@@ -267,6 +272,10 @@ class Bases:
 def columns_basis(layout: Layout, target_of_sighting: NDArray[np.int64], bases: Bases) -> Array:
     """Directions of the unknowns in ``layout.index`` among the columns of the sums.
 
+    Parameters
+    ----------
+    target_of_sighting : ndarray of shape (sightings,), int
+
     Returns
     -------
     ndarray of shape (sightings, a + 4, a + 7)
@@ -287,7 +296,13 @@ def _added(places: NDArray[np.int64], values: Array, size: int) -> Array:
 
 
 def sum_by_sighting(sums: Array, groups: Groups, sightings: int, own: int) -> Array:
-    """Sums of the first ``own`` columns and the misclosure, shape (sightings, own + 1, own + 1)."""
+    """Sums of the first ``own`` columns and the misclosure, shape (sightings, own + 1, own + 1).
+
+    Parameters
+    ----------
+    sums : ndarray of shape (groups, width, width)
+        From `sum_by_group`.
+    """
     kept = np.r_[:own, sums.shape[1] - 1]
     many = len(kept) ** 2
     places = groups.sighting[:, None] * many + np.arange(many)
@@ -307,6 +322,7 @@ def normal_equations(
         From `sum_by_group`.
     summed : ndarray of shape (sightings, a + 5, a + 5)
         The same from `sum_by_sighting`.
+    target_of_sighting : ndarray of shape (sightings,), int
     effects : ndarray of shape (knots, 6), metres and radians
         POS error found so far.
     """

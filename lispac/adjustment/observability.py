@@ -163,6 +163,8 @@ def one_facing(normals: Array, spheres: NDArray[np.bool_]) -> bool:
     Parameters
     ----------
     normals : ndarray of shape (targets, 3), unit vectors, local
+    spheres : ndarray of shape (targets,), bool
+        Which of them are spheres.
     """
     return not spheres.any() and bool((np.abs(normals @ normals.T) > np.cos(PARALLEL)).all())
 

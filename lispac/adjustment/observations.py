@@ -96,7 +96,13 @@ class Observations:
         return np.array([target in self.radii for target in self.targets], dtype=bool)
 
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
-        """The same with factors on the stated sigmas."""
+        """The same with factors on the stated sigmas.
+
+        Parameters
+        ----------
+        lidar, position, attitude : float
+            Factors, so without a unit.
+        """
         return replace(
             self,
             sigma_lidar=lidar * self.sigma_lidar,
@@ -109,7 +115,7 @@ class Observations:
         return replace(self, radii={}) if self.radii else self
 
     def reordered(self, order: NDArray[np.int64]) -> "Observations":
-        """The points in another order, or some of them; ``sightings`` stays as it is."""
+        """The points in another order (k,), or some of them; ``sightings`` stays as it is."""
         columns: dict[str, Any] = {
             column.name: values.take(order, axis=0)
             for column in fields(self)
@@ -118,7 +124,7 @@ class Observations:
         return replace(self, **columns)
 
     def sample(self, share: float) -> NDArray[np.bool_]:
-        """About that share of the points, the same ones in whatever order they come."""
+        """About that share of the points, shape (n,): the same ones in whatever order they come."""
         bits = np.ascontiguousarray(self.points_lidar).view(np.uint64)
         mixed = bits[:, 0] ^ (bits[:, 1] << np.uint64(1)) ^ (bits[:, 2] << np.uint64(2))
         mixed = (mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)

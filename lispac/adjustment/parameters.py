@@ -51,7 +51,7 @@ class Estimate:
     name : str
     value, sigma : float or None, radians, metres or seconds
         None where the geometry does not see it.
-    prior, prior_sigma : float, None
+    prior, prior_sigma : float, None; in the same unit
         What went in.
     significance : float or None
         How far off the prior the data alone want the value, in standard deviations of theirs; None

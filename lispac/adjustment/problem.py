@@ -85,7 +85,13 @@ class Problem:
         parameters: tuple[Parameter, ...] = (),
         moments: Array | None = None,
     ) -> "Problem":
-        """Sort the points and lay the knots of the POS error; ``moments`` where they are known."""
+        """Sort the points and lay the knots of the POS error.
+
+        Parameters
+        ----------
+        moments : ndarray of shape (sightings, 4, 4), optional
+            From `moments_by_sighting`, where they are known.
+        """
         if moments is None:
             moments = moments_by_sighting(observations, prior)
         knots = PosErrorKnots.of(observations, model) if model.correlated else None
@@ -158,7 +164,7 @@ class Problem:
         return replace(self, surface_sigma=changed)
 
     def start(self, mounting: Mounting, shapes: Array) -> State:
-        """Point of linearisation without any effect."""
+        """Point of linearisation without any effect; ``shapes`` of shape (targets, 4)."""
         knots = 0 if self.groups.knots is None else len(self.groups.knots.time)
         sightings = len(self.observations.sightings)
         return State(mounting, shapes, np.zeros((sightings, 4)), np.zeros((knots, 6)))
@@ -173,7 +179,13 @@ class Problem:
         return replace(state, effects=effects)
 
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Problem":
-        """The same with factors on the stated sigmas."""
+        """The same with factors on the stated sigmas.
+
+        Parameters
+        ----------
+        lidar, position, attitude : float
+            Factors, so without a unit.
+        """
         observations = self.observations.with_sigmas(lidar, position, attitude)
         problem = Problem.of(observations, self.prior, self.model, self.parameters, self.moments)
         return replace(
@@ -200,7 +212,15 @@ class Problem:
         return Linearised(self, state, loss, sums, bases, departures)
 
     def equations(self, state: State, sums: Array, bases: Bases, departures: Array) -> Normal:
-        """Normal equations from sums over groups, with all priors."""
+        """Normal equations from sums over groups, with all priors.
+
+        Parameters
+        ----------
+        sums : ndarray of shape (groups, width, width)
+            From `sum_by_group`.
+        departures : ndarray of shape (sightings, 3), metres
+            As in `Linearised`.
+        """
         owners = self.observations.target_of_sighting
         summed = self.by_sighting(sums)
         normal = normal_equations(
@@ -225,7 +245,16 @@ class Problem:
         return replace(normal, quadratic=quadratic)
 
     def by_sighting(self, sums: Array) -> Array:
-        """Sums over groups added up over sightings, without what belongs to the POS error."""
+        """Sums over groups added up over sightings, without what belongs to the POS error.
+
+        Parameters
+        ----------
+        sums : ndarray of shape (groups, width, width)
+
+        Returns
+        -------
+        ndarray of shape (sightings, a + 5, a + 5)
+        """
         own = len(self.active) + 4
         return sum_by_sighting(sums, self.groups, len(self.observations.sightings), own)
 
@@ -255,6 +284,8 @@ class Linearised:
 
     Attributes
     ----------
+    sums : ndarray of shape (groups, width, width)
+        From `sum_by_group`.
     departures : ndarray of shape (sightings, 3), metres
         Tilts, at the border, and offset of each sighting's surface found so far.
     """

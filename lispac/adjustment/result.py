@@ -108,6 +108,7 @@ class TargetResidual:
 
     Attributes
     ----------
+    rms_before, rms_after : float, metres
     plane : ndarray of shape (4,), local frame
         Unit normal and offset (metres); of a sphere centre and radius.
     sphere : bool
@@ -224,11 +225,9 @@ class AdjustmentResult:
     variance_factor : float
         From the stated sigmas, times the applied ``components``, before any noise was taken from
         the residuals.
+    rms_before, rms_after : float, metres
     surface : float, metres
         Sigma of how the sightings depart from their target's shape; 0 in thesis mode.
-    offset : float or None, metres
-        That of their offsets, where the data insist on another one; ``surface`` is that of the
-        tilts then.
     reliability : tuple of SightingReliability
         Empty in thesis mode.
     components : tuple of Component
@@ -238,6 +237,9 @@ class AdjustmentResult:
         Points that stood out from their sighting and went into no average.
     contradictions : tuple of Contradiction
         Stated values that the data contradict; empty in thesis mode.
+    offset : float or None, metres
+        That of their offsets, where the data insist on another one; ``surface`` is that of the
+        tilts then.
     """
 
     mounting: Mounting

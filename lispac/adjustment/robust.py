@@ -56,7 +56,7 @@ class Loss:
 
 
 def robust_scale(residuals: NDArray[np.float64]) -> float:
-    """Spread of standardised residuals by their median, at least 1.
+    """Spread of standardised residuals (n,) by their median, at least 1.
 
     Where a surface is rougher than the LiDAR noise says, all its points would be strays.
     """

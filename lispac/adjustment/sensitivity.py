@@ -26,9 +26,11 @@ class Sensitivity:
     by_mounting : ndarray of shape (n, 9), metres per radian, metre, second
         By the values of the mounting, in the order of `Mounting.values`; by the latency only where
         the pose's rate was given.
-    by_position : ndarray of shape (n, 3), by_attitude : ndarray of shape (n, 3)
-        By north, west, up, and by roll, pitch, heading of the POS.
-    by_lidar : ndarray of shape (n, 3)
+    by_position : ndarray of shape (n, 3), no unit
+        By north, west, up.
+    by_attitude : ndarray of shape (n, 3), metres per radian
+        By roll, pitch, heading of the POS.
+    by_lidar : ndarray of shape (n, 3), no unit
         By the LiDAR's x, y, z.
     """
 

@@ -73,7 +73,14 @@ def about(observations: Observations, origins: Array) -> Observations:
 
 
 def counted_from(shapes: Array, origins: Array, is_sphere: NDArray[np.bool_]) -> Array:
-    """Shapes counted from ``origins``, shape (targets, 4); with minus these, back again."""
+    """Shapes counted from ``origins``, shape (targets, 4); with minus these, back again.
+
+    Parameters
+    ----------
+    shapes : ndarray of shape (targets, 4), local frame
+    origins : ndarray of shape (targets, 3), metres, local
+    is_sphere : ndarray of shape (targets,), bool
+    """
     new = shapes.copy()
     new[is_sphere, :3] -= origins[is_sphere]
     new[~is_sphere, 3] += (shapes[:, :3] * origins).sum(axis=1)[~is_sphere]
@@ -141,6 +148,10 @@ def shapes_of_most(observations: Observations, mounting: Mounting, fitted: Array
     ----------
     fitted : ndarray of shape (targets, 4)
         As by `fit_shapes`: what spheres, and targets with too few sightings for a majority, keep.
+
+    Returns
+    -------
+    ndarray of shape (targets, 4), local frame
     """
     points = points_local(observations, mounting)
     shapes = fitted.copy()
@@ -239,7 +250,13 @@ def centres_and_extents(moments: Array) -> tuple[Array, Array]:
 
 
 def moved(shapes: Array, changes: Array, is_sphere: NDArray[np.bool_]) -> Array:
-    """Shapes after ``changes``, shape (targets, 4), with normals of unit length."""
+    """Shapes after ``changes``, shape (targets, 4), with normals of unit length.
+
+    Parameters
+    ----------
+    shapes, changes : ndarray of shape (targets, 4), local frame
+    is_sphere : ndarray of shape (targets,), bool
+    """
     new = shapes + changes
     length = np.where(is_sphere, 1.0, np.linalg.norm(new[:, :3], axis=1))
     return np.asarray(new / length[:, None])

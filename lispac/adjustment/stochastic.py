@@ -151,7 +151,7 @@ class PosErrorKnots:
         )
 
     def reordered(self, order: NDArray[np.int64]) -> "PosErrorKnots":
-        """The same knots for the points in another order."""
+        """The same knots for the points in another order, shape (n,)."""
         return replace(
             self,
             left=self.left[order],

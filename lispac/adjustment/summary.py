@@ -49,6 +49,8 @@ def summary(
         Best shapes with the prior mounting.
     origins : ndarray of shape (targets, 3), metres, local
         Where the points of each target are counted from.
+    path : ndarray of shape (iterations, 3), radians
+        As in `Solution`.
     """
     from scipy.special import chdtri
 

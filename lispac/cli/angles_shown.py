@@ -36,7 +36,15 @@ OF_PROJECT = "estimated"
 
 @dataclass(frozen=True, eq=False)
 class Given:
-    """What is to be converted; covariance in radians squared where an adjustment gave one."""
+    """What is to be converted.
+
+    Attributes
+    ----------
+    covariance : ndarray of shape (3, 3), radians squared, or None
+        Where an adjustment gave one.
+    typed : ndarray of shape (3,), radians, or None
+        The angles as they were typed.
+    """
 
     setup: Setup
     mounting: Mounting

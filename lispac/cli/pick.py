@@ -112,7 +112,7 @@ def _how(arguments: Namespace) -> dict[str, Any]:
 
 
 def notes_on(target: Target, radius: float | None) -> tuple[str, ...]:
-    """What there is to say of how a target was sought; ``radius`` is the one asked for, if any."""
+    """What there is to say of how a target was sought; ``radius``, metres, is the one asked for."""
     usual = picking.DEFAULT_RADII[target.role][0]
     widened: tuple[str, ...] = ()
     if radius is None and target.shape == "plane" and target.radius > usual:

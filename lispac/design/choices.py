@@ -102,7 +102,7 @@ class Space:
         return board * site.boards + (len(self.lines),) * site.lines
 
     def choice(self, genes: Sequence[float] | Array) -> Choice:
-        """The choice that genes stand for."""
+        """The choice that genes (n,) stand for, as many as `widths`."""
         whole = [min(int(g), w - 1) for g, w in zip(genes, self.widths, strict=True)]
         boards = whole[: 4 * self.site.boards]
         shape = self.widths[:4] if self.site.boards else (1, 1, 1, 1)

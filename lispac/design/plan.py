@@ -172,6 +172,7 @@ def pattern(
     distance : float, metres
     facing_deg : float, degrees
         Azimuth the wall faces; the vessel stays on that side.
+    speed : float, metres per second
     """
     lines = []
     for heading in headings_deg:

@@ -62,7 +62,14 @@ such classes, rounded; put in those of the POS at hand where they are known."""
 
 
 def thesis_board(inclination_deg: float = 90.0, size: float = 1.0, height: float = 5.0) -> Board:
-    """A square board on the wall 15 m east of the lines that faces them (thesis figure 4.2)."""
+    """A square board on the wall 15 m east of the lines that faces them (thesis figure 4.2).
+
+    Parameters
+    ----------
+    inclination_deg : float, degrees from level
+    size, height : float, metres
+        Side of the square, and how high its middle is in the local frame.
+    """
     lean = np.radians(inclination_deg)
     normal = (0.0, float(np.sin(lean)), -float(np.cos(lean)))
     return Board(f"{inclination_deg:g} deg", (0.0, -15.0, height), normal, size, size)

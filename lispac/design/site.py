@@ -34,13 +34,13 @@ class Wall:
 
     @property
     def out(self) -> Array:
-        """Unit vector towards the water, north and west."""
+        """Unit vector towards the water, north and west, shape (2,)."""
         azimuth = np.radians(self.facing_deg)
         return np.array([np.cos(azimuth), -np.sin(azimuth)])
 
     @property
     def right(self) -> Array:
-        """Unit vector to the right of one who looks at the wall, north and west."""
+        """Unit vector to the right of one who looks at the wall, north and west, shape (2,)."""
         out = self.out
         return np.array([-out[1], out[0]])
 

@@ -86,7 +86,14 @@ def rotation_nwu_ecef(latitude: Array | float, longitude: Array | float) -> Arra
 
 @dataclass(frozen=True)
 class LocalFrame:
-    """North-West-Up frame tangent to the ellipsoid at an origin (radians, metres)."""
+    """North-West-Up frame tangent to the ellipsoid at an origin.
+
+    Attributes
+    ----------
+    latitude, longitude : float, radians
+    height : float, metres
+        Above the ellipsoid.
+    """
 
     latitude: float
     longitude: float
@@ -103,7 +110,14 @@ class LocalFrame:
         return rotation_nwu_ecef(self.latitude, self.longitude)
 
     def to_local(self, latitude: Array, longitude: Array, height: Array) -> Array:
-        """Local coordinates, shape (n, 3), metres, of geodetic ones in radians and metres."""
+        """Local coordinates, shape (n, 3), metres, of geodetic ones.
+
+        Parameters
+        ----------
+        latitude, longitude : ndarray of shape (n,), radians
+        height : ndarray of shape (n,), metres
+            Above the ellipsoid.
+        """
         offset = geodetic_to_ecef(latitude, longitude, height) - self._origin_ecef
         return offset @ self._rotation_local_ecef.T
 

@@ -52,7 +52,7 @@ def local_quadrics(
 
 
 def heights_above(quadrics: Quadrics, offsets: Array, which: Indices) -> Array:
-    """Height of each point over its quadric, along the normal of its plane; metres, signed.
+    """Height of each point over its quadric, along the normal of its plane; shape (p,), metres.
 
     Parameters
     ----------

@@ -55,6 +55,10 @@ def angles_of(rotation: Array) -> Array:
 def rotation_derivatives(roll: float | Array, pitch: float | Array, yaw: float | Array) -> Array:
     """Partial derivatives of `rotation_matrix` by roll, pitch and yaw.
 
+    Parameters
+    ----------
+    roll, pitch, yaw : float or ndarray of shape (...), radians
+
     Returns
     -------
     ndarray of shape (3, ..., 3, 3), per radian

@@ -80,6 +80,7 @@ def require_increasing(
 
     Parameters
     ----------
+    time : ndarray of shape (n,), seconds
     what : str
         What a time belongs to: ``SBET record`` is said with its number.
     numbers : ndarray of shape (n,), optional

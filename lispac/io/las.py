@@ -67,6 +67,11 @@ def read_scan(path: Path) -> Scan:
 def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path: Path) -> None:
     """Refuse coordinates or times that are not numbers.
 
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3)
+    time : ndarray of shape (n,), seconds
+
     Raises
     ------
     InputError

@@ -209,7 +209,8 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
 
     Parameters
     ----------
-    time : ndarray of shape (n,)
+    xyz : ndarray of shape (n, 3)
+    time : ndarray of shape (n,), in the unit of the file
         As stored: its type tells how coarse it is.
     first : int
         Points of the file before these.
@@ -248,7 +249,7 @@ def _within(values: NDArray[Any], limit: float) -> bool:
 
 
 def coarseness(time: NDArray[Any], seconds: float = 1.0) -> float:
-    """Steps of times stored with 32 bits, seconds; zero for 64 bits."""
+    """Steps of ``time`` (n,) stored with 32 bits, seconds; zero for 64 bits."""
     if time.dtype != np.float32 or not len(time):
         return 0.0
     return float(np.spacing(np.float32(np.max(np.abs(time))))) * seconds
@@ -325,7 +326,7 @@ def sight(
 
 
 def time_doubts(time: NDArray[Any], count: int) -> tuple[str, ...]:
-    """Doubts about times, seconds as stored."""
+    """Doubts about ``time`` (n,), seconds as stored."""
     doubts = []
     step = coarseness(time)
     rounded = time.astype(np.float32)
@@ -357,7 +358,7 @@ def time_doubts(time: NDArray[Any], count: int) -> tuple[str, ...]:
 
 
 def time_base(time: NDArray[np.float64], stated: str) -> str:
-    """The time base in words: as stated, or those the values fit; the trajectory decides."""
+    """Base of ``time`` (n,), seconds: as stated, or those that fit; the trajectory decides."""
     if stated:
         return f"{base_of(stated).name}, stated"
     fitting = " or ".join(base.name for base in plausible(time))
@@ -365,7 +366,7 @@ def time_base(time: NDArray[np.float64], stated: str) -> str:
 
 
 def base_doubts(time: NDArray[np.float64], stated: str) -> tuple[str, ...]:
-    """Doubts where times cannot be what the file states."""
+    """Doubts where ``time`` (n,), seconds, cannot be what the file states."""
     if not stated or not len(time) or stated in {base.key for base in plausible(time)}:
         return ()
     fitting = " or ".join(base.name for base in plausible(time)) or "no known time base"

@@ -196,7 +196,7 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
 
 
 def sound_smrmsg(head: NDArray[np.float64]) -> bool:
-    """Whether records of shape (n, 10) can be times and accuracies."""
+    """Whether ``head``, records of shape (n, 10), can be times and accuracies."""
     if not len(head) or not np.isfinite(head).all() or not plausible(head[:, 0]):
         return False
     sound = (head[:, 1:] >= 0).all() and head[:, 1:].max() < 1e4 and head[:, 1:].max() > 1e-9

@@ -33,7 +33,13 @@ MOST_TIMES = 1_000_000
 
 @dataclass(frozen=True)
 class Detection:
-    """What was found: options, facts for the preview, and a sentence for each doubt."""
+    """What was found: options, facts for the preview, and a sentence for each doubt.
+
+    Attributes
+    ----------
+    head : ndarray of shape (n, 17)
+        The first records, as stored.
+    """
 
     options: SbetOptions
     facts: dict[str, str]

@@ -25,7 +25,13 @@ SMALLEST_WANDER = 1e-4
 
 
 def in_frame(axes: str, velocity: Array, wander: Array) -> Array:
-    """North, east and up, shape (n, 3), of velocities in the axes of that key (`AXES`)."""
+    """North, east and up, shape (n, 3), of velocities in the axes of that key (`AXES`).
+
+    Parameters
+    ----------
+    velocity : ndarray of shape (n, 3), metres a second
+    wander : ndarray of shape (n,), radians
+    """
     x, y, z = velocity.T
     if axes.startswith("wander"):
         right = -y if axes == "wander-nwu" else y

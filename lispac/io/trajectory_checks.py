@@ -20,7 +20,7 @@ FASTEST_TURN = 0.7
 
 
 def require_base(path: Path, time: Array, base: TimeBase) -> None:
-    """Refuse a time base that the times cannot be in by their values.
+    """Refuse a time base that ``time`` (n,), seconds, cannot be in by its values.
 
     Raises
     ------
@@ -41,6 +41,12 @@ def require_base(path: Path, time: Array, base: TimeBase) -> None:
 
 def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -> None:
     """Refuse heights no survey has.
+
+    Parameters
+    ----------
+    height : ndarray of shape (n,), metres
+    numbers : ndarray of shape (n,), int, optional
+        Row in the file of each.
 
     Raises
     ------
@@ -66,6 +72,14 @@ def require_attitude(
 
     A heading may count on over full turns; then it starts near a full circle and changes no faster
     than a carrier turns.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds
+    attitude : three ndarrays of shape (n,), radians
+        Roll, pitch, heading.
+    numbers : ndarray of shape (n,), int, optional
+        Row in the file of each.
 
     Raises
     ------

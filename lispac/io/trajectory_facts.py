@@ -44,12 +44,12 @@ class Motion:
 
     @property
     def speed(self) -> Array:
-        """Horizontal speed, metres a second."""
+        """Horizontal speed, shape (n,), metres a second."""
         return np.hypot(self.north, self.east)
 
     @property
     def course(self) -> Array:
-        """Course over ground, radians clockwise from true north."""
+        """Course over ground, shape (n,), radians clockwise from true north."""
         return np.arctan2(self.east, self.north)
 
 
@@ -57,6 +57,12 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
     """Velocities over half a second about each state, over less in a block of a few seconds.
 
     Where the states are farther apart, between neighbours; not over gaps.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds
+    latitude, longitude : ndarray of shape (n,), radians
+    height : ndarray of shape (n,), metres
     """
     count = len(time)
     if count < 3:
@@ -85,14 +91,23 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
 
 
 def wrapped(angle: Array) -> Array:
-    """Angles brought to -pi to pi."""
+    """Each ``angle``, radians, brought to -pi to pi, in the same shape."""
     return np.remainder(angle + np.pi, 2 * np.pi) - np.pi
 
 
 def facts_of(
     time: Array, latitude: Array, longitude: Array, height: Array, speed: Array
 ) -> dict[str, str]:
-    """Span, rate, area, heights and speed of a sample, in words (arrays of shape (n,))."""
+    """Span, rate, area, heights and speed of a sample, in words.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds
+    latitude, longitude : ndarray of shape (n,), radians
+    height : ndarray of shape (n,), metres
+    speed : ndarray of shape (m,), metres a second
+        Of some of the states.
+    """
     facts = {
         "Start": f"{time[0]:.3f} s",
         "End": f"{time[-1]:.3f} s",
@@ -126,6 +141,7 @@ def time_doubts(time: Array, stated: str) -> tuple[str, ...]:
 
     Parameters
     ----------
+    time : ndarray of shape (n,), seconds
     stated : str
         Key of the time base taken.
     """
@@ -162,7 +178,13 @@ UNUSABLE = "points in gaps cannot be used"
 
 
 def gap_doubts(time: Array, longest_gap: float) -> tuple[str, ...]:
-    """What is said of gaps longer than ``longest_gap``, seconds, in times of shape (n,)."""
+    """What is said of gaps longer than ``longest_gap``.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds
+    longest_gap : float, seconds
+    """
     steps = np.diff(time)
     if not len(steps) or float(steps.max()) <= longest_gap:
         return ()

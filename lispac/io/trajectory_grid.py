@@ -90,7 +90,12 @@ class Grid:
         return Length(LENGTHS[stated], LENGTH_WORDS[LENGTHS[stated]])
 
     def doubt_of_place(self, latitude: Array, longitude: Array) -> str:
-        """That positions (radians) lie where the system is not meant for; empty where they do."""
+        """That positions lie where the system is not meant for; empty where they do.
+
+        Parameters
+        ----------
+        latitude, longitude : ndarray of shape (n,), radians
+        """
         middle = np.degrees(np.median(latitude)), np.degrees(np.median(longitude))
         elsewhere = meant_elsewhere(self.system, float(middle[0]), float(middle[1]))
         if not elsewhere:
@@ -102,7 +107,11 @@ class Grid:
         )
 
     def to_geodetic(self, path: Path, easting: Array, northing: Array) -> tuple[Array, ...]:
-        """Latitude, longitude and meridian convergence, radians, of coordinates in metres.
+        """Latitude, longitude and meridian convergence, each of shape (n,), radians.
+
+        Parameters
+        ----------
+        easting, northing : ndarray of shape (n,), metres
 
         Raises
         ------

@@ -96,7 +96,12 @@ class Signature:
 
 @dataclass(frozen=True)
 class Drawing:
-    """Pictures still to be drawn: what ``draw`` makes of ``values``, in the report's language."""
+    """Pictures still to be drawn: what ``draw`` makes of ``values``, in the report's language.
+
+    Attributes
+    ----------
+    width : share of the text's width
+    """
 
     caption: str
     draw: Callable[..., Any]

@@ -157,10 +157,10 @@ class SightingFit:
 
 @dataclass(frozen=True)
 class ExtraParameter:
-    """A value estimated besides the boresight, or why it was not; in its own ``unit``.
+    """A value estimated besides the boresight, or why it was not.
 
-    ``significance`` is the change from the prior over its standard deviation; ``significant`` at
-    95 %.
+    ``prior``, ``value`` and their sigmas are in its own ``unit``. ``significance`` is the
+    change from the prior over its standard deviation; ``significant`` at 95 %.
     """
 
     name: str

@@ -105,7 +105,9 @@ class OpenProject(Held):
         point : (str, int)
             Instead: a line, and the number of its point that is clicked.
         role : {"target", "validation"}
-        shape : {"plane", "sphere"}, with ``sphere_radius`` in metres where it is known
+        shape : {"plane", "sphere"}
+        sphere_radius : float, metres, optional
+            Of a sphere, where it is known.
         line : str, optional
             Seek in this line only.
         clicked_on : str, optional

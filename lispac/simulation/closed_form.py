@@ -46,6 +46,8 @@ class Board:
 
         Parameters
         ----------
+        spacing : float, metres
+            Between the points.
         scanner : ndarray of shape (3,), optional
             Not needed: all of a board is seen from wherever it faces.
         """
@@ -86,7 +88,7 @@ class Board:
         return np.asarray(across / np.linalg.norm(across))
 
     def placed(self, u: Array, v: Array) -> Array:
-        """Points so far across and up from its centre (metres, (n,)), shape (n, 3), local."""
+        """Points ``u`` across and ``v`` up (n,) from its centre, shape (n, 3), metres, local."""
         across = self.across
         up = np.cross(self.facing, across)
         return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
@@ -127,6 +129,8 @@ class Ball:
 
         Parameters
         ----------
+        spacing : float, metres
+            Between the points.
         scanner : ndarray of shape (3,), metres, local
             Where it is seen from.
         """
@@ -136,7 +140,7 @@ class Ball:
         return self.cap(u.ravel(), v.ravel(), scanner)
 
     def grid(self, k: int, scanner: Array) -> Array:
-        """Points of `points` on a grid of ``k`` x ``k`` over the view, those that meet the ball."""
+        """Points as of `points`, but on a grid of ``k`` x ``k``: those that meet the ball."""
         middles = self.rim * (2 * (np.arange(k) + 0.5) / k - 1)
         u, v = np.meshgrid(middles, middles)
         return self.cap(u.ravel(), v.ravel(), scanner)
@@ -147,7 +151,18 @@ class Ball:
         return float(self.radius * np.sin(VISIBLE))
 
     def cap(self, u: Array, v: Array, scanner: Array) -> Array:
-        """Points so far across and up in the view from the scanner, those that meet the ball."""
+        """Points so far across and up in the view from the scanner, those that meet the ball.
+
+        Parameters
+        ----------
+        u, v : ndarray of shape (n,), metres
+        scanner : ndarray of shape (3,), metres, local
+            Where it is seen from.
+
+        Returns
+        -------
+        ndarray of shape (m, 3), metres, local
+        """
         towards = scanner - np.array(self.centre)
         towards /= np.linalg.norm(towards)
         across = np.cross([0.0, 0.0, 1.0], towards)
@@ -192,7 +207,10 @@ BOARDS = (
 
 
 def six_courses(interval: float = 90.0, speed: float = 0.8) -> tuple[Course, ...]:
-    """The six-fold pattern of the thesis (figure 3.3) through the local origin."""
+    """The six-fold pattern of the thesis (figure 3.3) through the local origin.
+
+    One line every ``interval`` seconds, at a speed in metres per second.
+    """
     return tuple(
         Course(f"L{k + 1}", float(np.radians(heading_deg)), (0.0, 0.0), 50.0 + k * interval, speed)
         for k, heading_deg in enumerate((0, 180, 45, 225, 315, 135))
@@ -201,10 +219,18 @@ def six_courses(interval: float = 90.0, speed: float = 0.8) -> tuple[Course, ...
 
 @dataclass(frozen=True, eq=False)
 class Sea:
-    """The vessel's motion on top of its course: sines of random period and phase."""
+    """The vessel's motion on top of its course: sines of random period and phase.
 
-    sigma: Array  # drift north, west and heave (metres), roll, pitch, yaw (radians)
-    frequency: Array  # (6, sines), radians per second
+    Attributes
+    ----------
+    sigma : ndarray of shape (6,), metres and radians
+        Of the drift north, west, the heave, and of roll, pitch, yaw.
+    frequency : ndarray of shape (6, sines), radians per second
+    phase : ndarray of shape (6, sines), radians
+    """
+
+    sigma: Array
+    frequency: Array
     phase: Array
 
     @classmethod
@@ -215,12 +241,12 @@ class Sea:
         return cls(sigma, 2 * np.pi / period, generator.uniform(0, 2 * np.pi, (6, sines)))
 
     def at(self, time: Array) -> Array:
-        """Motion, shape (n, 6)."""
+        """Motion at ``time`` (n,), seconds; shape (n, 6), metres and radians."""
         waves = np.sin(time[:, None, None] * self.frequency + self.phase)
         return np.asarray(self.sigma * waves.sum(axis=2) * np.sqrt(2 / self.phase.shape[1]))
 
     def rate(self, time: Array) -> Array:
-        """Its derivative by time, shape (n, 6)."""
+        """Its derivative by ``time`` (n,), shape (n, 6), metres and radians per second."""
         waves = self.frequency * np.cos(time[:, None, None] * self.frequency + self.phase)
         return np.asarray(self.sigma * waves.sum(axis=2) * np.sqrt(2 / self.phase.shape[1]))
 
@@ -245,6 +271,8 @@ def exact_survey(
         Between the points of a target.
     pos : PosErrorModel
         Its standard deviations are those the observations state.
+    lidar_sigma : float, metres
+        Stated of each axis.
     """
     sea = Sea.draw(generator)
     rows, sightings = [], []

@@ -73,6 +73,11 @@ def range_to_sphere(
 def rays(beams_lidar: Array, poses: Poses, mounting: Mounting) -> tuple[Array, Array]:
     """Where the beams really leave and whither.
 
+    Parameters
+    ----------
+    beams_lidar : ndarray of shape (n, 3), unit vectors, LiDAR frame
+        Directions as the scanner reads them.
+
     Returns
     -------
     origins : ndarray of shape (n, 3), metres, local

@@ -116,7 +116,13 @@ class Scanner:
         return max(int((stop - start) * self.turns_per_second), 1)
 
     def directions(self, angle: Array, elevation: Array | float) -> Array:
-        """Unit vectors along beams, shape (n, 3), LiDAR frame."""
+        """Unit vectors along beams, shape (n, 3), LiDAR frame.
+
+        Parameters
+        ----------
+        angle : ndarray of shape (n,), radians
+        elevation : float or ndarray of shape (n,), radians
+        """
         level = np.cos(elevation)
         aside = np.sin(elevation) * np.ones(len(angle))
         first, second = level * np.cos(angle), level * np.sin(angle)

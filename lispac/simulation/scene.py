@@ -39,7 +39,7 @@ class Rectangle:
 
     @property
     def row(self) -> Array:
-        """Centre, normal, and the two directions divided by half the extent: 12 numbers."""
+        """Centre, normal, and the two directions divided by half the extent, shape (12,)."""
         along = np.cross(self.normal, self.across)
         return np.concatenate(
             [self.centre, self.normal, self.across / (self.width / 2), along / (self.height / 2)]
@@ -74,7 +74,7 @@ class Cylinder:
 
     @property
     def row(self) -> Array:
-        """Axis, bottom, top and radius: 5 numbers."""
+        """Axis, bottom, top and radius, shape (5,), metres."""
         return np.array([self.north, self.west, self.bottom, self.top, self.radius])
 
     def distance(self, points_local: Array) -> Array:
@@ -102,7 +102,7 @@ class Sphere:
 
     @property
     def row(self) -> Array:
-        """Centre and radius: 4 numbers."""
+        """Centre and radius, shape (4,), metres."""
         return np.array([*self.centre, self.radius])
 
     def distance(self, points_local: Array) -> Array:
@@ -147,7 +147,15 @@ def tilted(
     elevation_deg: float,
     reflectance: float = 0.4,
 ) -> Rectangle:
-    """A rectangle of level width whose normal has an azimuth and rises by ``elevation_deg``."""
+    """A rectangle of level width whose normal has an azimuth and an elevation.
+
+    Parameters
+    ----------
+    centre : tuple of float, metres, local
+    width, height : float, metres
+    facing_deg, elevation_deg : float, degrees
+        Azimuth of the normal, and how far it rises above level.
+    """
     azimuth, elevation = np.radians([facing_deg, elevation_deg])
     level = np.array([np.cos(azimuth), -np.sin(azimuth), 0.0])
     normal = np.cos(elevation) * level + np.sin(elevation) * np.array(UP)
@@ -195,7 +203,7 @@ class Scene:
 
     @property
     def reflectances(self) -> Array:
-        """Reflectance of each surface."""
+        """Reflectance of each surface, shape (surfaces,)."""
         return np.array([surface.reflectance for surface in self.surfaces])
 
     def __getitem__(self, name: str) -> Surface:

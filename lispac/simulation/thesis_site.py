@@ -118,7 +118,7 @@ def board_plane(board: Board) -> Plane:
 
 
 def on_board(points: Array, board: Board) -> NDArray[np.bool_]:
-    """Which points of its plane lie on the board: what 3.4.3 asks of four triangles' areas.
+    """Which points of its plane lie on the board, (n,): what 3.4.3 asks of four triangles' areas.
 
     Parameters
     ----------

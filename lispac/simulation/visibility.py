@@ -73,6 +73,10 @@ def normalised(distances: Array) -> Array:
     ----------
     distances : ndarray of any shape, metres
         What is compared with each other; NaN where there are no points.
+
+    Returns
+    -------
+    ndarray of the same shape, no unit
     """
     least, largest = np.nanmin(distances), np.nanmax(distances)
     if largest == least:
@@ -81,7 +85,16 @@ def normalised(distances: Array) -> Array:
 
 
 def type_one(planarity: Array, normalised_distance: Array) -> Array:
-    """Near 1 where the points are flat and near the board; 0 where there are none (NaN)."""
+    """Near 1 where the points are flat and near the board; 0 where there are none (NaN).
+
+    Parameters
+    ----------
+    planarity, normalised_distance : ndarray of any shape, no unit
+
+    Returns
+    -------
+    ndarray of the same shape
+    """
     return np.nan_to_num(planarity * (1.0 - normalised_distance), nan=0.0)
 
 

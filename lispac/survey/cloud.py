@@ -67,10 +67,10 @@ class Line(Protocol):
         """Seconds, in the trajectory's time base."""
 
     def take(self, numbers: Numbers) -> tuple[Array, Array]:
-        """Points, shape (n, 3), metres, LiDAR frame, and their times, shape (n,), seconds."""
+        """Points (n, 3) by ``numbers`` (n,), metres, LiDAR frame, and their times (n,), seconds."""
 
     def intensities(self, numbers: Numbers) -> Array | None:
-        """Intensities, shape (n,), if the line has any."""
+        """Intensities by ``numbers``, both of shape (n,), if the line has any."""
 
 
 class Cloud(Protocol):
@@ -169,7 +169,7 @@ class CloudInMemory:
 
     @cached_property
     def sample(self) -> Array:
-        """All points."""
+        """All points, shape (n, 3), metres, local frame."""
         if self.place.mounting is self.ordered_with:
             return self.ordered
         return self.place(self.scan.points_lidar, self.scan.time)
@@ -240,7 +240,7 @@ class CloudOnDisk:
 
     @cached_property
     def sample(self) -> Array:
-        """The coarse level of the store."""
+        """The coarse level of the store, shape (n, 3), metres, local frame."""
         coarse = self.stored.coarse
         if not self._margin:
             return np.asarray(coarse.points_local)

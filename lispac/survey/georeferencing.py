@@ -71,7 +71,7 @@ class Mounting:
         return cls(values[3:6].copy(), values[:3].copy(), *(float(value) for value in values[6:]))
 
     def with_boresight(self, boresight: Array) -> "Mounting":
-        """The same mounting with another boresight."""
+        """The same mounting with another boresight, shape (3,), radians."""
         return replace(self, boresight=np.asarray(boresight, dtype=float))
 
     def corrected(self, points_lidar: Array) -> Array:
@@ -246,7 +246,12 @@ def kernel_arguments(
 
 
 def outside(time: Array, trajectory: LocalTrajectory) -> InputError:
-    """What is said of times that have no pose."""
+    """What is said of times that have no pose.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds
+    """
     known = trajectory.time
     return InputError(
         f"Points from {np.min(time):.3f} to {np.max(time):.3f} s lie outside the "

@@ -67,7 +67,12 @@ class PointMapper:
         return self.system.from_local(middle[None, :], self.trajectory.frame)[0]
 
     def fit_to(self, points_lidar: Array) -> SmoothMap | None:
-        """The polynomials that serve points of these ranges; None for the local frame."""
+        """The polynomials that serve points of these ranges; None for the local frame.
+
+        Parameters
+        ----------
+        points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+        """
         if self._fits is None:
             return None
         farthest = float(np.sqrt(kernels.bounds(points_lidar)[2]))

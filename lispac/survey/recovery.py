@@ -85,7 +85,12 @@ class Recovery:
         return PointMapper(self.system, self.trajectory, self.mounting)
 
     def usable(self, time: Array) -> NDArray[np.bool_]:
-        """Which points have a pose: inside the trajectory and not in a gap of it."""
+        """Which points have a pose, shape (n,): inside the trajectory and not in a gap of it.
+
+        Parameters
+        ----------
+        time : ndarray of shape (n,), seconds, in the trajectory's time base
+        """
         return self.trajectory.covers(time + self.mounting.latency)
 
     def points_lidar(self, points_crs: Array, time: Array) -> Array:
@@ -133,6 +138,10 @@ def recovered(chunks: Iterable[C], recovery: Recovery) -> Iterator[tuple[C, int]
 
 def require_within_reach(points_lidar: Array, recovery: Recovery) -> None:
     """Refuse points of which half are farther from the scanner than any scanner sees.
+
+    Parameters
+    ----------
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
 
     Raises
     ------

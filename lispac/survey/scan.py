@@ -38,12 +38,12 @@ class Scan:
 
     @cached_property
     def first_time(self) -> float:
-        """Seconds."""
+        """The earliest of its times, seconds."""
         return float(self.time.min())
 
     @cached_property
     def last_time(self) -> float:
-        """Seconds."""
+        """The latest of its times, seconds."""
         return float(self.time.max())
 
     @cached_property
@@ -52,9 +52,21 @@ class Scan:
         return float(np.sqrt(np.einsum("ij,ij->i", self.points_lidar, self.points_lidar).max()))
 
     def take(self, numbers: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Some points, shape (n, 3), metres, LiDAR frame, and their times, shape (n,), seconds."""
+        """Some points, shape (n, 3), metres, LiDAR frame, and their times, shape (n,), seconds.
+
+        Parameters
+        ----------
+        numbers : ndarray of shape (n,), int
+            Places in the line.
+        """
         return self.points_lidar[numbers], self.time[numbers]
 
     def intensities(self, numbers: NDArray[np.int64]) -> NDArray[np.float64] | None:
-        """Intensities of some points, shape (n,), if the line has any."""
+        """Intensities of some points, shape (n,), if the line has any.
+
+        Parameters
+        ----------
+        numbers : ndarray of shape (n,), int
+            Places in the line.
+        """
         return None if self.intensity is None else self.intensity[numbers]

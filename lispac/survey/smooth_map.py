@@ -76,7 +76,7 @@ class SmoothMap:
     exact_share: float
 
     def covers(self, low: Array, high: Array) -> bool:
-        """Whether a box lies inside."""
+        """Whether a box from ``low`` to ``high``, both of shape (3,), lies inside."""
         side = self.root[3]
         return bool(
             (low >= self.root[:3]).all()

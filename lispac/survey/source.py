@@ -37,7 +37,7 @@ class Reading:
         return dict(self.options).get(RESTART, "")
 
     def moved(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
-        """A line's times, seconds as its file has them, in the trajectory's time base."""
+        """A line's times (n,), seconds as its file has them, in the trajectory's time base."""
         counted = counted_on(times, self.restart)
         return counted + self.time_shift if self.time_shift else counted
 

@@ -105,6 +105,10 @@ def plausible(times: Array) -> tuple[TimeBase, ...]:
 
     Below one week, times are not taken for adjusted GPS time, which had such values in September
     2011 alone.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds
     """
     times = np.asarray(times, dtype=np.float64)
     if not times.size or not np.isfinite(times).all():
@@ -120,18 +124,18 @@ def plausible(times: Array) -> tuple[TimeBase, ...]:
 
 
 def leap_seconds(utc: Array | float) -> Array:
-    """GPS minus UTC at ``utc``, seconds of UTC days since 1980-01-06."""
+    """GPS minus UTC, seconds, at ``utc`` (...), seconds of UTC days since 1980-01-06."""
     return np.searchsorted(_LEAP_UTC, utc, side="right").astype(np.float64)
 
 
 def leap_seconds_at_gps(gps: Array | float) -> Array:
-    """GPS minus UTC at ``gps``, GPS seconds since 1980-01-06."""
+    """GPS minus UTC, seconds, at ``gps`` (...), GPS seconds since 1980-01-06."""
     starts = _LEAP_UTC + np.arange(1, len(_LEAP_UTC) + 1)
     return np.searchsorted(starts, gps, side="right").astype(np.float64)
 
 
 def to_gps(times: Array, base: TimeBase, near: float | None = None) -> Array:
-    """GPS seconds since 1980-01-06 of ``times``.
+    """GPS seconds since 1980-01-06 of ``times``, shape (n,).
 
     Parameters
     ----------
@@ -175,6 +179,10 @@ def unrolled(times: Array) -> tuple[Array, int]:
 
     A step back counts as a new start where it is a whole day or week but for a step ahead of at
     most a minute, from the last minute before to the first one after it.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds
 
     Returns
     -------
@@ -239,7 +247,7 @@ class Match:
         return self.pairs[0][1]
 
     def applied(self, times: Array) -> Array:
-        """Point times in the trajectory's base."""
+        """Point times (n,), seconds, in the trajectory's base."""
         return np.asarray(times, dtype=np.float64) + self.shift
 
 

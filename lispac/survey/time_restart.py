@@ -46,7 +46,7 @@ def restart_of(times: Array) -> str:
 
 
 def counted_on(times: Array, restart: str) -> Array:
-    """Times of a line as they count on, in any part and order of it.
+    """Times of a line (n,) as they count on, in any part and order of it.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ class Known:
     suggested: bool = False
 
     def fits(self, times: Array) -> bool:
-        """Whether there is a base that ``times`` can be in by their values."""
+        """Whether there is a base that ``times`` (n,), seconds, can be in by their values."""
         return self.base is not None and self.base in plausible(times)
 
     @property

@@ -65,11 +65,24 @@ class TrajectoryAccuracy:
 
     @classmethod
     def constant(cls, position: Array, attitude: Array) -> "TrajectoryAccuracy":
-        """The same sigmas at all times: north, east, down in metres and angles in radians."""
+        """The same sigmas at all times.
+
+        Parameters
+        ----------
+        position : ndarray of shape (3,), metres
+            North, east, down.
+        attitude : ndarray of shape (3,), radians
+            Roll, pitch, heading.
+        """
         return cls(np.zeros(1), np.atleast_2d(position), np.atleast_2d(attitude))
 
     def at(self, time: Array) -> tuple[Array, Array]:
-        """Position and attitude sigmas, each of shape (n, 3), at ``time``."""
+        """Position (metres) and attitude (radians) sigmas, each of shape (n, 3), at ``time``.
+
+        Parameters
+        ----------
+        time : ndarray of shape (n,), seconds
+        """
         return _interpolate(time, self.time, self.position), _interpolate(
             time, self.time, self.attitude
         )
@@ -145,7 +158,16 @@ class LocalTrajectory:
         return np.asarray((np.diff(self.time) > self.longest_gap) | steep[:-1] | steep[1:])
 
     def covers(self, time: Array) -> NDArray[np.bool_]:
-        """Which of ``time`` have a pose: inside, not in a gap, and not where the pitch is steep."""
+        """Which of ``time`` have a pose: inside, not in a gap, and not where the pitch is steep.
+
+        Parameters
+        ----------
+        time : ndarray of shape (n,), seconds
+
+        Returns
+        -------
+        ndarray of shape (n,), bool
+        """
         inside = (time >= self.time[0]) & (time <= self.time[-1])
         if self.has_gaps:
             last = len(self.time) - 2
@@ -166,6 +188,10 @@ class LocalTrajectory:
 
     def at(self, time: Array) -> Poses:
         """Linear interpolation to ``time`` (thesis B.1).
+
+        Parameters
+        ----------
+        time : ndarray of shape (n,), seconds
 
         Raises
         ------

@@ -140,7 +140,7 @@ def checked_seed(seed: Array) -> Array:
 
 
 def describe_seed(seed: Array) -> str:
-    """The seed in the words of the messages."""
+    """The seed, shape (3,), metres, in the words of the messages."""
     return f"({seed[0]:.2f}, {seed[1]:.2f}, {seed[2]:.2f})"
 
 
@@ -151,9 +151,14 @@ def neighbourhood(
     *,
     index: PointGrid | None = None,
 ) -> Indices:
-    """Indices of the points within the radius of ``centre``, the nearest first.
+    """Indices (k,) of the points within the radius of ``centre``, the nearest first.
 
     In this order every later step is the same for the same points, whatever order they came in.
+
+    Parameters
+    ----------
+    points_local : ndarray of shape (n, 3), metres, local frame
+    centre : ndarray of shape (3,), metres, local frame
 
     Raises
     ------
@@ -240,7 +245,14 @@ def extract(
 
 
 def patch_of(points_local: Array, indices: Indices, direction: Array) -> PlanePatch:
-    """The patch that chosen points of a cloud form, its normal on the side of ``direction``."""
+    """The patch that chosen points of a cloud form, its normal on the side of ``direction``.
+
+    Parameters
+    ----------
+    points_local : ndarray of shape (n, 3), metres, local frame
+    indices : ndarray of shape (k,), int
+    direction : ndarray of shape (3,)
+    """
     points = points_local[indices]
     return _patch(points, indices, fit_plane(points).facing(direction))
 

@@ -25,7 +25,20 @@ TRIM = 3.0
 def grow(
     points: Array, votes: Array, plane: Plane, settings: FinderSettings, through: Array | None
 ) -> Indices:
-    """Points connected with the votes on the plane, fitted and grown in turns."""
+    """Points connected with the votes on the plane, fitted and grown in turns.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    votes : ndarray of shape (n,)
+        Weight of each point.
+    through : ndarray of shape (3,), metres, or None
+        A point that the plane must hold.
+
+    Returns
+    -------
+    ndarray of shape (k,), int
+    """
     on: Indices = np.empty(0, dtype=np.int64)
     for _ in range(MOST_ROUNDS):
         grown = _connected_on(points, votes, plane, settings.threshold)
@@ -51,6 +64,14 @@ def strongest(
 
     Near the seed alone several planes of different tilt may look alike; how far each one carries
     tells them apart.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    votes : ndarray of shape (n,)
+        Weight of each point.
+    through : ndarray of shape (3,), metres, or None
+        A point that the plane must hold.
     """
     if len(contenders) == 1:
         return contenders[0]
@@ -101,7 +122,18 @@ def _connected_on(points: Array, votes: Array, plane: Plane, threshold: float) -
 
 
 def trimmed(points: Array, on: Indices, settings: FinderSettings) -> Indices:
-    """Drop what lies beyond three sigma, the sigma taken from the middle of the residuals."""
+    """Drop what lies beyond three sigma, the sigma taken from the middle of the residuals.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    on : ndarray of shape (k,), int
+        Indices of the points that are on the plane.
+
+    Returns
+    -------
+    ndarray of shape (m,), int
+    """
     if len(on) < 3:
         return on
     plane = fit_plane(points[on])

@@ -62,7 +62,13 @@ class Shape(Generic[Patch]):
 
 @dataclass(frozen=True, eq=False)
 class Surroundings:
-    """The points about a patch, shape (n, 3), and their say in where the line has moved, (n,)."""
+    """The points about a patch, and their say in where the line has moved.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n, 3), metres
+    weights : ndarray of shape (n,)
+    """
 
     points: Array
     weights: Array
@@ -77,6 +83,10 @@ def search_lines(
     progress: Progress,
 ) -> tuple[dict[str, Patch], dict[str, str]]:
     """The target under the seed in every line, and why it is missing in the others.
+
+    Parameters
+    ----------
+    seed : ndarray of shape (3,), metres, local frame
 
     Raises
     ------
@@ -114,7 +124,18 @@ def search_lines(
 
 
 def near(cloud: Array, grid: PointGrid | None, centre: Array, radius: float) -> Indices:
-    """Indices of a line's points within a sphere, by its cells where it has them."""
+    """Indices of a line's points within a sphere, by its cells where it has them.
+
+    Parameters
+    ----------
+    cloud : ndarray of shape (n, 3), metres, local frame
+    centre : ndarray of shape (3,), metres, local frame
+    radius : float, metres
+
+    Returns
+    -------
+    ndarray of shape (k,), int
+    """
     return points_within(cloud, centre, radius) if grid is None else grid.within(centre, radius)
 
 
@@ -126,7 +147,15 @@ def surroundings(
     seed: Array,
     settings: FinderSettings,
 ) -> Surroundings:
-    """What surrounds a patch, its indices and ``centre`` given, out to the search radius."""
+    """What surrounds a patch out to the search radius.
+
+    Parameters
+    ----------
+    cloud : ndarray of shape (n, 3), metres, local frame
+    patch : ndarray of shape (k,), int
+        Its indices.
+    centre, seed : ndarray of shape (3,), metres, local frame
+    """
     around = near(cloud, grid, seed, settings.radius)
     on_patch = np.isin(around, patch, assume_unique=True)
     # Near the patch the surroundings have moved as it has; farther off a little differently.
@@ -149,6 +178,11 @@ def shifts_into(
     settings: FinderSettings,
 ) -> list[Shift]:
     """The best translations that lay the reference's surroundings onto another line's, in order.
+
+    Parameters
+    ----------
+    cloud : ndarray of shape (n, 3), metres, local frame
+    seed : ndarray of shape (3,), metres, local frame
 
     Raises
     ------

@@ -70,6 +70,10 @@ def share_in_cell(placed: Array, chosen: Flags, cell: float) -> Array:
     placed : ndarray of shape (n, 2), metres in the plane
     chosen : ndarray of shape (n,), bool
     cell : float, metres
+
+    Returns
+    -------
+    ndarray of shape (n,)
     """
     low, high = bounds(placed)
     at, _ = cell_keys(placed, low, _coarse_enough(cell, low, high))
@@ -84,6 +88,10 @@ def covered(placed: Array, other: Array, cell: float) -> Flags:
     ----------
     placed, other : ndarrays of shape (n, 2) and (m, 2), metres in the same plane
     cell : float, metres
+
+    Returns
+    -------
+    ndarray of shape (n,), bool
     """
     (low, high), (other_low, other_high) = bounds(placed), bounds(other)
     low, high = np.minimum(low, other_low), np.maximum(high, other_high)
@@ -91,7 +99,7 @@ def covered(placed: Array, other: Array, cell: float) -> Flags:
 
 
 def area(placed: Array, cell: float) -> float:
-    """Area of the raster cells that points (n, 2) fill, square metres."""
+    """Area of the raster cells that points ``placed`` (n, 2), metres, fill, square metres."""
     at, _ = cell_keys(placed, bounds(placed)[0], cell)
     return len(np.unique(at)) * cell * cell
 

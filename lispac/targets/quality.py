@@ -107,7 +107,7 @@ def with_remarks(quality: SightingQuality, remarks: tuple[str, ...]) -> Sighting
 
 
 def undetermined(points: int, rms: float, reason: str) -> SightingQuality:
-    """The quality of points that form no plane or sphere."""
+    """The quality of points that form no plane or sphere; ``rms`` in metres."""
     return SightingQuality(
         points,
         rms,

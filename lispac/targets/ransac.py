@@ -35,7 +35,18 @@ def draw(
     expected_normal: Array | None,
     through: Array | None,
 ) -> list[Plane]:
-    """The best planes through three neighbouring points (Fischler and Bolles 1981), by votes."""
+    """The best planes through three neighbouring points (Fischler and Bolles 1981), by votes.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    votes : ndarray of shape (n,)
+        Weight of each point.
+    expected_normal : ndarray of shape (3,), or None
+        Only planes within ``settings.max_tilt`` of this normal are taken.
+    through : ndarray of shape (3,), metres, or None
+        A point that the plane must hold.
+    """
     rng = np.random.default_rng(settings.seed)
     step = max(1, len(points) // SAMPLE)
     sample, weights = points[::step], votes[::step]

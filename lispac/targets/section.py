@@ -63,7 +63,7 @@ class Section:
         return np.asarray(seen[inside, :2])
 
     def cut(self, cloud: Cloud) -> Array:
-        """`flat` of a line, of which only the surroundings are read."""
+        """`flat` of a line, shape (k, 2), of which only the surroundings are read."""
         pieces = max(1, round(self.width / max(self.height, self.thickness)))
         step = self.width / pieces
         radius = 0.5 * float(np.linalg.norm([step, self.height, self.thickness])) * 1.001
@@ -109,6 +109,7 @@ def across_target(
         Lay the strip level and look down on it, instead of upright and look along the target.
     size : float, metres
         Of the picture, each way.
+    thickness : float, metres
     """
     ahead = np.array([normal[0], normal[1], 0.0])
     away = np.array([*(centre - eye)[:2], 0.0])
@@ -125,12 +126,14 @@ def across_target(
 def between(
     first: Array, second: Array, *, height: float | None = None, thickness: float = 0.2
 ) -> Section:
-    """The upright strip from one point to another, shape (3,), metres, local frame.
+    """The upright strip from one point to another.
 
     Parameters
     ----------
+    first, second : ndarray of shape (3,), metres, local frame
     height : float, metres, optional
         Of the picture; as high as it is long, and at least 2 m, where it is not given.
+    thickness : float, metres
 
     Raises
     ------

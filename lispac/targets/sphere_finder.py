@@ -176,6 +176,11 @@ def find_sphere(
 def patch_on_sphere(points_local: Array, indices: Indices, sought: RadiusSought) -> SpherePatch:
     """The patch that chosen points of a cloud form.
 
+    Parameters
+    ----------
+    points_local : ndarray of shape (n, 3), metres, local frame
+    indices : ndarray of shape (k,), int
+
     Raises
     ------
     SphereNotFound

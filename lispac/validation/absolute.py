@@ -42,10 +42,10 @@ class Explained:
 
     Attributes
     ----------
-    reference : float
-    position, attitude : float
+    reference : float, metres
+    position, attitude : float, metres
         Of the POS, as its accuracies state them.
-    boresight : float or None
+    boresight : float or None, metres
         By the covariance of what was estimated; None for the prior, of which none is known.
     scatter : float
         Of the line about its own mean: what is left of it in a mean; 0 where it is no mean.
@@ -233,7 +233,7 @@ class LinePlaces:
     by_boresight: Array
 
     def only(self, kept: NDArray[np.bool_]) -> "LinePlaces":
-        """Those of some of its places, shape (n,)."""
+        """Those of its places that are ``kept``, shape (n,)."""
         places = np.flatnonzero(kept)
         measured = Measured(
             self.measured.before.part(places), self.measured.after.part(places),

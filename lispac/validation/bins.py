@@ -39,7 +39,13 @@ def shared_edges(before: Array, after: Array) -> Array:
 
 
 def counted(distances: Array, edges: Array) -> NDArray[np.int64]:
-    """Histogram (bins,) whose last bin also takes what lies beyond."""
+    """Histogram (bins,) whose last bin also takes what lies beyond.
+
+    Parameters
+    ----------
+    distances : ndarray of shape (n,), metres
+    edges : ndarray of shape (bins + 1,), metres
+    """
     counts, _ = np.histogram(np.minimum(distances, edges[-1]), bins=edges)
     return counts.astype(np.int64)
 

@@ -52,7 +52,12 @@ FEWEST_POINTS = 30
 
 
 def reciprocal(heading_a: float, heading_b: float) -> bool:
-    """Whether two headings, radians, are opposite within 20 degrees."""
+    """Whether two headings are opposite within 20 degrees.
+
+    Parameters
+    ----------
+    heading_a, heading_b : float, radians
+    """
     turn = np.remainder(heading_a - heading_b, 2.0 * np.pi)
     return bool(abs(turn - np.pi) <= RECIPROCAL_TOLERANCE)
 

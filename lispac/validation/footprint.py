@@ -73,7 +73,7 @@ class Footprint:
         self._covered = binary_closing(occupied, structure=np.ones((3, 3), dtype=bool))
 
     def contains(self, points: Array) -> NDArray[np.bool_]:
-        """Whether each point, shape (n, 2), metres, lies inside; shape (n,)."""
+        """Whether each of ``points`` (n, 2), metres, lies inside; shape (n,)."""
         cells = np.floor((points - self._low) / self.cell)
         last = np.array(self._covered.shape) - 1
         column, row = np.clip(cells, 0, last).astype(np.int64).T

@@ -68,7 +68,14 @@ def nearest_layers(
 
 
 def nearest_of(values: Array, thickness: float) -> tuple[float, float]:
-    """Lowest and highest of the values, metres, in the layer of them that is nearest to zero."""
+    """Lowest and highest of the values, metres, in the layer of them that is nearest to zero.
+
+    Parameters
+    ----------
+    values : ndarray of shape (n,), metres
+    thickness : float, metres
+        As in `nearest_layers`.
+    """
     values = np.sort(values)
     low, high, _ = _nearest(values, thickness, min(FEWEST_PLACES, len(values)))
     return float(values[low]), float(values[high])
@@ -81,6 +88,9 @@ def inside(
 
     Parameters
     ----------
+    cores : ndarray of shape (n, 3), metres
+    normals : ndarray of shape (n, 3), unit vectors
+    diameters : ndarray of shape (n,), metres
     middle, half : ndarrays of shape (n,), metres
         Where the middle of each cylinder lies along the normal, and half its length.
     """

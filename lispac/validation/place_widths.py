@@ -29,7 +29,13 @@ SPARSER = 1.2
 
 
 def candidates(surface: Array) -> Array:
-    """Places spread evenly over a scan, shape (k, 3), as near together as cylinders may be."""
+    """Places spread evenly over a scan, shape (k, 3), as near together as cylinders may be.
+
+    Parameters
+    ----------
+    surface : ndarray of shape (n, 3), metres, local frame
+        Points of the scan.
+    """
     some, side = surface[:: -(-len(surface) // MOST_READ)], NARROWEST
     while len(kept := thin(some, side)) > MOST_CANDIDATES:
         side *= SPARSER
@@ -37,7 +43,16 @@ def candidates(surface: Array) -> Array:
 
 
 def spacing(tree: "cKDTree", places: Array) -> Array:
-    """Distance from each place to its twelfth neighbour, metres; infinite where there are fewer."""
+    """Distance from each place to its twelfth neighbour, metres; infinite where there are fewer.
+
+    Parameters
+    ----------
+    places : ndarray of shape (k, 3), metres, local frame
+
+    Returns
+    -------
+    ndarray of shape (k,), metres
+    """
     far, _ = tree.query(places, k=[NEIGHBOURS + 1])
     return np.asarray(far[:, 0], dtype=np.float64)
 
@@ -116,7 +131,13 @@ def by_region(places: Array, values: Array, side: float) -> Array:
 
 
 def regions(places: Array, side: float) -> Indices:
-    """Number of the cube of that side, metres, that each place lies in, shape (k,)."""
+    """Number of the cube of that side, metres, that each place lies in, shape (k,).
+
+    Parameters
+    ----------
+    places : ndarray of shape (k, 3), metres, local frame
+    side : float, metres
+    """
     cubes = np.floor(places / side).astype(np.int64)
     _, region = np.unique(cubes, axis=0, return_inverse=True)
     return region.reshape(-1)

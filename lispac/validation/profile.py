@@ -38,7 +38,7 @@ class Profile:
 
     @classmethod
     def of(cls, against: Array, before: Array, after: Array, bins: int = BINS) -> "Profile":
-        """Bin distances (n,) before and after by a quantity (n,); all in metres."""
+        """Bin distances ``before`` and ``after`` by a quantity ``against``; each (n,), metres."""
         low, high = float(against.min()), float(against.max())
         edges = np.linspace(low, high if high > low else low + 1.0, bins + 1)
         at = np.clip(np.searchsorted(edges, against, side="right") - 1, 0, bins - 1)

@@ -66,12 +66,15 @@ class Measured:
 
 
 def flat_places(reference: Array, cores: Array, diameters: Array, roughest: float) -> Bools:
-    """At which cores, shape (k, 3), the reference is flat within its diameter, shape (k,), metres.
+    """At which cores the reference is flat within its diameter, shape (k,).
 
     At its edge it is none: beams that meet an edge by half give points that lie on nothing.
 
     Parameters
     ----------
+    reference : ndarray of shape (m, 3), metres, local frame
+    cores : ndarray of shape (k, 3), metres, local frame
+    diameters : ndarray of shape (k,), metres
     roughest : float, metres
         RMS about a plane that is noise, however small the place.
     """

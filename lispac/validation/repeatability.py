@@ -97,7 +97,7 @@ class Difference:
         return self.probability < LEVEL
 
     def displacement(self, distance: float) -> float:
-        """How far apart the two put a point so far off, metres: at most, over all directions."""
+        """How far apart, at most, the two put a point at a distance; both in metres."""
         return float(2.0 * np.sin(self.turn / 2.0) * distance)
 
 

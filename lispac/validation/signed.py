@@ -56,7 +56,15 @@ def signed_distances(
 
 
 def planes_apart(a: Array, b: Array, facing: Array) -> PlaneOffset | None:
-    """The first line's plane from the second's; None where one of them makes none."""
+    """The first line's plane from the second's; None where one of them makes none.
+
+    Parameters
+    ----------
+    a, b : ndarray of shape (n, 3) and (m, 3), metres, same frame
+        Points of the two lines.
+    facing : ndarray of shape (3,)
+        Towards the vessel.
+    """
     try:
         return plane_offset(a, b, facing)
     except NotComparable:

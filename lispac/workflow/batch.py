@@ -41,7 +41,7 @@ class Row:
     verdict : {"good", "remarks", "doubtful", "refused"}
         ``doubtful`` where the report has a serious warning.
     boresight_deg, sigma_deg : roll, pitch, yaw in degrees, or None
-    sigma_0 : float or None
+    sigma_0 : float or None, no unit
         A posteriori: 1 where the errors are as stated.
     test_passed : bool or None
         Chi-square test of the variance factor.

@@ -89,6 +89,11 @@ def require_near(
 ) -> Array:
     """The place of coordinates in the local frame, shape (3,), metres.
 
+    Parameters
+    ----------
+    point : ndarray of shape (3,)
+        In ``system``; north, west, up in metres where that is None.
+
     Raises
     ------
     InputError

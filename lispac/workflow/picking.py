@@ -40,7 +40,7 @@ def find(
 
     Parameters
     ----------
-    seed : metres, local frame
+    seed : ndarray of shape (3,) or three floats, metres, local frame
     sphere_radius : float, metres, optional
         Of a sphere, where it is known.
     line : str, optional
@@ -111,7 +111,7 @@ def pick(
     choices: FinderChoices = USUAL,
     progress: Progress = no_progress,
 ) -> Project:
-    """Find the target at a seed in every line (or one) and add it to the project.
+    """Find the target at a seed in every line (or one) and add it; parameters as of `find`.
 
     Raises
     ------

@@ -40,7 +40,13 @@ LOOKED_AT = 50_000
 
 @dataclass(frozen=True, eq=False)
 class Judged:
-    """A quality, and what it was judged from."""
+    """A quality, and what it was judged from.
+
+    Attributes
+    ----------
+    indices : ndarray of shape (n,), int
+        Of the points.
+    """
 
     quality: SightingQuality
     indices: NDArray[np.int64]

@@ -57,7 +57,13 @@ class PlaneReference:
         return float(extent_in_plane(self.plane, self.points).min())
 
     def grid(self, spacing: float) -> Array:
-        """Places on the plane within the hull of its points, shape (n, 3), metres, local frame."""
+        """Places on the plane within the hull of its points, shape (n, 3), metres, local frame.
+
+        Parameters
+        ----------
+        spacing : float, metres
+            Between them.
+        """
         from scipy.spatial import Delaunay
 
         axes, middle = in_plane_axes(self.plane.normal), self.points.mean(axis=0)
@@ -86,8 +92,10 @@ class Reference:
         What was taken for granted, in words.
     surface : ndarray of shape (n, 3), metres
         Points of a scan where the lines have been; none otherwise.
-    names : tuple of str, places : ndarray of shape (k, 3), sigmas : ndarray of shape (k,), metres
-        Surveyed points that stand alone.
+    names : tuple of str
+        Of surveyed points that stand alone.
+    places : ndarray of shape (k, 3), metres, local frame
+    sigmas : ndarray of shape (k,), metres
     planes : tuple of PlaneReference
     """
 

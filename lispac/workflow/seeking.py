@@ -116,6 +116,10 @@ class Sought:
     def at(self, cloud: Cloud, seed: Array, settings: FinderSettings) -> Patch:
         """The target at the seed in one line.
 
+        Parameters
+        ----------
+        seed : ndarray of shape (3,), metres, local frame
+
         Raises
         ------
         TargetNotFound
@@ -139,6 +143,10 @@ class Sought:
         """The target at the seed in every line, and why it is missing in the others.
 
         Of each line no more is read than what the target may be in.
+
+        Parameters
+        ----------
+        seed : ndarray of shape (3,), metres, local frame
 
         Raises
         ------

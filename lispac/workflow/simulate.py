@@ -138,7 +138,7 @@ def write_trajectory(survey: SimulatedSurvey, raw: Path) -> tuple[Path, Path]:
 
 
 def triple(values: np.ndarray) -> Triple:
-    """Three plain numbers."""
+    """Three plain numbers, of an array of values of shape (3,)."""
     first, second, third = (float(value) for value in values)
     return first, second, third
 

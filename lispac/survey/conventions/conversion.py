@@ -78,6 +78,10 @@ class Setup:
     def scanner_matrix(self, rotation_body_lidar: Array | None = None) -> Array:
         """Matrix from the raw scanner axes to those the angles refer to, shape (3, 3).
 
+        Parameters
+        ----------
+        rotation_body_lidar : ndarray of shape (3, 3), optional
+
         Raises
         ------
         InputError
@@ -96,7 +100,13 @@ class Setup:
         return self.permutation @ axes_matrix(self.nominal_axes(rotation_body_lidar)).T
 
     def nominal_axes(self, rotation_body_lidar: Array | None = None) -> Axes:
-        """Where the raw scanner axes nominally point."""
+        """Where the raw scanner axes nominally point.
+
+        Parameters
+        ----------
+        rotation_body_lidar : ndarray of shape (3, 3), optional
+            Where it is known; its nearest axes are taken.
+        """
         if self.mounting is not None:
             return self.mounting
         return FORWARD_PORT_UP if rotation_body_lidar is None else nearest_axes(rotation_body_lidar)
@@ -112,7 +122,12 @@ class Setup:
         return text
 
     def scanner_words(self, rotation_body_lidar: Array) -> str:
-        """What is taken for the scanner's axes, as a sentence."""
+        """What is taken for the scanner's axes, as a sentence.
+
+        Parameters
+        ----------
+        rotation_body_lidar : ndarray of shape (3, 3)
+        """
         text = SCANNER_WORDS[self.scanner_frame]
         if self.scanner_frame == "mounted":
             text += f" Mounting here: scanner {in_words(self.nominal_axes(rotation_body_lidar))}."
@@ -147,7 +162,7 @@ class Stated:
 
 
 def rotation_of(convention: Convention, angles: Array) -> Array:
-    """The matrix product of a system's angles.
+    """The matrix product of a system's angles, shape (3, 3).
 
     Parameters
     ----------
@@ -254,7 +269,14 @@ def mounting_of(setup: Setup, rotation: Array, lever_arm: Array) -> Mounting:
 
 
 def mounting_of_angles(setup: Setup, angles: Array, lever_arm: Array) -> Mounting:
-    """The mounting in this program of angles (radians) and lever arm (metres) of another.
+    """The mounting in this program of angles and lever arm of another.
+
+    Parameters
+    ----------
+    angles : ndarray of shape (3,), radians
+        In the order the system types them.
+    lever_arm : ndarray of shape (3,), metres
+        On the body axes of the system.
 
     Raises
     ------
@@ -279,7 +301,7 @@ def require_angles(convention: Convention) -> None:
 
 
 def require_rotation(matrix: Array) -> Array:
-    """The rotation nearest to a typed matrix that is one but for its rounding.
+    """The rotation, shape (3, 3), nearest to a typed matrix that is one but for its rounding.
 
     Parameters
     ----------

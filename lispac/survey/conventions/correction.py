@@ -122,7 +122,7 @@ def on_top_of(
 
 
 def turn_between(one: Array, other: Array) -> float:
-    """The angle of the rotation that leads from one to the other, radians."""
+    """The angle of the rotation that leads from one to the other, both of shape (3, 3), radians."""
     difference = one @ other.T
     # From the skew part, because the arc cosine loses half the digits of a small angle.
     skew = np.array(

@@ -58,6 +58,10 @@ def product_of_matrix(setup: Setup, rotation: Array) -> Array:
     rotation : ndarray of shape (3, 3)
         As `Stated.transform` holds it: from the raw scanner axes where a mounting lays them on the
         body's.
+
+    Returns
+    -------
+    ndarray of shape (3, 3)
     """
     if setup.scanner_frame == "mounted":
         rotation = rotation @ setup.scanner_matrix().T

@@ -58,7 +58,18 @@ def order_keys(points_local: Array, numbers: NDArray[Any], side: float) -> Keys:
 
 
 def is_in_sample(octaves: Keys, halvings: int) -> NDArray[np.bool_]:
-    """Which octaves make up a sample of a half, a quarter, an eighth ... of the points."""
+    """Which octaves make up a sample of a half, a quarter, an eighth ... of the points.
+
+    Parameters
+    ----------
+    octaves : ndarray of shape (n,)
+    halvings : int
+        One for a half, two for a quarter.
+
+    Returns
+    -------
+    ndarray of shape (n,), bool
+    """
     last = (1 << OCTAVE_BITS) - 1
     return np.asarray((octaves & np.uint64(last)) <= np.uint64(max(0, last - halvings)))
 
@@ -67,6 +78,17 @@ def in_sample(numbers: NDArray[Any], halvings: int) -> NDArray[np.bool_]:
     """Which points, by their numbers, make up a sample of a half, a quarter, ... of a line.
 
     It is the sample of `is_in_sample`: the same points for a line in memory and one on disk.
+
+    Parameters
+    ----------
+    numbers : ndarray of shape (n,), int
+        Places in the line.
+    halvings : int
+        One for a half, two for a quarter.
+
+    Returns
+    -------
+    ndarray of shape (n,), bool
     """
     octaves = np.empty(len(numbers), np.uint64)
     _octaves(numbers.astype(np.uint64), octaves)
@@ -78,6 +100,15 @@ def drawn(numbers: NDArray[Any], points: int, wanted: int) -> NDArray[np.bool_]:
 
     The draw goes by the hash that also makes the octaves, so that the sample comes from the
     beginnings of the cells. It aims five standard deviations below ``wanted``.
+
+    Parameters
+    ----------
+    numbers : ndarray of shape (n,), int
+        Places in the line.
+
+    Returns
+    -------
+    ndarray of shape (n,), bool
     """
     if points <= wanted:
         return np.ones(len(numbers), bool)
@@ -154,7 +185,7 @@ def _order_keys(points_local, numbers, side, keys):  # type: ignore[no-untyped-d
 
 
 def sorting(keys: Keys) -> NDArray[np.intp]:
-    """Order that sorts ``keys``; equal ones stay as they stand."""
+    """Order (n,) that sorts ``keys`` (n,); equal ones stay as they stand."""
     return np.argsort(keys, kind="stable")
 
 

@@ -70,7 +70,14 @@ class Piece:
 
 @dataclass(eq=False)
 class Block:
-    """Points being gathered until there are `BLOCK` of them, or no more."""
+    """Points being gathered until there are `BLOCK` of them, or no more.
+
+    Attributes
+    ----------
+    points_lidar : ndarray of shape (BLOCK, 3), metres, LiDAR frame
+    time : ndarray of shape (BLOCK,), seconds
+        Of both the first ``count`` are there.
+    """
 
     first: int
     columns: tuple[Column, ...]

@@ -129,7 +129,7 @@ class StoredLine:
         )
 
     def numbers(self, rows: NDArray[Any]) -> NDArray[np.int64]:
-        """Places in the line as read, in the order of the file, of the points in ``rows``."""
+        """Places (n,) in the line as read, in the order of the file, of points in ``rows`` (n,)."""
         return self._own("number")[rows].astype(np.int64)
 
     def rows(self, numbers: NDArray[Any]) -> NDArray[np.int64]:
@@ -137,7 +137,7 @@ class StoredLine:
         return self._own("row")[numbers].astype(np.int64)
 
     def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
-        """Places in the original file, which also holds the points that are left out."""
+        """Places of ``rows``, both (n,), in the original file, which also holds points left out."""
         numbers = self.numbers(rows)
         if "before" in self._columns:
             numbers += self._own("before")[rows]

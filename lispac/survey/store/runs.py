@@ -20,6 +20,10 @@ def joined_runs(starts: NDArray[np.uint64], found: Runs) -> Runs:
         First row of each octave, and the number of rows.
     found : ndarray of shape (k, 2)
         First octave and the one behind the last.
+
+    Returns
+    -------
+    ndarray of shape (m, 2)
     """
     runs = starts[found].astype(np.int64)
     if not len(runs):
@@ -29,19 +33,44 @@ def joined_runs(starts: NDArray[np.uint64], found: Runs) -> Runs:
 
 
 def rows_of(runs: Runs) -> NDArray[np.int64]:
-    """All rows of all runs."""
+    """All rows of all runs.
+
+    Parameters
+    ----------
+    runs : ndarray of shape (k, 2)
+
+    Returns
+    -------
+    ndarray of shape (n,), int
+    """
     return np.concatenate([np.arange(*run) for run in runs.tolist()] or [np.zeros(0, np.int64)])
 
 
 def gathered(values: NDArray[Any], runs: Runs) -> NDArray[Any]:
-    """The values of all runs one after the other."""
+    """The values of all runs one after the other.
+
+    Parameters
+    ----------
+    values : ndarray of shape (rows, ...)
+    runs : ndarray of shape (k, 2)
+
+    Returns
+    -------
+    ndarray of shape (n, ...)
+    """
     if not len(runs):
         return np.array(values[:0])
     return np.concatenate([values[start:stop] for start, stop in runs.tolist()])
 
 
 def in_pieces(runs: Runs, rows: int) -> Iterator[Runs]:
-    """The same rows some at a time: runs that together have at most ``rows`` of them."""
+    """The same rows some at a time: runs that together have at most ``rows`` of them.
+
+    Parameters
+    ----------
+    runs : ndarray of shape (k, 2)
+    rows : int
+    """
     behind = np.cumsum(runs[:, 1] - runs[:, 0])
     before = behind - (runs[:, 1] - runs[:, 0])
     for low in range(0, int(behind[-1]) if len(runs) else 0, rows):

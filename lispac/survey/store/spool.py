@@ -167,7 +167,7 @@ class Spool:
         self.blocks.append(spooled)
 
     def keys(self, number: int) -> Keys:
-        """Sorted keys of a block."""
+        """Sorted keys of a block, shape (n,)."""
         return np.fromfile(self._path(number, "keys"), np.uint64)
 
     def slice_of(self, number: int, start: int, stop: int) -> tuple[Keys, Values]:

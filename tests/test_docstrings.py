@@ -1,0 +1,249 @@
+"""Docstrings of the core say of every array its shape, and of every quantity its unit.
+
+Read from the syntax trees. What is looked at: attributes of public dataclasses, parameters and
+results of public functions and methods. An array is what is annotated as one. A quantity is a
+number or an array whose name says that it is a length, an angle, a time or a sigma (`QUANTITY`).
+A name that ends in its unit (``error_deg``, ``rms_m``) needs no more.
+
+What is said of a parameter stands in the entry of its name, or in the words of the docstring, which
+then have to name it, whole or by its first word. A docstring may send to another one ("As
+`planes_of`"), which has to be there.
+"""
+
+import ast
+import builtins
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from itertools import chain
+from pathlib import Path
+
+import pytest
+
+CORE = Path(__file__).resolve().parents[1] / "lispac"
+
+QUANTITY = re.compile(
+    r"(^|_)(sigmas?|radius|distances?|height|width|angles?|times?|duration|thickness|spacing|"
+    r"lever_arm|boresight|roll|pitch|yaw|heading|misclosures?|position|rms|speed|latitude|"
+    r"longitude|rate)(_|$)"
+)
+SUFFIXED = re.compile(r"_(deg|m|mm|s|m_s|ms|hz|ppm|metres|seconds)$")
+UNIT = re.compile(
+    r"\b(metres?|millimetres?|m|mm|deg|degrees?|radians?|rad|seconds?|s|ms|unit|units|minutes|hours|days|"
+    r"times|share|pixels|hertz|Hz|inches|no unit)\b"
+)
+SHAPE = re.compile(r"\([^()]*,[^()]*\)|\(\.\.\.\)|(of|in) (that|the same|any) shape")
+"""As ``(n, 3)``, ``(n,)`` and ``(..., 3)``."""
+ELSEWHERE = re.compile(
+    r"\b(?:[Ss]ee|[Aa]s(?: for| in| of)?|[Ll]ike|inverse of|those of) `([\w.]+)`"
+)
+"""Words that send to another docstring."""
+HEADING = re.compile(r"^(\w[\w ]*)\n-{3,}$", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Documented:
+    """A docstring, cut into its sections."""
+
+    words: str
+    sections: dict[str, str]
+
+    @classmethod
+    def of(cls, docstring: str) -> "Documented":
+        """Cut a docstring at its headings; what stands before the first are its words."""
+        words, *rest = HEADING.split(docstring)
+        return cls(words, dict(zip(rest[::2], rest[1::2], strict=True)))
+
+    def entries(self, section: str) -> dict[str, str]:
+        """Type line and words of each name of a section."""
+        found: dict[str, str] = {}
+        names: list[str] = []
+        for line in self.sections.get(section, "").splitlines():
+            if line and not line[0].isspace():
+                head, _, kind = line.partition(" : ")
+                names = [name.strip().lstrip("*") for name in head.split(",")]
+                found |= dict.fromkeys(names, kind)
+            else:
+                found |= {name: f"{found[name]} {line.strip()}" for name in names}
+        return found
+
+
+@dataclass(frozen=True)
+class Name:
+    """A function, method or class of the core and where it stands."""
+
+    module: str
+    name: str
+    node: ast.FunctionDef | ast.ClassDef
+    docstring: Documented
+
+    @property
+    def where(self) -> str:
+        """For a reader of the failure."""
+        return f"{self.module}:{self.node.lineno} {self.name}"
+
+
+@cache
+def trees() -> dict[str, ast.Module]:
+    """Syntax trees of the core's modules."""
+    paths = (path for path in sorted(CORE.rglob("*.py")) if "gui" not in path.parts)
+    return {
+        str(path.relative_to(CORE.parent)): ast.parse(path.read_text(encoding="utf-8"))
+        for path in paths
+    }
+
+
+@cache
+def arrays(module: str) -> re.Pattern[str]:
+    """Annotations of arrays in a module: NumPy's, and what it calls them, by itself or imported."""
+    names = {"NDArray", "ndarray"}
+    for node in trees()[module].body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.value).startswith("NDArray"):
+            names |= {ast.unparse(target) for target in node.targets}
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("lispac."):
+            path = f"{str(node.module).replace('.', '/')}.py"
+            if path in trees():
+                own = arrays(path)
+                names |= {alias.name for alias in node.names if own.fullmatch(alias.name)}
+    return re.compile(rf"(np\.)?({'|'.join(sorted(names))})\b")
+
+
+def kinds(annotation: ast.expr | None) -> list[str]:
+    """What an annotation admits: ``float | Array`` is two."""
+    words = "" if annotation is None else ast.unparse(annotation).strip("'\"")
+    return [kind.strip() for kind in words.split("|")]
+
+
+def is_array(module: str, annotation: ast.expr | None) -> bool:
+    """Whether it may be an array."""
+    return any(arrays(module).match(kind) for kind in kinds(annotation))
+
+
+def is_quantity(module: str, name: str, annotation: ast.expr | None) -> bool:
+    """Whether it is a number with a unit, by its name."""
+    number = is_array(module, annotation) or "float" in kinds(annotation)
+    return bool(number and QUANTITY.search(name) and not SUFFIXED.search(name))
+
+
+def public(room: str) -> Iterator[Name]:
+    """Public names of a room, methods and properties with them."""
+
+    def below(module: str, parent: str, nodes: list[ast.stmt]) -> Iterator[Name]:
+        for node in nodes:
+            if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name[0] != "_":
+                name = f"{parent}{node.name}"
+                said = Documented.of(ast.get_docstring(node) or "")
+                yield Name(module, name, node, said)
+                if isinstance(node, ast.ClassDef):
+                    yield from below(module, f"{name}.", node.body)
+
+    for module, tree in trees().items():
+        if module.split("/")[1] == room:
+            yield from below(module, "", tree.body)
+
+
+def fields(node: ast.ClassDef) -> dict[str, ast.expr]:
+    """Public attributes of a dataclass and their annotations; none of other classes."""
+    if not any("dataclass" in ast.unparse(decorator) for decorator in node.decorator_list):
+        return {}
+    return {
+        item.target.id: item.annotation
+        for item in node.body
+        if isinstance(item, ast.AnnAssign)
+        and isinstance(item.target, ast.Name)
+        and item.target.id[0] != "_"
+    }
+
+
+def parameters(node: ast.FunctionDef) -> dict[str, ast.expr | None]:
+    """Parameters and their annotations."""
+    given = node.args.posonlyargs + node.args.args + node.args.kwonlyargs
+    return {each.arg: each.annotation for each in given if each.arg not in ("self", "cls")}
+
+
+def lacks(found: Name) -> Iterator[str]:
+    """What the docstring of a name does not say."""
+    of_class = isinstance(found.node, ast.ClassDef)
+    entries = found.docstring.entries("Attributes" if of_class else "Parameters")
+    words, module = found.docstring.words, found.module
+    values = fields(found.node) if of_class else parameters(found.node)
+    for name, annotation in values.items():
+        named = re.search(rf"\b({name}|{name.split('_')[0]})s?\b", words, re.IGNORECASE)
+        said = entries.get(name, words if named else "")
+        if ELSEWHERE.search(said or words):
+            continue
+        if is_array(module, annotation) and not SHAPE.search(said):
+            yield f"{found.where}: shape of {name}"
+        if is_quantity(module, name, annotation) and not UNIT.search(said):
+            yield f"{found.where}: unit of {name}"
+    if of_class:
+        return
+    result = found.node.returns
+    said = f"{found.docstring.sections.get('Returns')}\n{words}"
+    if ELSEWHERE.search(said):
+        return
+    if is_array(module, result) and not SHAPE.search(said):
+        yield f"{found.where}: shape of what it returns"
+    if is_quantity(module, found.node.name, result) and not UNIT.search(said):
+        yield f"{found.where}: unit of what it returns"
+
+
+ROOMS = sorted({module.split("/")[1] for module in trees()} - {"__init__.py"})
+
+
+@cache
+def names() -> set[str]:
+    """All names that a docstring can send to, the builtin ones with them."""
+    found = {Path(module).stem for module in trees()} | set(dir(builtins))
+    for node in chain.from_iterable(map(ast.walk, trees().values())):
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            found.add(node.name)
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            found.add(node.id)
+    return found
+
+
+def test_docstrings_send_to_what_is_there() -> None:
+    sent = [
+        (name.where, to)
+        for room in ROOMS
+        for name in public(room)
+        for to in ELSEWHERE.findall(ast.get_docstring(name.node) or "")
+    ]
+    assert len(sent) > 50
+    assert [each for each in sent if each[1].rpartition(".")[2] not in names()] == []
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_shapes_and_units_are_said(room: str) -> None:
+    assert [words for name in public(room) for words in lacks(name)] == []
+
+
+SAID = '''
+def turned(points: Array, angle: float, sigma_deg: float) -> Array:
+    """Points turned by an angle, radians, shape (n, 3).
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    """
+'''
+
+
+@pytest.mark.parametrize(
+    ("left_out", "found"),
+    [
+        ("", []),
+        (", radians", ["unit of angle"]),
+        (", shape (n, 3)", ["shape of what it returns"]),
+        (" of shape (n, 3)", ["shape of points"]),
+        ("_deg", ["unit of sigma"]),
+    ],
+)
+def test_what_is_not_said_is_found(left_out: str, found: list[str]) -> None:
+    (node,) = ast.parse(SAID.replace(left_out, "", 1)).body
+    assert isinstance(node, ast.FunctionDef)
+    said = Documented.of(ast.get_docstring(node) or "")
+    name = Name("lispac/geometry/planes.py", node.name, node, said)
+    assert [words.partition(": ")[2] for words in lacks(name)] == found
