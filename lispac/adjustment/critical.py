@@ -14,7 +14,7 @@ def critical_w(result: AdjustmentResult) -> float | None:
     """Test value beyond which a sighting disagrees with the others; None where none is tested.
 
     The more sightings are tested, the larger it is: the chance that any of them exceeds it without
-    a fault stays 1 %.
+    a fault stays at most 1 % (Bonferroni's inequality).
     """
     from scipy.special import ndtri
 

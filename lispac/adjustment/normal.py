@@ -3,7 +3,8 @@
 Unknowns are the estimated values of the mounting, the shapes of the targets, with the correlated
 model how each sighting's surface departs from its shape, and the POS error at its knots. The
 POS error is eliminated first: its normal matrix is banded, for a group of points couples two
-neighbouring knots and so does the Gauss-Markov prior.
+neighbouring knots and so does the Gauss-Markov prior. In thesis mode there are neither surfaces
+nor knots, and what is left is thesis equation B.8; the covariance is B.12.
 """
 
 from dataclasses import dataclass, replace

@@ -3,7 +3,8 @@
 A point far off its surface (a bird, a mixed echo, a bolt) does not belong to the normal
 distribution the other residuals have. Its weight is lowered by how many standard deviations it
 lies off, and the adjustment repeated until the weights settle (iteratively reweighted least
-squares).
+squares: Holland and Welsch 1977, whose tuning is taken). The losses are Huber's (1964) and Tukey's
+biweight (Beaton and Tukey 1974).
 """
 
 from dataclasses import dataclass

@@ -1,7 +1,8 @@
 """The shapes of the targets: planes and spheres, four numbers each.
 
 A plane is a unit normal and an offset, a sphere a centre and a radius. Both may only be changed in
-certain directions: a normal stays a unit vector, a known radius stays as it is.
+certain directions: a normal stays a unit vector (in the thesis by the constraint 4.5), a known
+radius stays as it is.
 """
 
 from dataclasses import replace

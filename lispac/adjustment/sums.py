@@ -1,8 +1,8 @@
 """Weighted sums over groups of points: all that an adjustment needs of them.
 
-The products that make up the normal equations are summed in one pass, per sighting and, where the
-POS error has knots, per stretch between two of them. What follows costs the same for a thousand
-points as for ten million.
+The products that make up the normal equations (thesis equation B.8) are summed in one pass, per
+sighting and, where the POS error has knots, per stretch between two of them. What follows costs
+the same for a thousand points as for ten million.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,7 @@
-"""What makes one plan better than another: one number of its three sigmas."""
+"""What makes one plan better than another: one number of its three sigmas.
+
+A- and D-optimality are those of optimal design (Atkinson and Donev 1992), as angles.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace

@@ -64,7 +64,7 @@ def plane_through(point: Array, normal: Array) -> Plane:
 
 
 def fit_plane(points: Array, weights: Array | None = None) -> Plane:
-    """Fit a plane by least squares of the orthogonal distances.
+    """Fit a plane by least squares of the orthogonal distances (Pearson 1901).
 
     The normal's largest component is positive, so that equal points give equal planes.
 
@@ -103,8 +103,8 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
 def fit_plane_resisting(points: Array, nearest: float) -> Plane:
     """Fit a plane by the least sum of distances, which a third of strays does not move far.
 
-    By least squares with weights from the distances, a fixed number of times: a beginning, not a
-    limit that is reached.
+    By least squares with weights from the distances (Schlossmacher 1973), a fixed number of times:
+    a beginning, not a limit that is reached.
 
     Parameters
     ----------

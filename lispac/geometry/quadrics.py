@@ -1,4 +1,7 @@
-"""Least-squares quadrics over small groups of points: surfaces that may bend."""
+"""Least-squares quadrics over small groups of points: surfaces that may bend.
+
+Over the plane through each group, as CloudCompare has them in its local models.
+"""
 
 from dataclasses import dataclass
 

@@ -225,7 +225,7 @@ def _settle(
 def _descend(
     points: Array, weights: Array, centre: Array, radius: float, free: bool
 ) -> tuple[Array, float, float, Array]:  # pragma: no cover - compiled
-    """Gauss-Newton with Levenberg-Marquardt damping."""
+    """Gauss-Newton with the damping of Levenberg (1944) and Marquardt (1963)."""
     size = 4 if free else 3
     damping = 1e-3
     total = weights.sum()

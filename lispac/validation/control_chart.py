@@ -1,8 +1,8 @@
 """Calibrations of one system in the order of time: has its mounting moved?
 
-Each calibration is held against the mean of those before it, as a control chart does (Shewhart),
-with limits of three sigmas of that very difference: calibrations are not equally good. One that
-lies beyond them begins a new series, whose mean no longer knows the mounting as it was.
+Each calibration is held against the mean of those before it, as a control chart does (Shewhart
+1931), with limits of three sigmas of that very difference: calibrations are not equally good. One
+that lies beyond them begins a new series, whose mean no longer knows the mounting as it was.
 """
 
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""The order of a line's points in space: cubes of the local frame along Morton's curve.
+"""The order of a line's points in space: cubes of the local frame along Morton's curve (1966).
 
 Cells that are near each other are mostly near each other in the file, so a region is a few runs
 of points. Inside a cell the points stand in octaves: drawn by a hash of their number, an octave
@@ -132,7 +132,7 @@ def extent(points_lidar, points_local):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True, inline="always")
 def _hash(number):  # type: ignore[no-untyped-def]
-    """The finaliser of splitmix64: every bit of the number moves every bit of the hash."""
+    """The finaliser of splitmix64 (Stafford's mix 13): every bit of the number moves every bit."""
     z = number + np.uint64(0x9E3779B97F4A7C15)
     z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
