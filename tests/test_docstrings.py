@@ -1,9 +1,12 @@
-"""Docstrings of the core say of every array its shape, and of every quantity its unit.
+"""Docstrings of the core say every array's shape, quantity's unit, place's frame, formula's source.
 
 Read from the syntax trees. What is looked at: attributes of public dataclasses, parameters and
 results of public functions and methods. An array is what is annotated as one. A quantity is a
 number or an array whose name says that it is a length, an angle, a time or a sigma (`QUANTITY`).
-A name that ends in its unit (``error_deg``, ``rms_m``) needs no more.
+A name that ends in its unit (``error_deg``, ``rms_m``) needs no more. Coordinates are arrays of
+three columns, or three numbers, in metres or with the name of a place or direction (`PLACE`); a
+name that ends in its frame (``points_lidar``) needs no more. What errors a function raises is
+ruff's affair; here it is looked whether there are such errors.
 
 What is said of a parameter stands in the entry of its name, or in the words of the docstring, which
 then have to name it, whole or by its first word. A docstring may send to another one ("As
@@ -30,11 +33,34 @@ QUANTITY = re.compile(
 )
 SUFFIXED = re.compile(r"_(deg|m|mm|s|m_s|ms|hz|ppm|metres|seconds)$")
 UNIT = re.compile(
-    r"\b(metres?|millimetres?|m|mm|deg|degrees?|radians?|rad|seconds?|s|ms|unit|units|minutes|hours|days|"
-    r"times|share|pixels|hertz|Hz|inches|no unit)\b"
+    r"\b(metres?|mm|millimetres?|deg|degrees?|radians?|seconds?|minutes|hours|days|pixels|hertz|"
+    r"inches|share|(no|a|same|its|own|their|that) units?|unit of|unit and axes)\b",
+    re.IGNORECASE,
 )
 SHAPE = re.compile(r"\([^()]*,[^()]*\)|\(\.\.\.\)|(of|in) (that|the same|any) shape")
 """As ``(n, 3)``, ``(n,)`` and ``(..., 3)``."""
+PLACE = re.compile(
+    r"(^|_)(points?|xyz|centres?|normals?|positions?|origins?|places?|seed|beams?|vertices|corners?|"
+    r"lever_arms?|middles?|velocity|velocities|coordinates|scanner|through|towards|translation)(_|$)"
+)
+THREE = re.compile(r"\((?!3, 3\))(?:[^()]*, )?3,?\)")
+LENGTH = re.compile(r"\b(metres|unit (vector|normal)s?)\b")
+NO_PLACE = re.compile(r"no unit|square metres|metres per radian|[Mm]etres in|tilts", re.I)
+"""Three numbers, but none of the coordinates of one place."""
+FRAMED = re.compile(r"_(lidar|body|local)$")
+FRAME = re.compile(
+    r"\b(frame|local|LiDAR|body|earth-centred|map|north|axes of|coordinate system)\b",
+    re.IGNORECASE,
+)
+SOURCE = re.compile(
+    r"[Tt]hesis|[A-Z][\w-]+,? \(?(1[89]|20)\d\d\b|et al\. \(?\d{4}|'s [\w ]+\(\d{4}\)|"
+    r"\b(Golub and Van Loan|Hofmann-Wellenhof|CloudCompare|Bonferroni|PROJ|S-44|Equation \d)"
+)
+"""As "thesis equation 4.3" and "Baarda 1968"."""
+MATHEMATICS = re.compile(
+    r"np\.linalg\.(?!norm)|np\.(sin|cos|tan|arcsin|arccos|exp|log|cov|einsum)\b|@njit|"
+    r"scipy\.(linalg|optimize|special|stats)"
+)
 ELSEWHERE = re.compile(
     r"\b(?:[Ss]ee|[Aa]s(?: for| in| of)?|[Ll]ike|inverse of|those of) `([\w.]+)`"
 )
@@ -126,6 +152,19 @@ def is_quantity(module: str, name: str, annotation: ast.expr | None) -> bool:
     return bool(number and QUANTITY.search(name) and not SUFFIXED.search(name))
 
 
+def is_place(module: str, name: str, annotation: ast.expr | None, said: str) -> bool:
+    """Whether it is coordinates or a direction, in a frame that its name does not say."""
+    triples = {"Triple", "tuple[float, float, float]"}
+    array = is_array(module, annotation)
+    if not (array or triples & set(kinds(annotation))) or "sigma" in name or FRAMED.search(name):
+        return False
+    if NO_PLACE.search(said) or (array and SHAPE.search(said) and not THREE.search(said)):
+        return False
+    if "radians" in said and not LENGTH.search(said):
+        return False
+    return bool(PLACE.search(name) or (THREE.search(said) and LENGTH.search(said)))
+
+
 def public(room: str) -> Iterator[Name]:
     """Public names of a room, methods and properties with them."""
 
@@ -177,6 +216,8 @@ def lacks(found: Name) -> Iterator[str]:
             yield f"{found.where}: shape of {name}"
         if is_quantity(module, name, annotation) and not UNIT.search(said):
             yield f"{found.where}: unit of {name}"
+        if is_place(module, name, annotation, said) and not FRAME.search(said):
+            yield f"{found.where}: frame of {name}"
     if of_class:
         return
     result = found.node.returns
@@ -187,6 +228,9 @@ def lacks(found: Name) -> Iterator[str]:
         yield f"{found.where}: shape of what it returns"
     if is_quantity(module, found.node.name, result) and not UNIT.search(said):
         yield f"{found.where}: unit of what it returns"
+    said = found.docstring.sections.get("Returns", words)
+    if is_place(module, found.node.name, result, said) and not FRAME.search(said):
+        yield f"{found.where}: frame of what it returns"
 
 
 ROOMS = sorted({module.split("/")[1] for module in trees()} - {"__init__.py"})
@@ -201,6 +245,8 @@ def names() -> set[str]:
             found.add(node.name)
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             found.add(node.id)
+        elif isinstance(node, ast.Attribute):
+            found.add(node.attr)
     return found
 
 
@@ -216,17 +262,55 @@ def test_docstrings_send_to_what_is_there() -> None:
 
 
 @pytest.mark.parametrize("room", ROOMS)
-def test_shapes_and_units_are_said(room: str) -> None:
+def test_shapes_units_and_frames_are_said(room: str) -> None:
     assert [words for name in public(room) for words in lacks(name)] == []
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_errors_that_are_said_to_be_raised_exist(room: str) -> None:
+    said = {
+        (name.where, error) for name in public(room) for error in name.docstring.entries("Raises")
+    }
+    assert {each for each in said if each[1].rpartition(".")[2] not in names()} == set()
+
+
+OWN = {
+    "adjustment": {"iteration", "problem", "summary", "turns"},
+    "design": {"advice", "monte_carlo", "prediction", "site"},
+    "geometry": {"neighbours"},
+    "simulation": {"casting", "pos_error_models", "scene", "vessel"},
+    "survey": {"axes", "correction", "present", "recovery", "runs", "scan"},
+    "targets": {"across_lines", "outline", "quality", "section", "shift", "smear"},
+    "validation": {"absolute", "footprint", "layers", "place_widths", "plane_offset"},
+}
+"""Modules that compute and name no source: what they do is nobody else's, and told in their words,
+or anybody's (a rotation about an axis, a mean with its sigma)."""
+
+
+@pytest.mark.parametrize("room", OWN)
+def test_modules_that_compute_name_their_sources(room: str) -> None:
+    without = set()
+    for module, tree in trees().items():
+        documented = (ast.Module, ast.FunctionDef, ast.ClassDef)
+        said = [ast.get_docstring(x) or "" for x in ast.walk(tree) if isinstance(x, documented)]
+        source = (CORE.parent / module).read_text(encoding="utf-8")
+        own = module.split("/")[1] == room and MATHEMATICS.search(source)
+        if own and not SOURCE.search("\n".join(said)):
+            without.add(Path(module).stem)
+    assert without == OWN[room]
 
 
 SAID = '''
 def turned(points: Array, angle: float, sigma_deg: float) -> Array:
-    """Points turned by an angle, radians, shape (n, 3).
+    """Points turned by an angle, radians.
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, body frame
+
+    Returns
+    -------
+    ndarray of shape (m, 3), metres, local frame
     """
 '''
 
@@ -236,7 +320,9 @@ def turned(points: Array, angle: float, sigma_deg: float) -> Array:
     [
         ("", []),
         (", radians", ["unit of angle"]),
-        (", shape (n, 3)", ["shape of what it returns"]),
+        (" of shape (m, 3)", ["shape of what it returns"]),
+        (", body frame", ["frame of points"]),
+        (", local frame", ["frame of what it returns"]),
         (" of shape (n, 3)", ["shape of points"]),
         ("_deg", ["unit of sigma"]),
     ],

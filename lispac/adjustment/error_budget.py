@@ -42,8 +42,8 @@ class SystemErrors:
     attitude : ndarray of shape (3,), radians; roll, pitch, heading
     lidar : float or pair of float
         Metres on each axis of the LiDAR, or of range (metres) and direction of the beam (radians).
-    lever_arm : ndarray of shape (3,), metres, or None
-        Forward, left, up; None where it is not known. Not used where the lever arm was estimated.
+    lever_arm : ndarray of shape (3,), metres, body frame, or None
+        None where it is not known. Not used where the lever arm was estimated.
     mounting : Mounting
         As estimated.
     prior_boresight : ndarray of shape (3,), radians

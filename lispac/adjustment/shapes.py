@@ -176,7 +176,8 @@ def shapes_of_most(observations: Observations, mounting: Mounting, fitted: Array
 def orthogonal(normals: Array) -> Array:
     """Two unit vectors at right angles to unit normals (..., 3) and to each other, (..., 3, 2).
 
-    Pixar's construction (Duff et al. 2017): smooth in the normal but for one sign.
+    All in any frame. Pixar's construction (Duff et al. 2017): smooth in the normal but for one
+    sign.
     """
     x, y, z = np.moveaxis(normals, -1, 0)
     sign = np.where(z >= 0, 1.0, -1.0)
@@ -190,6 +191,11 @@ def plane_tangents(normals: Array, centres: Array) -> Array:
     """Two turns of planes' normals about ``centres`` and a shift along them, shape (m, 4, 3).
 
     About the centre instead of the origin, so that turns and shift are nearly independent.
+
+    Parameters
+    ----------
+    normals : ndarray of shape (m, 3), unit vectors, local frame
+    centres : ndarray of shape (m, 3), metres, local frame
     """
     tangents = np.zeros((len(normals), 4, 3))
     tangents[:, :3, :2] = orthogonal(normals)

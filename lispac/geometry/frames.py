@@ -23,7 +23,7 @@ def geodetic_to_ecef(latitude: Array, longitude: Array, height: Array) -> Array:
 
     Returns
     -------
-    ndarray of shape (..., 3), metres
+    ndarray of shape (..., 3), metres, earth-centred
     """
     sin, cos = np.sin(latitude), np.cos(latitude)
     prime_vertical = SEMI_MAJOR_AXIS / np.sqrt(1 - ECCENTRICITY_SQUARED * sin**2)
@@ -45,7 +45,7 @@ def ecef_to_geodetic(ecef: Array) -> tuple[Array, Array, Array]:
 
     Parameters
     ----------
-    ecef : ndarray of shape (..., 3), metres
+    ecef : ndarray of shape (..., 3), metres, earth-centred
     """
     x, y, z = np.moveaxis(np.asarray(ecef, dtype=float), -1, 0)
     distance = np.hypot(x, y)

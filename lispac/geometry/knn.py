@@ -24,7 +24,7 @@ _MAX_SWEEPS = 12
 
 
 def build_tree(points: Points) -> "cKDTree":
-    """K-d tree of ``points`` (n, 3), built for speed rather than for balance."""
+    """K-d tree of ``points`` (n, 3) in any frame, built for speed rather than for balance."""
     from scipy.spatial import cKDTree
 
     return cKDTree(points, balanced_tree=False)
@@ -44,6 +44,8 @@ def spatial_order(points: Points) -> Indices:
 @njit(nogil=True, cache=True)
 def _diagonalise(a: NDArray[np.float64], v: NDArray[np.float64]) -> None:
     """Cyclic Jacobi rotations: ``a`` (3, 3, symmetric) becomes diagonal, ``v`` its eigenvectors.
+
+    Golub and Van Loan, Matrix Computations, the chapter on Jacobi methods.
 
     Slower than the trigonometric formula but exact to rounding also where two eigenvalues nearly
     agree, as in a square patch of points.
@@ -85,7 +87,7 @@ def local_planes(
 
     Parameters
     ----------
-    points : ndarray of shape (m, 3), metres
+    points : ndarray of shape (m, 3), metres, same frame
     neighbours : ndarray of shape (n, k)
         Indices into ``points`` of each group.
     counts : ndarray of shape (n,), optional
@@ -93,8 +95,8 @@ def local_planes(
 
     Returns
     -------
-    centroids : ndarray of shape (n, 3), metres
-    normals : ndarray of shape (n, 3)
+    centroids : ndarray of shape (n, 3), metres, same frame
+    normals : ndarray of shape (n, 3), same frame
         Unit vectors of either sign; NaN where the group has fewer than three points, or lies on one
         straight line or in one spot.
     """

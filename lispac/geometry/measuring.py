@@ -40,7 +40,7 @@ def angle(first: Array, corner: Array, second: Array) -> float:
 
     Parameters
     ----------
-    first, corner, second : ndarray of shape (3,), metres
+    first, corner, second : ndarray of shape (3,), metres, same frame
 
     Raises
     ------

@@ -25,8 +25,8 @@ def points_within(points: Array, centre: Array, radius: float) -> Indices:
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
-    centre : ndarray of shape (3,), metres
+    points : ndarray of shape (n, 3), metres, same frame
+    centre : ndarray of shape (3,), metres, same frame
     radius : float, metres
 
     Returns
@@ -51,8 +51,8 @@ def nearest_point(points: Array, centre: Array) -> tuple[int, float]:
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
-    centre : ndarray of shape (3,), metres
+    points : ndarray of shape (n, 3), metres, same frame
+    centre : ndarray of shape (3,), metres, same frame
     """
     x, y, z = (float(c) for c in centre)
     index, squared = _nearest(points, x, y, z)

@@ -21,7 +21,7 @@ class Plane:
 
     Attributes
     ----------
-    normal : ndarray of shape (3,), unit vector
+    normal : ndarray of shape (3,), unit vector, any frame
     d : float, metres
     """
 
@@ -47,7 +47,7 @@ class Plane:
         return Plane(-self.normal, -self.d)
 
     def facing(self, direction: Array) -> "Plane":
-        """The same plane with its normal on the side of ``direction``, shape (3,)."""
+        """The same plane with its normal on the side of ``direction``, shape (3,), in its frame."""
         return self if float(self.normal @ direction) >= 0.0 else self.flipped()
 
     def tilt_to(self, other: "Plane") -> float:
@@ -58,7 +58,7 @@ class Plane:
 
 
 def plane_through(point: Array, normal: Array) -> Plane:
-    """The plane through ``point`` across ``normal``, both of shape (3,)."""
+    """The plane through ``point`` across ``normal``, both of shape (3,) in the same frame."""
     unit = normal / np.linalg.norm(normal)
     return Plane(unit, -float(unit @ point))
 
@@ -70,7 +70,7 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, any frame
     weights : ndarray of shape (n,), optional
         Not negative; all alike when left out.
 
@@ -108,7 +108,7 @@ def fit_plane_resisting(points: Array, nearest: float) -> Plane:
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, any frame
     nearest : float, metres
         Points nearer than this all weigh the same.
 
@@ -125,7 +125,7 @@ def fit_plane_resisting(points: Array, nearest: float) -> Plane:
 
 
 def rms_distance(plane: Plane, points: Array) -> float:
-    """Root mean square distance of points (n, 3) to a plane, metres."""
+    """Root mean square distance of points (n, 3) to a plane in their frame, metres."""
     return float(np.sqrt(np.mean(plane.distances(points) ** 2)))
 
 
@@ -155,7 +155,7 @@ def in_plane_axes(normal: Array) -> Array:
 
 
 def extent_in_plane(plane: Plane, points: Array) -> Array:
-    """Width (level) and height (up the slope) that points (n, 3) span on a plane.
+    """Width (level) and height (up the slope) that points (n, 3) span on a plane in their frame.
 
     Returns
     -------

@@ -23,7 +23,7 @@ class Quadrics:
 
     Attributes
     ----------
-    axes : ndarray of shape (n, 3, 3)
+    axes : ndarray of shape (n, 3, 3), frame of the points
         Rows: x and y in the plane, then its normal.
     scale : ndarray of shape (n,), metres
         x, y and h are in these units.
@@ -43,12 +43,12 @@ def local_quadrics(
 
     Parameters
     ----------
-    points : ndarray of shape (m, 3), metres
+    points : ndarray of shape (m, 3), metres, same frame
     groups : ndarray of shape (n, k)
         Indices into ``points``.
     counts : ndarray of shape (n,)
         How many of each row count.
-    centroids, normals : ndarrays of shape (n, 3)
+    centroids, normals : ndarrays of shape (n, 3), same frame
         As of `knn.local_planes`.
     """
     return Quadrics(*_fitted(points, groups, counts, centroids, normals))
@@ -59,7 +59,7 @@ def heights_above(quadrics: Quadrics, offsets: Array, which: Indices) -> Array:
 
     Parameters
     ----------
-    offsets : ndarray of shape (p, 3), metres
+    offsets : ndarray of shape (p, 3), metres, frame of the quadrics
         From the centroid of the quadric's group.
     which : ndarray of shape (p,)
         The quadric each point is measured to.

@@ -32,7 +32,7 @@ class Sphere:
 
     Attributes
     ----------
-    centre : ndarray of shape (3,), metres
+    centre : ndarray of shape (3,), metres, any frame
     radius : float, metres
     """
 
@@ -54,7 +54,7 @@ class Sphere:
         return signed
 
     def directions(self, points: Array) -> Array:
-        """Unit vectors from the centre to points (n, 3)."""
+        """Unit vectors from the centre to points (n, 3) in the sphere's frame."""
         from_centre = points - self.centre
         length = np.linalg.norm(from_centre, axis=1, keepdims=True)
         unit: Array = from_centre / np.where(length > 0.0, length, 1.0)
@@ -73,7 +73,7 @@ def fit_sphere(
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, any frame
     radius : float, metres, optional
         The known radius; sought too when left out.
     weights : ndarray of shape (n,), optional
@@ -125,12 +125,12 @@ def fit_sphere(
 
 
 def rms_from_sphere(sphere: Sphere, points: Array) -> float:
-    """Root mean square distance of points (n, 3) from the surface, metres."""
+    """Root mean square distance of points (n, 3) from the surface in their frame, metres."""
     return float(np.sqrt(np.mean(sphere.distances(points) ** 2)))
 
 
 def cap_axis(directions: Array) -> Array:
-    """Middle of the directions (n, 3) in which a sphere was seen, unit vector."""
+    """Middle (3,) of directions (n, 3) in which a sphere was seen: unit vectors in one frame."""
     total = directions.sum(axis=0)
     length = float(np.linalg.norm(total))
     axis: Array = total / length if length > 0.0 else np.array([0.0, 0.0, 1.0])
@@ -138,7 +138,7 @@ def cap_axis(directions: Array) -> Array:
 
 
 def share_seen(sphere: Sphere, points: Array) -> float:
-    """Share of the whole surface that points (n, 3) span, 0.5 for a full half.
+    """Share of the whole surface that points (n, 3) in its frame span, 0.5 for a full half.
 
     It is the area inside their outline, drawn in Lambert's equal-area projection about the middle
     of the cap, so it depends neither on how dense the points are nor on where.

@@ -69,7 +69,7 @@ def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path:
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3)
+    points : ndarray of shape (n, 3), any frame
     time : ndarray of shape (n,), seconds
 
     Raises
@@ -96,7 +96,7 @@ def write_points(
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, any frame
     time : ndarray of shape (n,), seconds
     intensity : ndarray of shape (n,), 0 to 65535
     scale : float, metres

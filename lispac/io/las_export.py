@@ -349,7 +349,7 @@ def cloud_file(
         Where it is written: a temporary name, say.
     system : CoordinateSystem or None
         None for the local frame.
-    centre : ndarray of shape (3,)
+    centre : ndarray of shape (3,), in the coordinate system
         A place among the points, in ``system``: coordinates are counted from there.
     compressed : bool
         LAZ, or LAS.

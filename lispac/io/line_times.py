@@ -47,7 +47,7 @@ class LineTimes:
         Whether every point was looked at, so that start and end are certain.
     reached_end : bool
         Whether the end of the file was looked at.
-    place : ndarray of shape (3,)
+    place : ndarray of shape (3,), frame and unit of the file
         Coordinates of one point, as the file has them.
     restart : str
         Where the times start again, as stated or found (`lispac.survey.time_restart`); empty where

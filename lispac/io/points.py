@@ -209,7 +209,7 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
 
     Parameters
     ----------
-    xyz : ndarray of shape (n, 3)
+    xyz : ndarray of shape (n, 3), frame and unit of the file
     time : ndarray of shape (n,), in the unit of the file
         As stored: its type tells how coarse it is.
     first : int
@@ -278,11 +278,11 @@ def sight(
 
     Parameters
     ----------
-    xyz : ndarray of shape (n, 3), as stored
+    xyz : ndarray of shape (n, 3), frame and unit of the file
     time : ndarray of shape (n,), seconds
     crs : str
         What the file says of its coordinate system; empty where nothing.
-    low, high : ndarray of shape (3,)
+    low, high : ndarray of shape (3,), frame and unit of the file
         Bounds the header states, where it does.
     """
     doubts: list[str] = []

@@ -82,8 +82,8 @@ class PointChunk:
 
     Attributes
     ----------
-    xyz : ndarray of shape (n, 3)
-        In the frame and unit that the reader's assumptions state.
+    xyz : ndarray of shape (n, 3), frame and unit of the file
+        Those that the reader's assumptions state.
     time : ndarray of shape (n,), seconds, in the file's time base
     extra : mapping of str to ndarray of shape (n, ...)
         Whatever else the file has, under its own names and types; ``intensity`` where there is one.

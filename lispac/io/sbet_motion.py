@@ -29,7 +29,7 @@ def in_frame(axes: str, velocity: Array, wander: Array) -> Array:
 
     Parameters
     ----------
-    velocity : ndarray of shape (n, 3), metres a second
+    velocity : ndarray of shape (n, 3), metres a second, frame of ``axes``
     wander : ndarray of shape (n,), radians
     """
     x, y, z = velocity.T

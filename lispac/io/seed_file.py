@@ -53,8 +53,7 @@ class ListedPoint:
         Empty where the list has no names.
     role : {"target", "validation"} or None
         As the list says; None where it does not.
-    coordinates : three of float
-        In the order and unit of the system they are in.
+    coordinates : three of float, in the order and unit of their coordinate system
     sigma : float or None, metres
         Of a check point, where the list says.
     plane : str

@@ -44,7 +44,12 @@ class MountingErrors:
     latency: float = 0.0
 
     def mounting(self, lever_arm: Triple) -> Mounting:
-        """The true mounting where ``lever_arm`` is the one written down.
+        """The true mounting where another one is written down.
+
+        Parameters
+        ----------
+        lever_arm : three of float, metres, body frame
+            The one that is written down.
 
         Raises
         ------

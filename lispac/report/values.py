@@ -159,8 +159,8 @@ class SightingFit:
 class ExtraParameter:
     """A value estimated besides the boresight, or why it was not.
 
-    ``prior``, ``value`` and their sigmas are in its own ``unit``. ``significance`` is the
-    change from the prior over its standard deviation; ``significant`` at 95 %.
+    ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in its own unit. ``significance`` is
+    the change from the prior over its standard deviation; ``significant`` at 95 %.
     """
 
     name: str

@@ -48,7 +48,7 @@ class Board:
         ----------
         spacing : float, metres
             Between the points.
-        scanner : ndarray of shape (3,), optional
+        scanner : ndarray of shape (3,), metres, local, optional
             Not needed: all of a board is seen from wherever it faces.
         """
         u, v = (
@@ -285,7 +285,7 @@ def exact_survey(
 
 
 def recorded(mounting: Mounting, course: Course, sea: Sea, points: Array) -> Array:
-    """What scanner and POS record, without error, of points (n, 3) that a vessel passes.
+    """What scanner and POS record, without error, of points (n, 3), local, that a vessel passes.
 
     Returns
     -------

@@ -53,9 +53,9 @@ class MeshCaster:
     middle : ndarray of shape (3,), metres, local
         What Open3D's coordinates count from, so that single precision is not lost on an origin
         far off.
-    corners : ndarray of shape (m, 3), metres from the middle
+    corners : ndarray of shape (m, 3), metres from the middle, local
         First corner of each triangle, mesh after mesh.
-    normals : ndarray of shape (m, 3), unit vectors
+    normals : ndarray of shape (m, 3), unit vectors, local
     first : ndarray of shape (meshes,)
         Number of each mesh's first triangle.
     """

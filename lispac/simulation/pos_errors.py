@@ -1,4 +1,7 @@
-"""Errors of the POS: correlated in time, as a post-processed trajectory has them."""
+"""Errors of the POS: correlated in time, as a post-processed trajectory has them.
+
+Each is a first-order Gauss-Markov process (Gelb 1974), drawn by its exact recursion.
+"""
 
 from dataclasses import dataclass
 

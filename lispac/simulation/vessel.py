@@ -19,7 +19,7 @@ class Handling:
 
     Attributes
     ----------
-    speed, speed_abeam : float, m/s
+    speed, speed_abeam : float, metres per second
         On the run, and in front of the boards, where a helmsman slows down.
     slow_time : float, seconds
         Half-width of the slow stretch.

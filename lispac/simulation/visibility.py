@@ -49,7 +49,7 @@ class Shape:
 
 
 def shape_of(points: Array) -> Shape:
-    """Centroid, eigenvalues and plane of points of shape (n, 3), metres.
+    """Centroid, eigenvalues and plane of points of shape (n, 3), metres, local.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def shape_of(points: Array) -> Shape:
 
 
 def centroidal_distance(shape: Shape, centre: Array) -> float:
-    """From the board's centre, shape (3,), to the centroid of its points, metres."""
+    """From the board's centre, shape (3,), local, to the centroid of its points, metres."""
     return float(np.linalg.norm(shape.centroid - centre))
 
 

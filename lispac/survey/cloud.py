@@ -97,7 +97,7 @@ class Cloud(Protocol):
 
     @property
     def sample(self) -> Array:
-        """What stands for the line in a picture, shape (n, 3), metres: the same points always."""
+        """What stands for the line in a picture, always the same: (n, 3), metres, local frame."""
 
     @property
     def sample_time(self) -> Array:

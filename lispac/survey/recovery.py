@@ -35,7 +35,7 @@ class Chunk(Protocol):
 
     @property
     def xyz(self) -> Array:
-        """Shape (n, 3), in the coordinates of the file."""
+        """Shape (n, 3), in the frame and unit of the file."""
 
     @property
     def time(self) -> Array:
@@ -98,8 +98,7 @@ class Recovery:
 
         Parameters
         ----------
-        points_crs : ndarray of shape (n, 3)
-            In the unit and axes of ``system``.
+        points_crs : ndarray of shape (n, 3), in the unit and axes of ``system``
         time : ndarray of shape (n,), seconds, in the trajectory's time base
 
         Raises

@@ -78,7 +78,7 @@ def find_in_lines(
     Parameters
     ----------
     clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
-    seed : ndarray of shape (3,), metres
+    seed : ndarray of shape (3,), metres, local frame
     settings : FinderSettings
     first_line : str, optional
         The line that was clicked. Without it, the line with a point at the seed; or else the

@@ -4,7 +4,7 @@ With the prior boresight a target stands up to a metre and more elsewhere in eac
 the platform turns or the range changes along it, it is bent as well. Both are the work of three
 angles, which the scene as a whole tells to a tenth of a degree before anything has been picked:
 nearest points that face alike are drawn together along their normals (iterative closest point,
-point to plane), with a reach that shrinks.
+point to plane: Chen and Medioni 1992), with a reach that shrinks.
 
 What comes out is no calibration: it has no sigma, and nothing but the search for targets uses it.
 """

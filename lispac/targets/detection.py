@@ -70,7 +70,7 @@ class DetectedPlane:
 
     @property
     def centre(self) -> Array:
-        """Mean of the sightings' centres, shape (3,), metres."""
+        """Mean of the sightings' centres, shape (3,), metres, local frame."""
         return np.asarray(np.mean([patch.centre for patch in self.found.values()], axis=0))
 
 

@@ -42,7 +42,7 @@ class PlanePatch:
     plane : Plane, local frame of that cloud
     rms : float, metres
         Of the points to the plane.
-    centre : ndarray of shape (3,), metres
+    centre : ndarray of shape (3,), metres, local frame
         Mean of the points.
     extent : ndarray of shape (2,), metres
         Width (level) and height (up the slope).
@@ -83,9 +83,9 @@ def find_plane(
     settings : FinderSettings
     index : PointGrid, optional
         Prepared cells of the same points.
-    expected_normal : ndarray of shape (3,), optional
+    expected_normal : ndarray of shape (3,), local frame, optional
         Only planes within ``settings.max_tilt`` of this normal are taken.
-    beside : ndarray of shape (m, 3), metres, optional
+    beside : ndarray of shape (m, 3), metres, local frame, optional
         Where ``points_local`` are a sample: all of the line's points close to the seed, the nearest
         first. They say where it was clicked, and have no vote: it would weigh more than its share.
 
@@ -140,7 +140,7 @@ def checked_seed(seed: Array) -> Array:
 
 
 def describe_seed(seed: Array) -> str:
-    """The seed, shape (3,), metres, in the words of the messages."""
+    """The seed, shape (3,), metres, local frame, in the words of the messages."""
     return f"({seed[0]:.2f}, {seed[1]:.2f}, {seed[2]:.2f})"
 
 
@@ -204,7 +204,7 @@ def extract(
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
         The neighbourhood, in an order that does not depend on the file's.
     indices : ndarray of shape (n,)
         Their places in the line's cloud.
@@ -213,8 +213,8 @@ def extract(
     settings : FinderSettings
     where : str
         For the messages.
-    expected_normal : ndarray of shape (3,), optional
-    through : ndarray of shape (3,), metres, optional
+    expected_normal : ndarray of shape (3,), local frame, optional
+    through : ndarray of shape (3,), metres, local frame, optional
         A point that the plane must hold.
 
     Raises
@@ -251,7 +251,7 @@ def patch_of(points_local: Array, indices: Indices, direction: Array) -> PlanePa
     ----------
     points_local : ndarray of shape (n, 3), metres, local frame
     indices : ndarray of shape (k,), int
-    direction : ndarray of shape (3,)
+    direction : ndarray of shape (3,), local frame
     """
     points = points_local[indices]
     return _patch(points, indices, fit_plane(points).facing(direction))
@@ -263,7 +263,7 @@ def patch_among(points_local: Array, some: Array, plane: Plane) -> PlanePatch:
     Parameters
     ----------
     points_local : ndarray of shape (n, 3), metres
-    some : ndarray of shape (m, 3), metres
+    some : ndarray of shape (m, 3), metres, local frame
         A sample of the patch, trimmed.
     plane : Plane
         Through that sample.

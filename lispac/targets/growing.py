@@ -29,10 +29,10 @@ def grow(
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
     votes : ndarray of shape (n,)
         Weight of each point.
-    through : ndarray of shape (3,), metres, or None
+    through : ndarray of shape (3,), metres, local frame, or None
         A point that the plane must hold.
 
     Returns
@@ -67,10 +67,10 @@ def strongest(
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
     votes : ndarray of shape (n,)
         Weight of each point.
-    through : ndarray of shape (3,), metres, or None
+    through : ndarray of shape (3,), metres, local frame, or None
         A point that the plane must hold.
     """
     if len(contenders) == 1:
@@ -91,10 +91,11 @@ def strongest(
 
 
 def _robust_plane(points: Array, plane: Plane, threshold: float) -> Plane:
-    """Weighted fit with Tukey's biweight, which settles on the densest layer of the points.
+    """Weighted fit with the biweight (Beaton and Tukey 1974).
 
-    A plain fit of everything within the threshold is content with a tilted plane that
-    fills the threshold evenly, where surfaces are uneven or run into each other.
+    It settles on the densest layer of the points. A plain fit of everything within the threshold
+    is content with a tilted plane that fills the threshold evenly, where surfaces are uneven or run
+    into each other.
     """
     for _ in range(ROBUST_ROUNDS):
         off = plane.distances(points) / threshold
@@ -126,7 +127,7 @@ def trimmed(points: Array, on: Indices, settings: FinderSettings) -> Indices:
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
     on : ndarray of shape (k,), int
         Indices of the points that are on the plane.
 

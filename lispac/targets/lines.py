@@ -66,7 +66,7 @@ class Surroundings:
 
     Attributes
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
     weights : ndarray of shape (n,)
     """
 

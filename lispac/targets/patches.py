@@ -2,8 +2,8 @@
 
 A coarse look that says where planes are. Each point's plane through its neighbours tells its
 direction; regions grow from the flattest points over neighbours that lie on the region's plane and
-face as it does. Where a patch is wanted to the last point, `lispac.targets.finder` takes it from
-there.
+face as it does (Rabbani, van den Heuvel and Vosselman 2006). Where a patch is wanted to the last
+point, `lispac.targets.finder` takes it from there.
 """
 
 from dataclasses import dataclass
@@ -35,10 +35,10 @@ class FlatPatch:
 
     Attributes
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
         One of each voxel.
     plane : Plane
-    centre : ndarray of shape (3,), metres
+    centre : ndarray of shape (3,), metres, local frame
         Of the points.
     extent : ndarray of shape (2,), metres
         Width (level) and height (up the slope).
@@ -60,7 +60,7 @@ class FlatPatches:
     Attributes
     ----------
     patches : tuple of FlatPatch
-    thinned : ndarray of shape (n, 3), metres
+    thinned : ndarray of shape (n, 3), metres, local frame
     label : ndarray of shape (n,), int
         Index into ``patches``, -1 for none.
     """
@@ -82,7 +82,7 @@ def flat_patches(
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
         Points with a missing coordinate are passed over.
     threshold : float, metres
         Farthest a point may lie from its patch.

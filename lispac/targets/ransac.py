@@ -39,12 +39,12 @@ def draw(
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
     votes : ndarray of shape (n,)
         Weight of each point.
-    expected_normal : ndarray of shape (3,), or None
+    expected_normal : ndarray of shape (3,), local frame, or None
         Only planes within ``settings.max_tilt`` of this normal are taken.
-    through : ndarray of shape (3,), metres, or None
+    through : ndarray of shape (3,), metres, local frame, or None
         A point that the plane must hold.
     """
     rng = np.random.default_rng(settings.seed)

@@ -79,9 +79,10 @@ class Section:
 
 
 def common_normal(groups: Iterable[Array]) -> Array:
-    """The direction several groups of points (n, 3) face, each by itself; a unit vector.
+    """The direction several groups of points (n, 3) face, each by itself; a unit vector (3,).
 
-    Lines that are apart would give the plane through all their points another direction.
+    All in the local frame. Lines that are apart would give the plane through all their points
+    another direction.
     """
     normals = np.array([fit_plane(points).normal for points in groups])
     _, axes = np.linalg.eigh(normals.T @ normals)
@@ -102,7 +103,7 @@ def across_target(
     Parameters
     ----------
     centre : ndarray of shape (3,), metres, local frame
-    normal : ndarray of shape (3,), unit vector
+    normal : ndarray of shape (3,), unit vector, local frame
     eye : ndarray of shape (3,), metres, local frame
         From where the target was scanned: that side is on the left, and below in a level section.
     level : bool

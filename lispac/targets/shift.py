@@ -28,7 +28,7 @@ class Shift:
 
     Attributes
     ----------
-    vector : ndarray of shape (3,), metres
+    vector : ndarray of shape (3,), metres, local frame
         To be added to the first cloud's points.
     score : float, in [0, 1]
         Weighted share of the first cloud's points that meet the second.
@@ -48,9 +48,9 @@ def find_shifts(
 
     Parameters
     ----------
-    first : ndarray of shape (n, 3), metres
+    first : ndarray of shape (n, 3), metres, local frame
     weights : ndarray of shape (n,)
-    second : ndarray of shape (m, 3), metres
+    second : ndarray of shape (m, 3), metres, local frame
         Must reach farther than the first by ``most`` on every side.
     most : float, metres
     prefer_small : float
@@ -89,9 +89,9 @@ def rated(
 
     Parameters
     ----------
-    first, second : ndarrays of shape (n, 3) and (m, 3), metres
+    first, second : ndarrays of shape (n, 3) and (m, 3), metres, local frame
     weights : ndarray of shape (n,)
-    vectors : ndarray of shape (k, 3), metres
+    vectors : ndarray of shape (k, 3), metres, local frame
     """
     if len(vectors) == 0:
         return []
@@ -112,7 +112,10 @@ def _scores(first: Array, weights: Array, second: Array, tried: Array, voxel: fl
 
 
 def voxels(points: Array, voxel: float) -> Indices:
-    """The voxel of each point (n, 3) as one number; the raster stays where the points move."""
+    """The voxel of each point (n, 3), local frame, as one number.
+
+    The raster stays where the points move.
+    """
     return cell_keys(points, voxel * np.floor(bounds(points)[0] / voxel), voxel)[0]
 
 

@@ -55,12 +55,12 @@ def met_by_beams(
 
     Parameters
     ----------
-    points : ndarray of shape (m, 3), metres
-    turns : ndarray of shape (3, m, 3), metres per radian
+    points : ndarray of shape (m, 3), metres, local frame
+    turns : ndarray of shape (3, m, 3), metres per radian, local frame
     off : ndarray of shape (m,), metres, from the plane
-    beams : ndarray of shape (m, 3), metres
+    beams : ndarray of shape (m, 3), metres, local frame
         From the scanner to each point.
-    normal : ndarray of shape (3,)
+    normal : ndarray of shape (3,), local frame
         Of the plane.
     """
     ahead = beams @ normal

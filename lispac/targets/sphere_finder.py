@@ -99,7 +99,7 @@ class SpherePatch:
 
     @property
     def centre(self) -> Array:
-        """Of the sphere, shape (3,), metres."""
+        """Of the sphere, shape (3,), metres, local frame."""
         return self.sphere.centre
 
 
@@ -223,7 +223,10 @@ def _on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
 
 
 def _tukey(points: Array, sphere: Sphere, radius: float | None, threshold: float) -> Sphere:
-    """Weighted fit with Tukey's biweight, which settles on the densest layer of the points."""
+    """Weighted fit with the biweight (Beaton and Tukey 1974).
+
+    It settles on the densest layer of the points.
+    """
     for _ in range(ROBUST_ROUNDS):
         off = sphere.distances(points) / threshold
         sphere = fit_sphere(points, radius, np.maximum(1.0 - off * off, 0.0) ** 2, sphere)

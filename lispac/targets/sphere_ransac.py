@@ -28,7 +28,7 @@ def draw(
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres, the nearest to the seed first
+    points : ndarray of shape (n, 3), metres, local frame, the nearest to the seed first
     votes : ndarray of shape (n,)
     least, most : float, metres
         Radii sought. Where they are equal the radius is known and three points make a hypothesis,

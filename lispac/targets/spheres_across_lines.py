@@ -49,7 +49,7 @@ def find_spheres_in_lines(
     Parameters
     ----------
     clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
-    seed : ndarray of shape (3,), metres
+    seed : ndarray of shape (3,), metres, local frame
         On the ball, near it, or its centre.
     sought : RadiusSought
     settings : FinderSettings

@@ -19,7 +19,7 @@ def thin(points: Array, distance: float) -> Indices:
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres
+    points : ndarray of shape (n, 3), metres, local frame
     distance : float, metres
         Zero or less keeps every finite point.
 

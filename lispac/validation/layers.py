@@ -50,9 +50,9 @@ def nearest_layers(
 
     Parameters
     ----------
-    points : ndarray of shape (m, 3), metres
-    cores : ndarray of shape (n, 3), metres
-    normals : ndarray of shape (n, 3), unit vectors
+    points : ndarray of shape (m, 3), metres, local frame
+    cores : ndarray of shape (n, 3), metres, local frame
+    normals : ndarray of shape (n, 3), unit vectors, local frame
     diameters : ndarray of shape (n,), metres
     reach : float, metres
         Half the length of the cylinder.
@@ -84,12 +84,12 @@ def nearest_of(values: Array, thickness: float) -> tuple[float, float]:
 def inside(
     points: Array, cores: Array, normals: Array, diameters: Array, middle: Array, half: Array
 ) -> Bools:
-    """Which points, shape (m, 3), lie in the cylinder of any place.
+    """Which points, shape (m, 3), local frame, lie in the cylinder of any place.
 
     Parameters
     ----------
-    cores : ndarray of shape (n, 3), metres
-    normals : ndarray of shape (n, 3), unit vectors
+    cores : ndarray of shape (n, 3), metres, local frame
+    normals : ndarray of shape (n, 3), unit vectors, local frame
     diameters : ndarray of shape (n,), metres
     middle, half : ndarrays of shape (n,), metres
         Where the middle of each cylinder lies along the normal, and half its length.

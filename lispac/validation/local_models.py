@@ -1,4 +1,7 @@
-"""What stands for the surface between the points of a cloud: a point, a plane or a quadric."""
+"""What stands for the surface between the points of a cloud: a point, a plane or a quadric.
+
+The local models are those of CloudCompare.
+"""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
@@ -84,10 +87,10 @@ class LocalModel:
 
         Parameters
         ----------
-        compared : ndarray of shape (n, 3), metres
+        compared : ndarray of shape (n, 3), metres, local frame
         nearest : ndarray of shape (n,)
             Index of the reference point nearest to each.
-        reference : ndarray of shape (m, 3), metres
+        reference : ndarray of shape (m, 3), metres, local frame
         tree : cKDTree of the reference points
 
         Returns

@@ -36,14 +36,14 @@ class NormalDistances:
 
     Attributes
     ----------
-    cores : ndarray of shape (n, 3), metres
+    cores : ndarray of shape (n, 3), metres, local frame
     distance : ndarray of shape (n,), metres
         Of the compared cloud from the reference, positive on the side the normals point to.
     half_width : ndarray of shape (n,), metres
         Half the 95 % interval of each distance.
     no_distance : int
         Core points that had none: too few points, or none that make a normal.
-    normals : ndarray of shape (n, 3), unit vectors
+    normals : ndarray of shape (n, 3), unit vectors, local frame
         Along which each was measured.
     at : ndarray of shape (n,), int
         Which of the core points that were given have one.
@@ -90,7 +90,7 @@ def distances_along_normal(
     Parameters
     ----------
     compared, reference : ndarrays of shape (n, 3) and (m, 3), metres, same frame
-    cores : ndarray of shape (k, 3), metres
+    cores : ndarray of shape (k, 3), metres, local frame
         Where distances are wanted: some of the reference points.
     facing : ndarray of shape (3,) or (k, 3)
         Direction on whose side all normals are taken, or that of each core.
@@ -155,7 +155,7 @@ def distances_along_normal(
 
 
 def normals_at(reference: Array, cores: Array, facing: Array, normal_scale: float | Array) -> Array:
-    """Normals of the reference at core points, shape (k, 3); not a number where there is none.
+    """Normals of the reference at core points, shape (k, 3), local frame; not a number for none.
 
     Parameters
     ----------

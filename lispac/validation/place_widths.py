@@ -64,7 +64,7 @@ def diameters_at(line: "cKDTree", places: Array, reach: float) -> Array:
     ----------
     line : cKDTree
         Of the line's points.
-    places : ndarray of shape (k, 3), metres
+    places : ndarray of shape (k, 3), metres, local frame
     reach : float, metres
 
     Returns
@@ -87,7 +87,7 @@ def spread_out(places: Array, diameters: Array) -> tuple[Indices, Array]:
 
     Parameters
     ----------
-    places : ndarray of shape (k, 3), metres
+    places : ndarray of shape (k, 3), metres, local frame
     diameters : ndarray of shape (k,), metres
         Those wanted at each; those of a region become one, for the distance to a neighbour
         scatters by a seventh though the density is even.
@@ -117,7 +117,7 @@ def by_region(places: Array, values: Array, side: float) -> Array:
 
     Parameters
     ----------
-    places : ndarray of shape (k, 3), metres
+    places : ndarray of shape (k, 3), metres, local frame
     values : ndarray of shape (k,)
     side : float, metres
         Of the cubes.

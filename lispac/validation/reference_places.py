@@ -1,9 +1,9 @@
 """A line against a reference, at the same places before and after the calibration.
 
 On a surface (a static scan, a surveyed plane) as between two lines: cylinders along the reference's
-own normal (M3C2), at the surface of the line that is nearest. At a surveyed point there is no
-surface but the line's: a plane through its points about the one nearest to the surveyed point, if
-the point's foot lies within them.
+own normal (M3C2: Lague et al. 2013), at the surface of the line that is nearest. At a surveyed
+point there is no surface but the line's: a plane through its points about the one nearest to the
+surveyed point, if the point's foot lies within them.
 """
 
 from dataclasses import dataclass, replace
@@ -129,7 +129,7 @@ def on_surface(
     before, after : ndarrays of shape (n, 3), metres, local frame
         The line's points with the prior and with the estimated boresight.
     reference : ndarray of shape (m, 3), metres, local frame
-    cores : ndarray of shape (k, 3), metres
+    cores : ndarray of shape (k, 3), metres, local frame
         Flat places of the reference.
     facing : ndarray of shape (k, 3)
         Towards the vessel.

@@ -38,8 +38,7 @@ def local_places(
 
     Returns
     -------
-    ndarray of shape (n, 3), metres; not finite where the system does not reach
-
+    ndarray of shape (n, 3), metres, local frame; not finite where the system does not reach
     """
     points = np.asarray(points, dtype=float).reshape(-1, 3)
     if system is None:
@@ -64,7 +63,7 @@ def too_far(point: Array, system: CoordinateSystem | None, trajectory: LocalTraj
 
     Parameters
     ----------
-    point : ndarray of shape (3,)
+    point : ndarray of shape (3,), local frame
         As one of `local_places`.
     """
     distance = float(away(local_places(point, system, trajectory), trajectory)[0])

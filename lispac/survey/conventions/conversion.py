@@ -303,6 +303,8 @@ def require_angles(convention: Convention) -> None:
 def require_rotation(matrix: Array) -> Array:
     """The rotation, shape (3, 3), nearest to a typed matrix that is one but for its rounding.
 
+    By its singular values (Schönemann 1966).
+
     Parameters
     ----------
     matrix : ndarray of shape (3, 3)
@@ -338,7 +340,7 @@ def angle_jacobian(setup: Setup, boresight: Array) -> Array | None:
 
     Returns
     -------
-    ndarray of shape (3, 3), or None where the system's outer angles are not told apart
+    ndarray of shape (3, 3), no unit, or None where the system's outer angles are not told apart
     """
     mounting = Mounting(np.zeros(3), boresight)
     rotation = mounting.rotation_body_lidar

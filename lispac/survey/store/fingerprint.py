@@ -22,7 +22,13 @@ class Running:
     times: int = 0
 
     def after(self, points_lidar: NDArray[np.float64], time: NDArray[np.float64]) -> "Running":
-        """Take the next points along, ``points_lidar`` (n, 3), metres, ``time`` (n,), seconds."""
+        """Take the next points along.
+
+        Parameters
+        ----------
+        points_lidar : ndarray of shape (n, 3), metres
+        time : ndarray of shape (n,), seconds
+        """
         return Running(
             self.points + len(time),
             crc32(np.ascontiguousarray(points_lidar, dtype=np.float64).data, self.coordinates),
