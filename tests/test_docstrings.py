@@ -17,14 +17,13 @@ import ast
 import builtins
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
 from itertools import chain
 from pathlib import Path
 
 import pytest
 
-CORE = Path(__file__).resolve().parents[1] / "lispac"
+from tests.documented import CORE, Documented, Name, public, trees
 
 QUANTITY = re.compile(
     r"(^|_)(sigmas?|radius|distances?|height|width|angles?|times?|duration|thickness|spacing|"
@@ -65,59 +64,6 @@ ELSEWHERE = re.compile(
     r"\b(?:[Ss]ee|[Aa]s(?: for| in| of)?|[Ll]ike|inverse of|those of) `([\w.]+)`"
 )
 """Words that send to another docstring."""
-HEADING = re.compile(r"^(\w[\w ]*)\n-{3,}$", re.MULTILINE)
-
-
-@dataclass(frozen=True)
-class Documented:
-    """A docstring, cut into its sections."""
-
-    words: str
-    sections: dict[str, str]
-
-    @classmethod
-    def of(cls, docstring: str) -> "Documented":
-        """Cut a docstring at its headings; what stands before the first are its words."""
-        words, *rest = HEADING.split(docstring)
-        return cls(words, dict(zip(rest[::2], rest[1::2], strict=True)))
-
-    def entries(self, section: str) -> dict[str, str]:
-        """Type line and words of each name of a section."""
-        found: dict[str, str] = {}
-        names: list[str] = []
-        for line in self.sections.get(section, "").splitlines():
-            if line and not line[0].isspace():
-                head, _, kind = line.partition(" : ")
-                names = [name.strip().lstrip("*") for name in head.split(",")]
-                found |= dict.fromkeys(names, kind)
-            else:
-                found |= {name: f"{found[name]} {line.strip()}" for name in names}
-        return found
-
-
-@dataclass(frozen=True)
-class Name:
-    """A function, method or class of the core and where it stands."""
-
-    module: str
-    name: str
-    node: ast.FunctionDef | ast.ClassDef
-    docstring: Documented
-
-    @property
-    def where(self) -> str:
-        """For a reader of the failure."""
-        return f"{self.module}:{self.node.lineno} {self.name}"
-
-
-@cache
-def trees() -> dict[str, ast.Module]:
-    """Syntax trees of the core's modules."""
-    paths = (path for path in sorted(CORE.rglob("*.py")) if "gui" not in path.parts)
-    return {
-        str(path.relative_to(CORE.parent)): ast.parse(path.read_text(encoding="utf-8"))
-        for path in paths
-    }
 
 
 @cache
@@ -163,23 +109,6 @@ def is_place(module: str, name: str, annotation: ast.expr | None, said: str) -> 
     if "radians" in said and not LENGTH.search(said):
         return False
     return bool(PLACE.search(name) or (THREE.search(said) and LENGTH.search(said)))
-
-
-def public(room: str) -> Iterator[Name]:
-    """Public names of a room, methods and properties with them."""
-
-    def below(module: str, parent: str, nodes: list[ast.stmt]) -> Iterator[Name]:
-        for node in nodes:
-            if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name[0] != "_":
-                name = f"{parent}{node.name}"
-                said = Documented.of(ast.get_docstring(node) or "")
-                yield Name(module, name, node, said)
-                if isinstance(node, ast.ClassDef):
-                    yield from below(module, f"{name}.", node.body)
-
-    for module, tree in trees().items():
-        if module.split("/")[1] == room:
-            yield from below(module, "", tree.body)
 
 
 def fields(node: ast.ClassDef) -> dict[str, ast.expr]:

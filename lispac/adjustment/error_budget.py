@@ -1,7 +1,7 @@
 """What every source of error does to a point at a distance (thesis table 1.3), for one system.
 
-The derivatives are those of the adjustment (`sensitivity`). A geometry is stated, since what an
-angle does depends on where the beam goes: an error about the beam itself moves nothing.
+The derivatives are those of the adjustment (`adjustment.sensitivity`). A geometry is stated, since
+what an angle does depends on where the beam goes: an error about the beam itself moves nothing.
 """
 
 from collections.abc import Mapping, Sequence

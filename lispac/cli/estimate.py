@@ -1,4 +1,4 @@
-"""`lispac estimate`: adjust a project or plane files, and say what came of it."""
+"""``lispac estimate``: adjust a project or plane files, and say what came of it."""
 
 from argparse import Namespace
 from collections.abc import Iterable, Sequence

@@ -1,4 +1,4 @@
-"""The options of `lispac estimate`, and those it shares with `lispac new`."""
+"""The options of ``lispac estimate``, and those it shares with ``lispac new``."""
 
 import argparse
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""The values of the validation: a part of `values`, made from the comparisons of the lines."""
+"""The values of the validation: a part of `report.values`, from the comparisons of the lines."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

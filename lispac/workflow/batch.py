@@ -111,7 +111,7 @@ def each_row(
     options: ReportOptions,
     progress: Progress,
 ) -> Iterator[Row]:
-    """The rows of `batch`, each when its project is done.
+    """The rows of `lispac.batch`, each when its project is done.
 
     Raises
     ------

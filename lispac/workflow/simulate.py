@@ -26,7 +26,7 @@ from lispac.workflow.simulated_setup import Simulation
 
 RAW, TRUTH, MARKER = "raw", "truth", "simulated"
 TARGETS = "targets.csv"
-"""List of coordinates that `lispac pick --seeds` reads."""
+"""List of coordinates that ``lispac pick --seeds`` reads."""
 BALLS = "balls.csv"
 """The same of balls, for ``--shape sphere``."""
 

@@ -1,0 +1,1 @@
+"""The API reference: pages from the docstrings, built by Sphinx."""

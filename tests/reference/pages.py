@@ -1,0 +1,122 @@
+"""The pages of the API reference: what scripts use, then every room with a page for each module."""
+
+import ast
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from tests.documented import trees
+from tests.reference.resolving import offered
+
+HERE = Path(__file__).resolve().parent
+CHECKOUT = HERE.parents[1]
+MANUAL = CHECKOUT / "resources" / "manual" / "en"
+ROOMS = {
+    "workflow": "Use cases",
+    "io": "Files",
+    "report": "Report",
+    "design": "Design",
+    "simulation": "Simulation",
+    "validation": "Validation",
+    "adjustment": "Adjustment",
+    "targets": "Targets",
+    "survey": "Survey",
+    "geometry": "Geometry",
+    "language": "Languages",
+    "scripting": "Scripting",
+    "cli": "Command line",
+    "others": "Of all rooms",
+}
+"""Folders of the core, and the modules beside them; the window has no place here."""
+
+
+def build(folder: Path, *, whole: bool = True) -> str:
+    """Build the reference into a folder and say what Sphinx says; nothing where all is well.
+
+    Parameters
+    ----------
+    whole : the rooms too, not only what scripts use
+    """
+    with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
+        write(Path(scratch, "sources"), whole=whole)
+        return run(Path(scratch, "sources"), folder)
+
+
+def run(sources: Path, folder: Path) -> str:
+    """Run Sphinx on sources and say what it says: where nothing, all is well."""
+    with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
+        command = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-W", "--keep-going"]
+        command += ["-c", str(HERE), "-d", scratch, str(sources), str(folder.resolve())]
+        # Compiled functions are read as the Python they are written in.
+        variables = {**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+        done = subprocess.run(
+            command, capture_output=True, text=True, check=False, env=variables, cwd=CHECKOUT
+        )
+    return f"{done.stderr}\nSphinx refuses." if done.returncode else done.stderr
+
+
+def write(sources: Path, *, whole: bool = True) -> None:
+    """Write the sources of the pages into a new folder."""
+    shutil.copytree(HERE / "texts", sources)
+    shutil.copy(MANUAL / "scripts.md", sources / "scripts.txt")
+    listed = _list_of("", ["scripts_api"])
+    if whole:
+        modules = [name.removesuffix(".py").replace("/", ".") for name in trees()]
+        modules = [name for name in modules if name not in ("lispac.__init__", "lispac.__main__")]
+        for room in ROOMS:
+            _write_room(sources, room, [name for name in modules if _room_of(name) == room])
+        listed += _list_of("Rooms", list(ROOMS))
+    with (sources / "index.rst").open("a", encoding="utf-8") as index:
+        index.write("\n".join(listed))
+
+
+def _room_of(module: str) -> str:
+    parts = module.split(".")
+    return parts[1] if len(parts) > 2 else "others"
+
+
+def _write_room(sources: Path, room: str, modules: list[str]) -> None:
+    """Write the page of a room and those of its modules."""
+    package = f"lispac.{room}"
+    pages = {name.removesuffix(".__init__"): name for name in modules}
+    lines = _titled(ROOMS[room])
+    if pages.pop(package, ""):
+        lines += [f".. automodule:: {package}", "   :members:", ""]
+    lines += [f"- :doc:`{_short(name)} <{name}>`: {_summary(pages[name])}" for name in pages]
+    lines += _list_of("", list(pages), hidden=True)
+    (sources / f"{room}.rst").write_text("\n".join(lines), encoding="utf-8")
+    for name in pages:
+        at_scripts = [full for full in offered() if full.rpartition(".")[0] == name]
+        hidden = ", ".join(full.rpartition(".")[2] for full in at_scripts)
+        lines = _titled(_short(name))
+        lines += [f".. automodule:: {name}", "   :members:", "   :ignore-module-all:"]
+        lines += [f"   :exclude-members: {hidden}"] if hidden else []
+        lines += ["   :show-inheritance:"] if name == "lispac.errors" else []
+        if hidden:
+            names = ", ".join(f":py:obj:`{offered()[full]}`" for full in at_scripts)
+            lines += ["", f"For scripts: {names}."]
+        (sources / f"{name}.rst").write_text("\n".join([*lines, ""]), encoding="utf-8")
+
+
+def _short(module: str) -> str:
+    parts = module.split(".")
+    return ".".join(parts[2:] or parts[1:])
+
+
+def _summary(module: str) -> str:
+    """The first line of a module's docstring."""
+    words = ast.get_docstring(trees()[f"{module.replace('.', '/')}.py"]) or ""
+    return words.partition("\n\n")[0].replace("\n", " ")
+
+
+def _titled(title: str) -> list[str]:
+    return [title, "=" * len(title), ""]
+
+
+def _list_of(caption: str, pages: list[str], *, hidden: bool = False) -> list[str]:
+    options = ["   :maxdepth: 1", *([f"   :caption: {caption}"] if caption else [])]
+    options += ["   :hidden:"] if hidden else []
+    return ["", ".. toctree::", *options, "", *(f"   {page}" for page in pages), ""]

@@ -1,0 +1,56 @@
+"""What a name of a docstring or a signature stands for in the API reference."""
+
+import ast
+from collections.abc import Iterator
+from functools import cache
+
+import lispac
+from tests.documented import trees
+
+FOREIGN = (
+    "NDArray", "abc", "argparse", "collections", "concurrent", "contextlib", "datetime", "enum",
+    "distributed", "functools", "jinja2", "laspy", "matplotlib", "np", "numba", "numpy", "open3d",
+    "pathlib", "pye57", "pyproj", "scipy", "threading", "types", "typing", "typst",
+    "ArgumentTypeError", "CRS", "Commands", "LinAlgError", "cKDTree",
+)  # fmt: skip
+"""Packages whose names the reference does not lead to."""
+
+
+def offered() -> dict[str, str]:
+    """What ``import lispac`` offers: the name in its module, and the one to use it by."""
+    return {f"{module}.{name}": f"lispac.{name}" for name, module in lispac._WHERE.items()}
+
+
+def documented_as(name: str) -> str:
+    """The name that a thing has in the reference: by ``lispac`` where it is offered there."""
+    for full, short in offered().items():
+        if name == full or name.startswith(f"{full}."):
+            return short + name.removeprefix(full)
+    return name
+
+
+@cache
+def known() -> set[str]:
+    """Names in modules and classes: a docstring may speak of a constant that has none."""
+    found = set()
+    for module, tree in trees().items():
+        dotted = module.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
+        found |= {dotted, *_stored(dotted, tree.body)}
+    return found
+
+
+def _stored(above: str, nodes: list[ast.stmt]) -> Iterator[str]:
+    for node in nodes:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            yield f"{above}.{node.name}"
+        if isinstance(node, ast.ClassDef):
+            yield from _stored(f"{above}.{node.name}", node.body)
+        elif isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names = (name for target in targets for name in ast.walk(target))
+            yield from (f"{above}.{name.id}" for name in names if isinstance(name, ast.Name))
+
+
+def is_there(name: str) -> bool:
+    """Whether a name that has no place in the reference is one in the code nevertheless."""
+    return name in known() or any(each.endswith(f".{name}") for each in known())

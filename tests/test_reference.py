@@ -1,0 +1,84 @@
+"""The API reference: no warning, every name leads somewhere, no public one is missing."""
+
+import zlib
+from pathlib import Path
+
+import pytest
+
+import lispac
+from tests.documented import public, trees
+from tests.reference import pages, resolving
+
+
+def inventory(built: Path) -> set[str]:
+    """Names that have a place in the pages, as `objects.inv` lists them."""
+    content = (built / "objects.inv").read_bytes().split(b"\n", 4)[4]
+    return {line.split(" ")[0] for line in zlib.decompress(content).decode().splitlines()}
+
+
+def below(dotted: str) -> set[str]:
+    """Public names of a module as the reference has them."""
+    path = f"{dotted.replace('.', '/')}"
+    module = f"{path}.py" if f"{path}.py" in trees() else f"{path}/__init__.py"
+    room = module.split("/")[1]
+    found = (name for name in public(room) if name.module == module)
+    return {resolving.documented_as(f"{dotted}.{name.name}") for name in found}
+
+
+@pytest.fixture(scope="module")
+def scripts(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What scripts use; any warning of the builder fails."""
+    folder = tmp_path_factory.mktemp("reference")
+    assert pages.build(folder, whole=False) == ""
+    return folder
+
+
+def test_what_scripts_use_is_there_with_an_example(scripts: Path) -> None:
+    there = inventory(scripts)
+    assert {f"lispac.{name}" for name in lispac.__all__ if name != "__version__"} <= there
+    steps = below("lispac.scripting.open_project") | below("lispac.scripting.held")
+    own = {name.replace("lispac.scripting.held.Held", "lispac.OpenProject") for name in steps}
+    assert {"lispac.OpenProject.seed", "lispac.OpenProject.boresight_deg"} < own
+    assert own <= there
+    text = (scripts / "scripts_api.html").read_text("utf-8")
+    assert 'class="n">reject</span>' in text
+
+
+def test_a_name_that_leads_nowhere_fails(tmp_path: Path) -> None:
+    sources = tmp_path / "sources"
+    sources.mkdir()
+    names = "`SEMI_MAJOR_AXIS`, `ValueError`, `no_such_name`"
+    (sources / "index.rst").write_text(f"One\n===\n\nSee {names}.\n")
+    said = pages.run(sources, tmp_path / "out")
+    assert "reference target not found: no_such_name" in said
+    assert said.count("WARNING") == 1
+    assert said.endswith("Sphinx refuses.")
+
+
+def test_every_module_of_the_core_has_a_page(tmp_path: Path) -> None:
+    pages.write(tmp_path / "sources")
+    written = "\n".join(page.read_text("utf-8") for page in (tmp_path / "sources").glob("*.rst"))
+    modules = {
+        name.removesuffix(".py").removesuffix("/__init__").replace("/", ".") for name in trees()
+    }
+    assert len(modules) > 300
+    for module in modules - {"lispac", "lispac.__main__"}:
+        assert f".. automodule:: {module}\n" in written
+
+
+@pytest.mark.long
+@pytest.mark.timeout(900)
+def test_every_public_name_of_the_core_is_there(tmp_path: Path) -> None:
+    assert pages.build(tmp_path) == ""
+    there = inventory(tmp_path)
+    wanted: set[str] = set()
+    for module in trees():
+        dotted = module.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+        wanted |= below(dotted) if dotted not in ("lispac", "lispac.__main__") else set()
+    assert len(wanted) > 1500
+    assert wanted - there == set()
+    # What Sphinx cannot read of a signature it shows as it came, with the signs of autodoc
+    unread = [
+        page.name for page in tmp_path.glob("*.html") if "~lispac." in page.read_text("utf-8")
+    ]
+    assert unread == []
