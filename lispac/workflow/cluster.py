@@ -161,10 +161,11 @@ class _Cluster:
         for k in range(len(chunks)):
             while k not in answers:
                 sent = self._next(back)
-                if self._lost_its_worker(sent):
+                answer = self._answer(sent)
+                if answer is None:
                     self._send(sent)
                 else:
-                    answers[sent.number] = self._answer(sent)
+                    answers[sent.number] = answer
             yield from answers.pop(k)
 
     def _send(self, sent: "_Sent") -> None:
@@ -197,8 +198,8 @@ class _Cluster:
                         f"{self.address}: all workers are gone; start them and the campaign again."
                     )
 
-    def _lost_its_worker(self, sent: "_Sent") -> bool:
-        """Whether the scheduler gave it up, and it is worth another try.
+    def _answer(self, sent: "_Sent") -> list[Any] | None:
+        """What came back; None where the scheduler gave it up, and it is worth another try.
 
         Raises
         ------
@@ -207,26 +208,24 @@ class _Cluster:
         """
         import distributed
 
+        answer = None
         with self._talk():
             error = sent.future.exception()
-        if not isinstance(error, distributed.scheduler.KilledWorker):
-            if error is not None:
-                raise error
-            return False
+            if error is None:
+                # Its worker may have been lost since: others do it again, or are lost by it, too
+                try:
+                    answer = list(sent.future.result(timeout=PATIENCE))
+                except distributed.scheduler.KilledWorker as lost:
+                    error = lost
+        if error is not None and not isinstance(error, distributed.scheduler.KilledWorker):
+            raise error
         self._forget(sent)
-        if sent.times >= SENDINGS:
+        if error is not None and sent.times >= SENDINGS:
             raise LispacError(
                 f"{self.address}: the same {len(sent.chunk)} calculations lost their worker again "
                 "and again; it has too little memory, or is stopped from outside."
             )
-        return True
-
-    def _answer(self, sent: "_Sent") -> list[Any]:
-        # Its worker may have been lost since, and then another does it again
-        with self._talk():
-            answer = sent.future.result(timeout=PATIENCE)
-        self._forget(sent)
-        return list(answer)
+        return answer
 
     def _workers(self) -> int:
         """Threads of all workers there are now."""
