@@ -2,50 +2,71 @@
 
 ``python -m tests.screens FOLDER [PROJECT]`` shows PROJECT, or else the built-in survey, calibrated;
 in both looks, both languages and two sizes. ``QT_SCALE_FACTOR=2`` makes them for a fine screen. It
-needs a screen of at least 1600 x 1000, if only a virtual one. PROJECT is not changed.
+needs a screen of at least the largest size, if only a virtual one. PROJECT is not changed. What
+stayed English in another language is listed in ``unsaid.txt``, names of the survey and all.
 """
 
 import argparse
+import os
 import shutil
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QTabWidget, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QWidget
 
 from lispac.errors import InputError
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.language import unsaid
+from lispac.gui.panels.clipping import TITLE as CLIPPING
+from lispac.gui.panels.diagnostics import TITLE as DIAGNOSTICS
+from lispac.gui.panels.section import TITLE as SECTION
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.status import STEPS
+from lispac.gui.tasks import TaskRunner
+from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.vtk import VtkViewport
 from lispac.workflow.demo import run_demo
+from tests.screen_findings import Findings
 
-SIZES = ((1600, 1000), (1366, 768))
+SIZES = ("1600x1000", "1366x768")
 LOOKS, LANGUAGES = ("light", "dark"), ("en", "fr")
 SETTLING_S = 0.4
 ASKING = (
     "about", "keys", "seed_at", "find_again", "lines", "targets", "trajectory", "check", "script",
-    "budget",
+    "budget", "settings",
 )  # fmt: skip
 """Actions that end in a dialogue."""
+SURVEYS = 100
+"""Simulated of the plan."""
 
 
 class Photographer:
     """Drives a session and writes pictures into a folder."""
 
-    def __init__(self, application: QApplication, folder: Path, project: Path) -> None:
+    def __init__(
+        self,
+        application: QApplication,
+        folder: Path,
+        project: Path,
+        sizes: Sequence[str],
+        units: tuple[str, str],
+    ) -> None:
         self._application, self._folder, self._project = application, folder, project
-        self._settings = AppSettings(folder / "settings.ini")
+        self._sizes = [tuple(map(int, size.split("x"))) for size in sizes]
+        self._settings = AppSettings(project.parent / "settings.ini")
         self._settings.language, self._settings.theme = LANGUAGES[0], LOOKS[0]
+        self._settings.units = units
         self._session = Session(application, VtkViewport, self._settings)
         self._prefix = ""
         self._watch = QTimer(interval=100)
         self._watch.timeout.connect(self._look)
         self._seen: QWidget | None = None
+        self._unsaid: dict[str, None] = {}
         self._asked = ""
 
     @property
@@ -68,26 +89,43 @@ class Photographer:
         top = widget.frameGeometry()
         picture = widget.screen().grabWindow(0, top.x(), top.y(), top.width(), top.height())
         picture.save(str(self._folder / f"{self._prefix}-{name}.png"))
+        self._unsaid.update(dict.fromkeys(unsaid()))
 
-    def everything(self, looks: tuple[str, ...], languages: tuple[str, ...]) -> None:
+    def everything(self, looks: Sequence[str], languages: Sequence[str]) -> None:
         """All pictures."""
-        for look in looks:
-            for language in languages:
-                self._dress(look, language)
-                for size in SIZES:
-                    self._resize(look, language, size)
-                    self.take(self.window, "start")
+        for _ in self._dressed(looks, languages):
+            self.empty()
         self.window.open_project(self._project)
         self.rest(2.0)
+        window = self.window
+        assert window.document.project is not None
+        assert window.document.survey is not None
+        self._found = Findings.of(
+            window.document.project, window.document.survey, self._project.parent
+        )
+        for _ in self._dressed(looks, languages):
+            self.panels()
         for look in looks:
             for language in languages:
                 self._dress(look, language)
-                for size in SIZES:
-                    self._resize(look, language, size)
-                    self.panels()
                 self._prefix = f"{look}-{language}"
                 self.dialogues()
                 self.design()
+        for look in looks:
+            for language in languages:
+                self._dress(look, language)
+                self._prefix = f"{look}-{language}"
+                self.tour()
+
+    def _dressed(self, looks: Sequence[str], languages: Sequence[str]) -> Iterator[None]:
+        """Once in each look and language and size."""
+        for look in looks:
+            for language in languages:
+                self._dress(look, language)
+                for width, height in self._sizes:
+                    self._prefix = f"{look}-{language}-{width}x{height}"
+                    self.window.setGeometry(0, 0, width, height)
+                    yield
 
     def _dress(self, look: str, language: str) -> None:
         self._settings.theme, self._settings.language = look, language
@@ -96,24 +134,46 @@ class Photographer:
         while self.window is former:
             self.rest(0.1)
 
-    def _resize(self, look: str, language: str, size: tuple[int, int]) -> None:
-        self._prefix = f"{look}-{language}-{size[0]}x{size[1]}"
-        self.window.setGeometry(0, 0, *size)
+    def empty(self) -> None:
+        """Before a project is open: the start page, and what the docks say of themselves."""
+        self.take(self.window, "start")
+        for step, name in enumerate(STEPS):
+            self.window.workflow.open(step)
+            self.take(self.window, f"empty-step-{step + 1}-{name.lower()}")
+        self._docks("empty")
 
     def panels(self) -> None:
-        """Every step and every dock."""
+        """Every step and every dock, with nothing and with a target selected."""
         window = self.window
         for step, name in enumerate(STEPS):
             window.workflow.open(step)
             self.take(window, f"step-{step + 1}-{name.split()[0].lower()}")
-        for name, dock in window.docks.items():
+        self._docks("dock")
+        for row in range(window.diagnostics.list.count()):
+            window.diagnostics.list.setCurrentRow(row)
+            window.docks[DIAGNOSTICS].raise_()
+            self.take(window, f"dock-diagnostics-{row + 1}")
+        project = window.document.project
+        window.scene.select(project.targets[0].name)
+        for name in (SECTION, CLIPPING):
+            window.docks[name].raise_()
+            self.rest()
+            if name == CLIPPING:
+                window.tools.clipping.panel.about.click()
+            self.take(window, f"selected-{name.split()[0].lower()}")
+        window.tools.clipping.panel.reset.click()
+
+    def _docks(self, what: str) -> None:
+        for name, dock in self.window.docks.items():
             dock.show()
             dock.raise_()
-            self.take(window, f"dock-{name.split()[0].lower()}")
-            if dock.widget() is window.diagnostics:
-                for row in range(1, window.diagnostics.list.count()):
-                    window.diagnostics.list.setCurrentRow(row)
-                    self.take(window, f"dock-diagnostics-{row + 1}")
+            self.take(self.window, f"{what}-{name.split()[0].lower()}")
+
+    def tour(self) -> None:
+        """Its first card."""
+        self.window.actions_["tour"].trigger()
+        self.rest(2.0)
+        self.take(self.window, "tour")
 
     def dialogues(self) -> None:
         """Each is photographed when it is up, and closed."""
@@ -130,6 +190,11 @@ class Photographer:
         raw = [self._project / "raw"]
         self._ask("import-empty", lambda: dialogs.new_project(self._settings))
         self._ask("import", lambda: dialogs.new_project(self._settings, raw))
+        document = window.document
+        for name, ask in self._found.asked(
+            dialogs, self._settings, document.project, document.survey
+        ).items():
+            self._ask(name, ask)
         self._watch.stop()
 
     def _ask(self, name: str, ask: Callable[[], object]) -> None:
@@ -146,32 +211,49 @@ class Photographer:
         if isinstance(dialog, ImportDialog):
             while dialog.work.busy:
                 self.rest(0.1)
-            for page in range(1, dialog.findChild(QTabWidget, "import_tabs").count()):
-                dialog.tabs.setCurrentIndex(page)
-                self.take(dialog, f"dialogue-{self._asked}-{page + 1}")
-            dialog.tabs.setCurrentIndex(0)
         self.take(dialog, f"dialogue-{self._asked}")
-        if isinstance(dialog, QMessageBox):
-            dialog.close()
-        elif isinstance(dialog, QDialog):
-            dialog.reject()
+        for tabs in dialog.findChildren(QTabWidget):
+            for page in range(1, tabs.count() if tabs.isVisible() else 0):
+                tabs.setCurrentIndex(page)
+                self.take(dialog, f"dialogue-{self._asked}-{page + 1}")
+        if isinstance(dialog, QDialog):
+            dialog.done(QDialog.DialogCode.Rejected)  # some questions cannot be closed unanswered
         self._seen = None
         self._watch.start()
 
     def design(self) -> None:
-        """The workspace of a site, its tables and views."""
+        """The workspace of a site, its tables and views, before and after its long work."""
         self.window.actions_["design"].trigger()
-        design = self.window.designing.window
-        for width, height in SIZES:
+        designing = self.window.designing
+        design = designing.window
+        for width, height in self._sizes:
             design.setGeometry(0, 0, width, height)
             for tabs in (design.tabs, design.views):
                 for page in range(tabs.count()):
                     tabs.setCurrentIndex(page)
                     self.take(design, f"{width}-{tabs.objectName()}-{page + 1}")
+        design.surveys.surveys.setValue(SURVEYS)
+        designing.compare()
+        self._settle(designing.runner)
+        self.take(design, "design-compared")
+        for name, work in {
+            "scenarios": designing.scenarios, "surveys": designing.surveys,
+            "best": designing.search,
+        }.items():  # fmt: skip
+            work()
+            self._settle(designing.runner)
+            self.take(design, f"design-{name}")
+        designing.workspace.undo()
         design.close()
 
+    def _settle(self, runner: TaskRunner) -> None:
+        while runner.active:
+            self.rest(0.1)
+
     def leave(self) -> None:
-        """Close the window."""
+        """Close the windows, and list what stayed English."""
+        (self._folder / "unsaid.txt").write_text("\n".join(self._unsaid), encoding="utf-8")
+        assert self.window.designing.leave()
         self.window.retire()
 
 
@@ -182,18 +264,28 @@ def main() -> None:
     parser.add_argument("project", type=Path, nargs="?", help="an estimated, validated project")
     parser.add_argument("--looks", nargs="+", default=LOOKS, choices=LOOKS)
     parser.add_argument("--languages", nargs="+", default=LANGUAGES, choices=LANGUAGES)
+    parser.add_argument("--sizes", nargs="+", default=SIZES, metavar="WIDTHxHEIGHT")
+    parser.add_argument("--angles", default="degrees", choices=ANGLES)
+    parser.add_argument("--lengths", default="metres", choices=LENGTHS)
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     application = QApplication(sys.argv[:1])
     with tempfile.TemporaryDirectory() as scratch:
+        for variable in ("XDG_CACHE_HOME", "LOCALAPPDATA"):
+            os.environ[variable] = scratch  # the tour changes the demo: not that of the user
         copy = Path(scratch) / "harbour"
         if arguments.project is None:
             run_demo(copy)
         else:
-            shutil.copytree(arguments.project, copy)
-        photographer = Photographer(application, arguments.folder, copy)
+            shutil.copytree(
+                arguments.project, copy, ignore=shutil.ignore_patterns("open.lock", "unsaved*")
+            )
+        photographer = Photographer(
+            application, arguments.folder, copy, arguments.sizes,
+            (arguments.angles, arguments.lengths),
+        )  # fmt: skip
         try:
-            photographer.everything(tuple(arguments.looks), tuple(arguments.languages))
+            photographer.everything(arguments.looks, arguments.languages)
         finally:
             photographer.leave()
 

@@ -8,13 +8,12 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import ExitStack, suppress
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from multiprocessing import active_children
 from pathlib import Path
 
-import dask
 import distributed
 import numpy as np
 import pytest
@@ -32,52 +31,13 @@ from lispac.workflow import cluster as cluster_module
 from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
 from lispac.workflow.cluster import cluster_of
 from lispac.workflow.designing import headline
+from tests.clusters import Clusters
 from tests.prediction_study import PLAN
 from tests.test_cli import answer, refused, run
 
 PORT = Path(__file__).parent / "data" / "port-plan.toml"
 QUAY = Path(__file__).parents[1] / "resources" / "sites" / "quay.toml"
-RESTART_S = 30.0
-"""In which a nanny has started a worker again, on busy processors."""
 SMALL = replace(PLAN, system=System(scanner=Scanner(20_000.0)))
-
-
-class Clusters:
-    """Two workers, each a process of its own that is started again when it ends.
-
-    Attributes
-    ----------
-    running : the cluster that is used
-    """
-
-    def __init__(self) -> None:
-        self._open = ExitStack()
-        self.running = self._started()
-
-    def _started(self) -> distributed.LocalCluster:
-        # The scheduler gives a chunk up as soon as it has lost one worker.
-        self._open.enter_context(dask.config.set({"distributed.scheduler.allowed-failures": 0}))
-        return self._open.enter_context(
-            distributed.LocalCluster(
-                n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0",
-                silence_logs=50,
-            )
-        )  # fmt: skip
-
-    def with_workers(self) -> distributed.LocalCluster:
-        """The cluster; another one where the test before has cost it its workers for good."""
-        until = time.monotonic() + RESTART_S
-        while len(self.running.scheduler.workers) < 2:
-            if time.monotonic() > until:
-                self.close()
-                self.running = self._started()
-                break
-            time.sleep(0.05)
-        return self.running
-
-    def close(self) -> None:
-        """End all processes."""
-        self._open.close()
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ window is made anew then, around the same document.
 
 import re
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QLibraryInfo, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
@@ -15,8 +16,13 @@ from lispac.language.catalogue import catalogue_of
 from lispac.language.translation import Translator
 from lispac.project import Project
 
+if TYPE_CHECKING:
+    from lispac.design.plan import Plan
+
 _PIECE = re.compile(r"(\n|<br>|</?(?:p|h\d|ul|ol|li|table|tr|td|th)\b[^>]*>)")
 _own = Translator(catalogue_of("en"), spoken_numbers=True)
+_of_project: frozenset[str] = frozenset()
+_of_plan: frozenset[str] = frozenset()
 _qt: QTranslator | None = None
 
 
@@ -49,7 +55,17 @@ def language() -> str:
 
 def leave_alone(project: Project | None) -> None:
     """Names of the project are no words: they stay as they are."""
-    _own.names = frozenset(() if project is None else _names(project))
+    global _of_project
+    _of_project = frozenset(() if project is None else _names(project))
+    _own.names = _of_project | _of_plan
+
+
+def leave_plan_alone(plan: "Plan") -> None:
+    """Nor are the names of the targets and lines of the plan that is designed."""
+    global _of_plan
+    courses = plan.courses if plan.targets else ()
+    _of_plan = frozenset(each.name for each in (*plan.targets, *courses))
+    _own.names = _of_project | _of_plan
 
 
 def _names(project: Project) -> Iterable[str]:

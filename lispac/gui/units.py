@@ -52,6 +52,8 @@ ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
         "minutes": {"°": Unit("′", 60.0, -1), "m°": Unit("″", 3.6)},
     }
 )
+ROUNDED = 1e-3
+"""Share by which four digits may be off."""
 _used: dict[Base, Unit] = {**METRES, **DEGREES}
 
 _SIGNS: Mapping[Base, str] = {
@@ -103,6 +105,19 @@ def amount(value: float, base: Base, form: str) -> str:
     """The same with its sign, as it stands in a sentence."""
     sign = _used[base].sign
     return figure(value, base, form) + (sign if sign in "°′″" else f" {sign}")
+
+
+def limit(value: float, base: Base) -> str:
+    """The end of a range, to four digits where it is converted."""
+    shown = float(f"{value * _used[base].factor:.4g}") if differs(base) else value
+    return f"{shown:,.10g}"
+
+
+def ended(value: float, low: float, high: float) -> float:
+    """A value in the base; what lies beyond an end by its rounding in `limit` is that end."""
+    if low - ROUNDED * abs(low) <= value < low:
+        return low
+    return high if high < value <= high + ROUNDED * abs(high) else value
 
 
 def decimals(usual: int, base: Base) -> int:

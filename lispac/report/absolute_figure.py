@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from lispac.language.translation import Say, unchanged
 from lispac.report.absolute_values import Absolute
@@ -36,6 +37,7 @@ def absolute_figure(found: Absolute, say: Say = unchanged, figure: Figure | None
         ),
         say("Places"),
     )
+    axes.yaxis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10], integer=True))
     axes.yaxis.set_major_formatter(lambda value, _: say(f"{value:,.0f}"))
     title = f"{short_name(found.reference)}, {say('all lines, along the normal')}"
     axes.set_title(title, fontsize=TEXT + 1, color=INK, loc="left")

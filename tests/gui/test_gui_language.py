@@ -8,7 +8,8 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.language import language, say, speak
+from lispac.gui.design import edits
+from lispac.gui.language import language, leave_plan_alone, say, speak
 from lispac.gui.main_window import MainWindow
 from lispac.gui.panels.widgets import TallArea
 from lispac.gui.session import Session
@@ -130,3 +131,17 @@ def test_nothing_is_cut_off_in_a_small_french_window(
                 if area.isVisible():
                     assert area.width() >= area.minimumSizeHint().width()
     assert window.width() == 1366
+
+
+def test_sentences_with_lines_of_a_plan_are_said(qapp: QApplication) -> None:
+    speak("fr")
+    try:
+        leave_plan_alone(edits.usual().plan)
+        assert say(
+            "Pitch is seen mainly by lines L3 and L2: without L3 its sigma would be 0.023 instead "
+            "of 0.014 deg."
+        ).startswith(
+            "Le tangage est vu surtout par les lignes L3 et L2\N{NO-BREAK SPACE}: sans L3, "
+        )
+    finally:
+        speak("en")

@@ -10,6 +10,7 @@ from PySide6.QtGui import QFontMetricsF, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
+from lispac.gui import units
 from lispac.gui.dialogs.about import shortcuts_box
 from lispac.gui.panels.sightings_table import EDITED
 from lispac.gui.pictures import NO_SECTION
@@ -73,6 +74,29 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
     picked.dialogs.path = Path("/dev/null/section.png")
     press(picked, Key.Key_P, Control)
     assert len(picked.dialogs.errors) == 1
+
+
+def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) -> None:
+    units.show_in("degrees", "feet")
+    try:
+        panel = section(picked)
+        first = panel.canvas.figure.axes[0]
+        assert (first.get_xlabel(), first.get_ylabel()) == (
+            "Away from the vessel, ft",
+            "Height, ft",
+        )
+        assert first.get_title(loc="left").endswith("\N{NO-BREAK SPACE}ft apart")
+        first.set_xlim(-0.25, 0.5)
+        picked.dialogs.path = tmp_path / "section.svg"
+        press(picked, Key.Key_P, Control)
+        saved = picked.dialogs.path.read_text()  # words stand as comments beside their outlines
+        assert "<!-- Height, m -->" in saved
+        assert "mm apart -->" in saved
+        assert ", ft" not in saved
+        assert first.get_xlim() == (-0.25, 0.5)
+        assert first.get_ylabel() == "Height, ft"
+    finally:
+        units.show_in("degrees", "metres")
 
 
 def test_a_sighting_edited_by_hand_is_marked_in_the_table(picked: Driver) -> None:

@@ -1,6 +1,7 @@
 """Units of display: shown and typed in the window, and nowhere else."""
 
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -29,6 +30,8 @@ from lispac.gui.viewport.overlay import legend_words, length_text, scale_length
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.gui.viewport.sketching import words_of
 from lispac.project import Project
+from tests.gui.design_support import followed
+from tests.gui.metric import METRIC, metric_words
 from tests.gui.support import Demo, Driver, ScriptedDialogs
 
 FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
@@ -36,6 +39,13 @@ FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
 MRAD, MINUTE = 180 / math.pi / 1000, 1 / 60
 """Degrees."""
 SOON_MS = 20_000
+METRIC_FOR_ALL = (
+    "with the middle of the targets \\d+ m to (port|starboard)",  # sentences of the core
+    "has no points within [.\\d]+ m of the seed",
+    "^Lever arm there, from the POS centre: ",  # typed into a program that is metric
+    "4x4 with the lever arm in metres$",
+)
+"""Of texts that have metric figures for everybody, with their unit."""
 
 
 @pytest.fixture
@@ -270,3 +280,51 @@ def test_the_scale_of_colours_is_in_feet_and_metric_in_files(
         low, high = legend_words(heights)[1:]
         assert (float(low), float(high)) == pytest.approx(np.percentile(ups, [2, 98]), abs=0.5)
     assert legend_words(seconds) == (seconds.title, seconds.low, seconds.high)
+
+
+def test_no_metric_word_is_left_in_a_window_in_feet(
+    program: Session, demo: Demo, estimated: Project, qtbot: QtBot
+) -> None:
+    from lispac.workflow.validation import validate
+
+    window = program.window
+    window.document.open(validate(estimated, demo.survey), demo.survey)
+    for dock in window.docks.values():
+        dock.show()
+        dock.raise_()
+    window.scene.select("T1")
+    window.docks["Section"].raise_()
+    for page in range(window.diagnostics.list.count()):
+        window.diagnostics.list.setCurrentRow(page)
+    panel = window.tools.sections.panel
+    qtbot.waitUntil(lambda: panel.shows and not window.runner.active, timeout=SOON_MS)
+    for system in range(window.convention.system.count()):
+        window.convention.system.setCurrentIndex(system)
+    window.actions_["design"].trigger()
+    design = window.designing.window
+    for tabs in (design.tabs, design.views):
+        for page in range(tabs.count()):
+            tabs.setCurrentIndex(page)
+    followed(design)
+    assert window.isAncestorOf(design) or design.parent() is window
+    known = re.compile("|".join(METRIC_FOR_ALL))
+    left = {
+        name: {t for t in said if not known.search(t)}
+        for name, said in metric_words(window).items()
+    }
+    assert {name: said for name, said in left.items() if said} == {}
+    assert design.close()
+    assert window.designing.leave()
+
+
+@pytest.mark.parametrize(
+    ("text", "metric"),
+    [
+        ("12.5 m", True), ("Noise (mm)", True), ("Height, m", True), ("3 cm wide", True),
+        ("in metres", True), ("0.061\u00a0m to port", True), ("points per m²", False),
+        ("(m/s)", True), ("L1_000", False), ("5 min", False), ("12.5 ft", False),
+        ("2 mrad", False), ("Bow up", False), ("m", False),
+    ],
+)  # fmt: skip
+def test_what_counts_as_metric(text: str, metric: bool) -> None:
+    assert bool(METRIC.search(text)) is metric

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.language import say
 from lispac.io.plan_file import TitledPlan
@@ -20,7 +20,7 @@ MARGIN = 34.0
 REACH = 9.0
 """Pixels about a thing within which it is taken."""
 STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
-"""Metres between the lines of the grid; the least that leaves this many pixels between them."""
+"""Of the unit shown, between the lines of the grid; the least that leaves so many pixels."""
 GRID_PIXELS = 42.0
 
 
@@ -121,21 +121,23 @@ class Canvas(QWidget):
         painter.end()
 
     def _draw_grid(self, painter: QPainter) -> None:
-        scale, _ = self._view
-        step = next((s for s in STEPS if s * scale >= GRID_PIXELS), STEPS[-1])
+        factor = units.unit("m").factor
+        scale = self._view[0] / factor
+        shown = next((s for s in STEPS if s * scale >= GRID_PIXELS), STEPS[-1])
+        step = shown / factor
         low = self.place(QPointF(0, self.height()))
         high = self.place(QPointF(self.width(), 0))
         font = theme.tabular(self.font())
         font.setPixelSize(10)
         painter.setFont(font)
-        across, up = self._axes
-        clear = self.width() - painter.fontMetrics().horizontalAdvance(say(across)) - 30
+        across, up = (units.signs(say(axis), "m", figures=False) for axis in self._axes)
+        clear = self.width() - painter.fontMetrics().horizontalAdvance(across) - 30
         for axis in (0, 1):
             for k in range(int(np.ceil(low[axis] / step)), int(np.floor(high[axis] / step)) + 1):
                 at = np.array([k * step, k * step])
                 spot = self.pixel(at)
                 painter.setPen(QPen(QColor(theme.GRID), 1))
-                said = f"{k * step:g}".replace("-", "−")
+                said = f"{k * shown:g}".replace("-", "−")
                 if axis == 0:
                     painter.drawLine(QPointF(spot.x(), 0), QPointF(spot.x(), self.height()))
                     painter.setPen(QColor(theme.MUTED))
@@ -148,8 +150,8 @@ class Canvas(QWidget):
                         painter.drawText(QPointF(4, spot.y() - 2), say(said))
         painter.setPen(QColor(theme.MUTED))
         corner = QRectF(0, self.height() - 17, self.width() - 4, 15)
-        painter.drawText(corner, Qt.AlignmentFlag.AlignRight, say(across))
-        painter.drawText(QPointF(4, 13), say(up))
+        painter.drawText(corner, Qt.AlignmentFlag.AlignRight, across)
+        painter.drawText(QPointF(4, 13), up)
 
     def words(self, painter: QPainter, at: QPointF, text: str, colour: str = "") -> None:
         """Words as they are, on a ground of their own, so that they are read over lines."""

@@ -9,6 +9,7 @@ import numpy as np
 from lispac.design.choices import thesis_plan
 from lispac.design.plan import Line, Plan, System
 from lispac.design.site import Site, Wall
+from lispac.gui import units
 from lispac.io.plan_file import TitledPlan
 from lispac.io.sensor_file import PosState, ScannerFigures
 from lispac.simulation.closed_form import Ball, Board
@@ -134,9 +135,15 @@ def snapped(heading_deg: float) -> float:
     return float(SNAP_DEG * round(heading_deg / SNAP_DEG) % 360)
 
 
+def stepped(metres: float, step: float) -> float:
+    """A length in whole steps, which are round in the unit shown and about so many metres."""
+    step = units.step(step, "m")
+    return round(round(metres / step) * step, 9)
+
+
 def at_distance(line: Line, distance: float) -> Line:
-    """The line nearer or farther, to the decimetre."""
-    return replace(line, distance=float(np.clip(round(distance, 1), NEAREST, FARTHEST)))
+    """The line nearer or farther, to a decimetre or what is like it."""
+    return replace(line, distance=float(np.clip(stepped(distance, 0.1), NEAREST, FARTHEST)))
 
 
 def hung(titled: TitledPlan) -> list[Hung]:

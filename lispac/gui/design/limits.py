@@ -8,8 +8,11 @@ from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
 
 from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
+from lispac.gui import units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.gui.panels.number_field import BASES
+from lispac.gui.units import Base
 from lispac.io.plan_file import TitledPlan
 
 # name of the site's field: (label, unit, low, high, tip)
@@ -28,7 +31,7 @@ LEANS = (90.0, 60.0, 45.0, 120.0, 135.0)
 def numbers_of(
     text: str, what: str, unit: str, low: float, high: float, decimal: str = "."
 ) -> tuple[float, ...]:
-    """A list of numbers as it is typed: apart by semicolons, blanks, or commas.
+    """A list of numbers as it is typed in the unit shown: apart by semicolons, blanks, or commas.
 
     A comma between digits is a decimal sign where the user's language has it as such.
 
@@ -38,17 +41,24 @@ def numbers_of(
         Something else stands there, or it is out of range.
     """
     text = text.replace(";", " ").replace("−", "-")
+    base = BASES.get(f" {unit}")
+    shown, factor = unit, 1.0
+    if base is not None:
+        shown, factor = units.unit(base).sign, units.unit(base).factor
     parts = text.replace(",", " " if decimal == "." else ".").split()
     if not parts:
-        raise InputError(f"{what}: give at least one number in {unit}.")
+        raise InputError(f"{what}: give at least one number in {shown}.")
     found = []
     for part in parts:
         try:
-            value = float(part)
+            typed = float(part)
         except ValueError:
-            raise InputError(f"{what}: “{part}” is not a number; give {unit}.") from None
+            raise InputError(f"{what}: “{part}” is not a number; give {shown}.") from None
+        value = units.ended(typed / factor, low, high)
         if not low <= value <= high:
-            raise InputError(f"{what}: {value:g} is out of range; give {low:g} to {high:g} {unit}.")
+            raise InputError(
+                f"{what}: {typed:g} is out of range; give {_ends(low, high, base)} {shown}."
+            )
         found.append(value)
     return tuple(dict.fromkeys(found))
 
@@ -62,15 +72,17 @@ class LimitsForm(QWidget):
         super().__init__()
         self._file: tuple[str, Site] | None = None
         self.lists: dict[str, QLineEdit] = {}
+        self._filled = {name: ("", ()) for name in LISTS}
+        """What was filled in, with all its digits, which stands as long as nothing is typed."""
         self.boards = _whole("limit_boards", 0, 6, 2, "Boards that are hung")
         self.lines = _whole("limit_lines", 2, 12, 6, "Lines that are sailed")
         self.closest = widgets.number(
-            "limit_closest", suffix=" m", decimals=1, low=0.0, high=100.0, step=0.5, fixed=True,
-            tip="No line comes nearer to the wall than this, 0 to 100 m",
+            "limit_closest", suffix=" m", decimals=1, low=0.0, high=100.0, step=0.5,
+            tip="No line comes nearer to the wall than this", ranged=True,
         )  # fmt: skip
         self.minutes = widgets.number(
             "limit_minutes", suffix=" min", decimals=0, low=1.0, high=1440.0, step=5.0,
-            tip="Time on site for lines, 1 to 1440 min",
+            tip="Time on site for lines", ranged=True,
         )  # fmt: skip
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
@@ -83,11 +95,13 @@ class LimitsForm(QWidget):
         for name, (label, unit, low, high, tip) in LISTS.items():
             field = QLineEdit()
             field.setObjectName(f"limit_{name}")
-            field.setAccessibleName(say(f"{label}, {unit}"))
-            field.setToolTip(say(f"{tip}; a list of numbers, {low:g} to {high:g} {unit}"))
+            base = BASES.get(f" {unit}")
+            told = say(f"{tip}; a list of numbers, {_ends(low, high, base)} {unit}")
+            field.setAccessibleName(_in_units(say(f"{label}, {unit}"), base))
+            field.setToolTip(told if base is None else units.signs(told, base))
             field.textChanged.connect(self._judge)
             self.lists[name] = field
-            form.addRow(say(f"{label} ({unit})"), field)
+            form.addRow(_in_units(say(f"{label} ({unit})"), base), field)
         self._fill(Site((0.0, 0.0, 0.0), 270.0, inclinations_deg=LEANS))
 
     def use_file(self, title: str, site: Site) -> None:
@@ -142,8 +156,11 @@ class LimitsForm(QWidget):
 
     def _numbers(self, name: str) -> tuple[float, ...]:
         label, unit, low, high, _ = LISTS[name]
+        text, (filled, values) = self.lists[name].text(), self._filled[name]
+        if text == filled:
+            return values
         decimal = QLocale().decimalPoint()
-        return numbers_of(self.lists[name].text(), label, unit, low, high, decimal)
+        return numbers_of(text, label, unit, low, high, decimal)
 
     def _fill(self, site: Site) -> None:
         for field, value in (
@@ -152,7 +169,9 @@ class LimitsForm(QWidget):
         ):  # fmt: skip
             field.setValue(value)
         for name, field in self.lists.items():
-            field.setText(_apart(getattr(site, name)))
+            values = tuple(getattr(site, name))
+            self._filled[name] = _apart(values, LISTS[name][1]), values
+            field.setText(self._filled[name][0])
         self.changed.emit()
 
     def _judge(self, _text: str) -> None:
@@ -169,11 +188,20 @@ class LimitsForm(QWidget):
         self.changed.emit()
 
 
-def _apart(values: Sequence[float]) -> str:
-    """Numbers as they are typed, in the user's language."""
-    decimal = QLocale().decimalPoint()
+def _apart(values: Sequence[float], unit: str) -> str:
+    """Numbers as they are typed, in the user's language and unit."""
+    decimal, base = QLocale().decimalPoint(), BASES.get(f" {unit}")
     between = ", " if decimal == "." else "; "
-    return between.join(f"{v:g}".replace(".", decimal) for v in values)
+    shown = (f"{v:g}" if base is None else units.figure(v, base, "g") for v in values)
+    return between.join(each.replace(".", decimal) for each in shown)
+
+
+def _ends(low: float, high: float, base: Base | None) -> str:
+    return " to ".join(f"{v:g}" if base is None else units.limit(v, base) for v in (low, high))
+
+
+def _in_units(said: str, base: Base | None) -> str:
+    return said if base is None else units.signs(said, base, figures=False)
 
 
 def _whole(name: str, low: int, high: int, value: int, tip: str):

@@ -5,6 +5,7 @@ from dataclasses import replace
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from lispac.design.plan import Line
+from lispac.gui import units
 from lispac.gui.design import edits
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.number_table import Field, NumberTable
@@ -105,9 +106,11 @@ class TargetsList(QWidget):
         self.table.edited.connect(self._edit)
         self.table.chosen.connect(lambda row: workspace.select(target=row))
         buttons = _row(
-            ("Add board", "add_board", "Hang one more board, 2 m to the right (Insert)",
+            ("Add board", "add_board",
+             f"Hang one more board, {units.limit(2.0, 'm')} m to the right (Insert)",
              workspace.add_target),
-            ("Add ball", "add_ball", "Put up a ball of 20 cm, 2 m to the right",
+            ("Add ball", "add_ball",
+             f"Put up a ball of {units.limit(0.2, 'm')} m, {units.limit(2.0, 'm')} m to the right",
              lambda: workspace.add_target(ball=True)),
             ("Remove", "remove_target", "Remove the selected target (Delete)",
              workspace.remove_target),
@@ -153,6 +156,7 @@ def _row(*buttons) -> QHBoxLayout:
     row = QHBoxLayout()
     for text, name, tip, slot in buttons:
         button = widgets.button(text, name, tip=tip)
+        widgets.convert_tip(button, "m")
         button.clicked.connect(lambda _=False, slot=slot: slot())
         row.addWidget(button)
     row.addStretch(1)

@@ -16,8 +16,10 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.errors import InputError
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
+from lispac.gui.panels.number_field import BASES
+from lispac.gui.units import Base
 
 
 @dataclass(frozen=True)
@@ -26,7 +28,7 @@ class Field:
 
     Attributes
     ----------
-    unit : shown below the title; empty for words
+    unit : of the values, below the title; empty for words. Lengths are shown in the user's
     low, high : what may stand there
     choices : words to choose from, instead of typing
     empty : what an empty cell means, where it may be empty
@@ -42,6 +44,22 @@ class Field:
     choices: tuple[str, ...] = ()
     empty: str = ""
     words: bool = False
+
+    @property
+    def base(self) -> Base | None:
+        """Of its lengths and speeds; angles are headings and inclinations, in degrees for all."""
+        return BASES.get(" " + self.unit.removesuffix("/s"))
+
+    @property
+    def sign(self) -> str:
+        """Unit that is shown."""
+        if self.base is None:
+            return self.unit
+        return units.unit(self.base).sign + ("/s" if self.unit.endswith("/s") else "")
+
+    def limit(self, value: float) -> str:
+        """An end of the range, in the unit shown."""
+        return f"{value:g}" if self.base is None else units.limit(value, self.base)
 
     def read(self, text: str) -> float | str | None:
         """What was typed.
@@ -61,15 +79,17 @@ class Field:
         if not text and self.empty:
             return None
         try:
-            value = float(text.replace(",", ".").replace("−", "-"))
+            typed = float(text.replace(",", ".").replace("−", "-"))
         except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            raise InputError(f"{self.title}: “{text}” is not a number; give {self.unit}.")
+            typed = math.nan
+        if not math.isfinite(typed):
+            raise InputError(f"{self.title}: “{text}” is not a number; give {self.sign}.")
+        value = typed if self.base is None else typed / units.unit(self.base).factor
+        value = units.ended(value, self.low, self.high)
         if not self.low <= value <= self.high:
             raise InputError(
-                f"{self.title}: {value:g} {self.unit} is out of range; give {self.low:g} to "
-                f"{self.high:g} {self.unit}."
+                f"{self.title}: {typed:g} {self.sign} is out of range; give "
+                f"{self.limit(self.low)} to {self.limit(self.high)} {self.sign}."
             )
         return value
 
@@ -79,7 +99,9 @@ class Field:
             return self.empty
         if isinstance(value, str):
             return value
-        return f"{value + 0.0:.{self.decimals}f}".replace("-", "−")
+        form = f".{self.decimals}f"
+        said = f"{value:{form}}" if self.base is None else units.figure(value, self.base, form)
+        return said.replace("-", "−") if float(said) else said.replace("-", "")
 
 
 class NumberTable(QTableWidget):
@@ -98,9 +120,11 @@ class NumberTable(QTableWidget):
         self.fields = tuple(fields)
         self._showing = False
         heads = [f"{each.title}\n({each.unit})" if each.unit else each.title for each in fields]
-        self.setHorizontalHeaderLabels(say_all(heads))
+        self.setHorizontalHeaderLabels(
+            [_signed(head, each, False) for head, each in zip(say_all(heads), fields, strict=True)]
+        )
         for k, each in enumerate(fields):
-            self.horizontalHeaderItem(k).setToolTip(say(self._tip(each)))
+            self.horizontalHeaderItem(k).setToolTip(self._tip(each))
         self.verticalHeader().setDefaultSectionSize(25)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().hide()
@@ -121,9 +145,9 @@ class NumberTable(QTableWidget):
 
     def _tip(self, field: Field) -> str:
         if field.words or field.choices:
-            return field.tip
-        said = f"{field.tip}, {field.low:g} to {field.high:g} {field.unit}"
-        return f"{said}. Empty: {field.empty}" if field.empty else said
+            return say(field.tip)
+        said = f"{field.tip}, {field.limit(field.low)} to {field.limit(field.high)} {field.unit}"
+        return _signed(say(f"{said}. Empty: {field.empty}" if field.empty else said), field)
 
     def show_rows(self, rows: Sequence[Sequence[float | str | None]], current: int) -> None:
         """Show other values; a cell of a field that does not apply holds an empty string."""
@@ -139,7 +163,7 @@ class NumberTable(QTableWidget):
                     side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
                     item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
                     item.setFont(theme.tabular(self.font()))
-                    item.setToolTip(say(self._tip(field)))
+                    item.setToolTip(self._tip(field))
                     self.setItem(r, c, item)
                 said = "" if value == "" else _shown(field, value)
                 if item.text() != said:
@@ -153,6 +177,15 @@ class NumberTable(QTableWidget):
     def _choose(self, row: int, _column: int, before: int, _was: int) -> None:
         if not self._showing and row != before and row >= 0:
             self.chosen.emit(row)
+
+
+def _signed(said: str, field: Field, figures: bool = True) -> str:
+    """A text with the sign of the unit shown; ``figures``, where they are in that unit."""
+    if field.base is None:
+        return said
+    if field.unit.endswith("/s"):
+        return said.replace(field.unit, field.sign)
+    return units.signs(said, field.base, figures=figures)
 
 
 def _shown(field: Field, value: float | str | None) -> str:
@@ -180,7 +213,8 @@ class _Delegate(QStyledItemDelegate):
             box.setFont(theme.tabular(box.font()))
             box.textEdited.connect(lambda _text: self._judge(box, field))
             box.destroyed.connect(self._closed)
-        box.setAccessibleName(say(f"{field.title}, {field.unit}" if field.unit else field.title))
+        said = say(f"{field.title}, {field.unit}" if field.unit else field.title)
+        box.setAccessibleName(_signed(said, field, False))
         return box
 
     def _closed(self) -> None:

@@ -5,7 +5,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 
 from lispac.design.plan import Line
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import REACH, Array, Canvas
 from lispac.gui.design.workspace import Workspace
@@ -16,6 +16,9 @@ ASIDE = 6.0
 """Pixels a line is drawn to starboard of its course: opposite lines lie beside each other."""
 BADGE = 9.0
 """Pixels: radius of a line's number."""
+
+SNAP = 0.5
+"""Metres, about: a line is dragged in steps of a round length."""
 
 Key = Qt.Key
 
@@ -128,8 +131,9 @@ class PlanView(Canvas):
         painter.drawText(first + QPointF(-wide / 2, 4), number)
         if chosen:
             line = self.workspace.titled.plan.lines[k]
-            said = say(f"{line.heading_deg:03.0f}°, {line.distance:g} m")
-            self.words(painter, (first + last) / 2 + QPointF(8, -8), said, theme.MOVED)
+            said = say(f"{line.heading_deg:03.0f}°, {units.limit(line.distance, 'm')} m")
+            at = (first + last) / 2 + QPointF(8, -8)
+            self.words(painter, at, units.signs(said, "m"), theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 
@@ -177,7 +181,7 @@ class PlanView(Canvas):
             away = np.array([-along[1], along[0]]) * (1 if line.starboard else -1)
             line = edits.at_distance(line, line.distance + float((now - self._from) @ away))
             if not free:
-                line = edits.at_distance(line, round(2 * line.distance) / 2)
+                line = edits.at_distance(line, edits.stepped(line.distance, SNAP))
         self.workspace.drag(edits.with_line(self.workspace.titled, self.workspace.line, line))
 
     def dropped(self) -> str:
@@ -201,7 +205,7 @@ class PlanView(Canvas):
                 f"turn {work.line}",
             )
         elif key in (Key.Key_Up, Key.Key_Down):
-            farther = (0.1 if free else 1.0) * (1 if key == Key.Key_Up else -1)
+            farther = units.step(0.1 if free else 1.0, "m") * (1 if key == Key.Key_Up else -1)
             work.change_line(
                 f"move line {work.line + 1}",
                 lambda line: edits.at_distance(line, line.distance + farther),

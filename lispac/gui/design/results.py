@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePol
 
 from lispac.adjustment.result import ANGLES
 from lispac.design.search import Worth
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.design import told
 from lispac.gui.design.following import Following, Said
 from lispac.gui.design.told import Told
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import say
+from lispac.gui.language import leave_plan_alone, say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.workflow.designing import cautions
@@ -22,7 +22,7 @@ LOOKING = "Looking at this plan …"
 PAIRS = ("roll–pitch", "roll–yaw", "pitch–yaw")
 WORTH = (
     Column("Without", "Target or line that is left out", words=True),
-    Column("largest (deg)", "Largest of the three sigmas without it"),
+    Column("largest (deg)", "Largest of the three sigmas without it", base="°"),
     Column("times", "That many times as large as with it"),
 )
 
@@ -41,7 +41,9 @@ class ResultsPanel(QScrollArea):
         self._told = Told(workspace.titled.plan, None, True)
         body = QWidget()
         layout = widgets.column(body, 12)
-        layout.addWidget(widgets.label("Expected sigmas (deg, 1 sigma)", "heading"))
+        head = widgets.label("Expected sigmas (deg, 1 sigma)", "heading")
+        head.setText(units.signs(head.text(), "°", figures=False))
+        layout.addWidget(head)
         grid = QGridLayout()
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(4)
@@ -59,7 +61,8 @@ class ResultsPanel(QScrollArea):
                 # There is room for the first numbers before they come
                 shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
                 shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                shown.setAccessibleName(say(f"Sigma of {angle}, {HEADS[column]}, degrees"))
+                named = say(f"Sigma of {angle}, {HEADS[column]}, degrees")
+                shown.setAccessibleName(units.signs(named, "°", figures=False))
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
                 held[angle] = shown
         grid.setColumnStretch(3, 1)
@@ -102,6 +105,7 @@ class ResultsPanel(QScrollArea):
     def _show(self) -> None:
         """What costs nothing."""
         titled = self._work.titled
+        leave_plan_alone(titled.plan)
         self.minutes.setText(say(f"On site: {told.minutes(titled)}"))
         said = "\n".join(cautions(titled))
         self.cautions.setText(say(said))
@@ -162,7 +166,7 @@ class ResultsPanel(QScrollArea):
             without = float(np.degrees(each.without))
             times = without / largest if known and np.isfinite(without) else None
             cells = [
-                Cell(each.name, named=True), Cell(told.sigma_words(without), without),
+                Cell(each.name, named=True), _sigma(without),
                 Cell("" if times is None else f"{times:.2f}", times),
             ]  # fmt: skip
             rows.append(Row(cells))
@@ -171,6 +175,13 @@ class ResultsPanel(QScrollArea):
     def stop(self) -> None:
         """Compute nothing any more."""
         self.following.stop()
+
+
+def _sigma(degrees: float) -> Cell:
+    if not np.isfinite(degrees):
+        return Cell(told.OPEN, degrees)
+    form = told.form(degrees)
+    return Cell(f"{degrees:{form}}", degrees, figure=(form, 1.0))
 
 
 def _count(counts, target: str, line: str) -> str:

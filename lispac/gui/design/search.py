@@ -4,6 +4,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.design.objective import CRITERIA, Objective
+from lispac.gui import units
 from lispac.gui.design.limits import LimitsForm
 from lispac.gui.design.told import sigma_words
 from lispac.gui.design.workspace import Workspace
@@ -104,7 +105,7 @@ class SearchPanel(QScrollArea):
 
     def say(self, words: str) -> None:
         """Say what was found; empty before anything is."""
-        self.said.setText(say(words))
+        self.said.setText(units.signs(say(words), "°"))
         self.said.setVisible(bool(words))
 
     def show_busy(self, busy: bool) -> None:

@@ -1,6 +1,7 @@
 """With what is surveyed: POS, scanner, and how the adjustment takes the POS errors."""
 
 from dataclasses import replace
+from math import isclose
 
 import numpy as np
 from PySide6.QtCore import Signal
@@ -12,6 +13,7 @@ from lispac.gui.design import edits
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.gui.panels.number_field import ALIKE
 from lispac.report.design_words import NAMES
 
 OWN = "own numbers"
@@ -20,7 +22,7 @@ OWN = "own numbers"
 def _number(name, unit, decimals, low, high, step, tip):
     return widgets.number(
         name, suffix=f" {unit}", decimals=decimals, low=low, high=high, step=step,
-        tip=f"{tip}, {low:g} to {high:g} {unit}", fixed=True,
+        tip=tip, ranged=True,
     )  # fmt: skip
 
 
@@ -57,7 +59,7 @@ class SystemPanel(QScrollArea):
             for axis in ("north", "east", "up")
         ]  # fmt: skip
         self.attitude = [
-            _number(f"design_sigma_{axis}", "deg", 4, 0.0001, 10.0, 0.001,
+            _number(f"design_sigma_{axis}", "°", 4, 0.0001, 10.0, 0.001,
                     f"POS error of {axis}, 1 sigma")
             for axis in ("roll", "pitch", "heading")
         ]  # fmt: skip
@@ -79,8 +81,10 @@ class SystemPanel(QScrollArea):
                                  "Farthest the scanner sees")  # fmt: skip
         self.minutes = _number("design_minutes_line", "min", 1, 0.1, 600.0, 0.5,
                                "From one line to the next, with the turn")  # fmt: skip
-        self.facing = _number("design_facing", "deg", 0, 0.0, 359.0, 5.0,
-                              "Azimuth the wall faces; the whole site turns")  # fmt: skip
+        self.facing = widgets.number(
+            "design_facing", suffix=" °", decimals=0, low=0.0, high=359.0, step=5.0,
+            tip="Azimuth the wall faces; the whole site turns", ranged=True, fixed=True,
+        )  # fmt: skip
         self.library = widgets.button(
             "From the sensor library…", "design_sensors",
             tip="Take the sigmas of a scanner and of an INS/GNSS from the library",
@@ -133,7 +137,7 @@ class SystemPanel(QScrollArea):
         for field, value in zip(
             [*self._numbers, self.facing], [*values, titled.wall.facing_deg], strict=True
         ):
-            if abs(field.value() - value) > 0.51 * 10.0 ** -field.decimals():
+            if not isclose(field.value(), value, abs_tol=ALIKE):
                 field.setValue(float(value))
         grades = [each == pos for each in GRADES.values()]
         self.grade.setCurrentIndex(grades.index(True) if any(grades) else len(grades))

@@ -9,12 +9,13 @@ from lispac.design.objective import Objective
 from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
 from lispac.design.search import Worth, worth
+from lispac.gui import units
 from lispac.io.plan_file import TitledPlan
 from lispac.progress import Progress, no_progress
 from lispac.workflow.designing import words_of
 
 EMPTY = "Nothing to calibrate with yet: add a target and at least two lines."
-UNKNOWN = "–"
+UNKNOWN, OPEN = "–", "open"
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +43,7 @@ class Told:
 
     @property
     def sigmas(self) -> tuple[str, str, str]:
-        """Of roll, pitch, yaw in degrees."""
+        """Of roll, pitch, yaw."""
         if self.prediction is None or not self.prediction.determined:
             return UNKNOWN, UNKNOWN, UNKNOWN
         a, b, c = (sigma_words(float(v)) for v in np.degrees(self.prediction.sigma))
@@ -61,10 +62,15 @@ class Told:
 
 
 def sigma_words(degrees: float) -> str:
-    """A sigma as it is written."""
+    """A sigma as it is written, in the unit shown."""
     if not np.isfinite(degrees):
-        return "open"
-    return f"{degrees:.4f}" if degrees < 5.0 else f"{degrees:.2f}"
+        return OPEN
+    return units.figure(degrees, "°", form(degrees))
+
+
+def form(degrees: float) -> str:
+    """How many decimals a sigma has."""
+    return ".4f" if degrees < 5.0 else ".2f"
 
 
 def sentences(plan: Plan, progress: Progress = no_progress) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from lispac.gui import theme
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array
 from lispac.gui.design.edits import Hung
-from lispac.gui.design.wall_view import moved
+from lispac.gui.design.wall_view import FINE, STEP, moved
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.viewport.base import Handle, PickedPoint, Sketch, Viewport
 from lispac.io.plan_file import TitledPlan
@@ -90,7 +90,7 @@ class View3D(QObject):
             ]
             self._work.select(target=int(np.argmin(away)))
             return
-        along, _, up = (round(metres, 1) for metres in titled.wall.seen(at.position))
+        along, _, up = (edits.stepped(metres, STEP) for metres in titled.wall.seen(at.position))
         if self._work.target < 0:
             self._work.add_target(place=(along, up))
         else:
@@ -103,8 +103,8 @@ class View3D(QObject):
             self._held, self._by = edits.hung(self._work.titled)[self._work.target], np.zeros(3)
         self._by[handle] += metres
         along, up, off = self._by
-        to = moved(self._held, float(along), float(up), 2)
-        to = replace(to, off=round(self._held.off + float(off), 2))
+        to = moved(self._held, float(along), float(up), FINE)
+        to = replace(to, off=edits.stepped(self._held.off + float(off), FINE))
         self._work.drag(edits.with_target(self._work.titled, self._work.target, to))
 
     def _let_go(self, _name: str) -> None:

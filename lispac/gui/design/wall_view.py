@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array, Canvas
 from lispac.gui.design.edits import Hung
@@ -15,6 +15,8 @@ from lispac.gui.language import say
 
 LEAST = 8.0
 """Pixels: a board is drawn at least as large."""
+STEP, FINE = 0.1, 0.01
+"""Metres, about: a target moves in steps of a round length."""
 ABOVE = 2.0
 """Metres of wall and water that are seen beyond the targets."""
 
@@ -29,14 +31,14 @@ class WallView(Canvas):
             "wall_view", "Wall from the water: targets", workspace,
             ("along the wall (m)", "above POS (m)"),
         )  # fmt: skip
-        self.setToolTip(
-            say(
-                "Drag a target along the wall and up (in steps of 0.1 m, with Shift of "
-                "0.01 m). Keys: "
-                "Page up and down choose a target, the arrows move it; Insert adds a board, Delete "
-                "removes."
-            )
+        wide, fine = (units.limit(units.step(step, "m"), "m") for step in (STEP, FINE))
+        tip = say(
+            f"Drag a target along the wall and up (in steps of {wide} m, with Shift of "
+            f"{fine} m). Keys: "
+            "Page up and down choose a target, the arrows move it; Insert adds a board, Delete "
+            "removes."
         )
+        self.setToolTip(units.signs(tip, "m"))
         self._held: Hung | None = None
         self._from = np.zeros(2)
 
@@ -73,8 +75,9 @@ class WallView(Canvas):
             said = each.name if each.ball else f"{each.name} {each.lean:.0f}°"
             self.words(painter, box.topLeft() + QPointF(0, -3), said)
             if k == self.workspace.target:
-                place = f"{each.along:+.2f}, {each.up:+.2f} m".replace("-", "−")
-                self.words(painter, box.bottomLeft() + QPointF(0, 14), say(place), theme.MOVED)
+                along, up = (units.figure(v, "m", "+.2f") for v in (each.along, each.up))
+                place = units.signs(say(f"{along}, {up} m".replace("-", "−")), "m")
+                self.words(painter, box.bottomLeft() + QPointF(0, 14), place, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 
@@ -103,7 +106,7 @@ class WallView(Canvas):
         if self._held is None:
             return
         along, up = self.place(at) - self._from
-        to = moved(self._held, float(along), float(up), 2 if free else 1)
+        to = moved(self._held, float(along), float(up), FINE if free else STEP)
         self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, to))
 
     def dropped(self) -> str:
@@ -116,7 +119,7 @@ class WallView(Canvas):
 
     def key(self, key: Qt.Key, free: bool) -> bool:
         """Choose a target, move it, add or remove one."""
-        work, step = self.workspace, 0.01 if free else 0.1
+        work, step = self.workspace, units.step(FINE if free else STEP, "m")
         count = len(work.titled.plan.targets)
         arrows = {
             Key.Key_Left: (-step, 0.0), Key.Key_Right: (step, 0.0),
@@ -126,7 +129,7 @@ class WallView(Canvas):
             work.select(target=(work.target + (1 if key == Key.Key_PageDown else -1)) % count)
         elif key in arrows:
             work.change_target(
-                "move target", lambda each: moved(each, *arrows[key], 2), f"hang {work.target}"
+                "move target", lambda each: moved(each, *arrows[key], FINE), f"hang {work.target}"
             )
         elif key == Key.Key_Insert:
             work.add_target()
@@ -137,8 +140,10 @@ class WallView(Canvas):
         return True
 
 
-def moved(target: Hung, along: float, up: float, decimals: int) -> Hung:
-    """A target moved along the wall and up, metres, to so many decimals."""
+def moved(target: Hung, along: float, up: float, step: float) -> Hung:
+    """A target moved along the wall and up, metres, to steps of about so many."""
     return replace(
-        target, along=round(target.along + along, decimals), up=round(target.up + up, decimals)
+        target,
+        along=edits.stepped(target.along + along, step),
+        up=edits.stepped(target.up + up, step),
     )

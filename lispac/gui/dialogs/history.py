@@ -56,7 +56,7 @@ class HistoryDialog(StudyDialog):
         self.system.setSizeAdjustPolicy(self.system.SizeAdjustPolicy.AdjustToContents)
         self.system.currentIndexChanged.connect(self._show)
         self.body.insertWidget(1, self.system)
-        self.resize(1120, 820)
+        self.resize(1260, 820)
         self._show()
 
     def _show(self) -> None:

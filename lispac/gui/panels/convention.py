@@ -11,13 +11,14 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.errors import InputError
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.convention_inputs import CurrentSettings, GivenBoresight, ImuAxes
 from lispac.gui.panels.convention_table import AnglesTable
 from lispac.gui.panels.gizmo import Gizmo
 from lispac.gui.panels.matrix_field import MatrixField
+from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
 from lispac.project import Project
 from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import Setup, Stated
@@ -33,7 +34,7 @@ from lispac.survey.conventions.systems import (
     Scanner,
     Status,
 )
-from lispac.survey.conventions.words import boresight_words, lever_arm_words, offsets_words
+from lispac.survey.conventions.words import offsets_words
 from lispac.survey.georeferencing import Mounting
 
 TITLE = "Angles in another program"
@@ -270,12 +271,7 @@ class ConventionPanel(QWidget):
             )
             error = correction.sum_error
             if error > SUM_MATTERS:
-                lines.append(
-                    say(
-                        f"<b>Do not add the angles:</b> the sum would be {np.degrees(error):.4f}° "
-                        f"off, {error * 1e5:.0f} mm at 100 m."
-                    )
-                )
+                lines.append(_off(error))
         if new.transform is not None:
             lines.append(f"{say('The correction of the 4x4 matrix:')}<br>{_code(new.transform)}")
         if stated.note:
@@ -286,8 +282,8 @@ class ConventionPanel(QWidget):
 
     def _show_words(self, mounting: Mounting) -> None:
         sentences = (
-            f"<b>{say(boresight_words(mounting.boresight))}</b>",
-            say(lever_arm_words(mounting.lever_arm)),
+            f"<b>{boresight_said(mounting.boresight)}</b>",
+            lever_arm_said(mounting.lever_arm),
             say(offsets_words(mounting)),
         )
         self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
@@ -304,6 +300,14 @@ class ConventionPanel(QWidget):
 def _matrix_words(rotation: np.ndarray, transform: np.ndarray | None) -> str:
     words = "The matrix below replaces the present one: new = correction · present. The correction:"
     return f"{say(words)}<br>{_code(rotation if transform is None else transform)}"
+
+
+def _off(error: float) -> str:
+    """What the sum of the angles would be wrong by, radians."""
+    angle = units.figure(float(np.degrees(error)), "°", ".4f")
+    off, far = units.figure(error * 1e5, "mm", ".0f"), units.limit(100.0, "m")
+    said = say(f"<b>Do not add the angles:</b> the sum would be {angle}° off, {off} mm at {far} m.")
+    return units.signs(said, "°", "mm", "m")
 
 
 def _code(matrix: np.ndarray) -> str:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QPlainTextEdit
 from lispac.gui.language import say
 
 MOST_LINES = 2000
+EMPTY = "What the program does, takes for granted and cannot do is noted here, with the time."
 
 
 class LogPanel(QPlainTextEdit):
@@ -18,6 +19,7 @@ class LogPanel(QPlainTextEdit):
         self.setObjectName("log")
         self.setAccessibleName(say("Log"))
         self.setReadOnly(True)
+        self.setPlaceholderText(say(EMPTY))
         self.setMaximumBlockCount(MOST_LINES)
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)

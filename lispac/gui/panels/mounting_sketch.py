@@ -15,7 +15,7 @@ from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.gizmo import SCANNER_AXES, exaggerated, turn_words
-from lispac.survey.conventions.words import boresight_words, lever_arm_words
+from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
 from lispac.survey.lever_arm import lever_arm_doubts
 
 View = Literal["above", "starboard"]
@@ -277,8 +277,7 @@ class MountingView(QWidget):
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
         """Draw and say a lever arm (metres; forward, left, up) and a boresight (degrees)."""
         self.sketch.show_mounting(lever_arm, boresight_deg)
-        said = (lever_arm_words(lever_arm), boresight_words(np.radians(boresight_deg)))
-        words = " ".join(say(each) for each in said)
+        words = f"{lever_arm_said(lever_arm)} {boresight_said(np.radians(boresight_deg))}"
         self.words.setText(words)
         self.sketch.setAccessibleDescription(words)
         doubts = lever_arm_doubts(lever_arm)

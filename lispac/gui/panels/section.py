@@ -3,16 +3,21 @@
 from collections.abc import Mapping, Sequence
 from io import BytesIO
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
+from lispac.gui import units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
 from lispac.io.files import written_whole
 from lispac.workflow.sections import Cut
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "Section"
 LAID = ("Upright", "Level")
@@ -45,11 +50,11 @@ class SectionPanel(QWidget):
         )  # fmt: skip
         self.thickness = widgets.number(
             "section_thickness", suffix=" m", decimals=2, low=0.01, high=50, step=0.05,
-            tip="Thickness of the strip", fixed=True,
+            tip="Thickness of the strip",
         )  # fmt: skip
         self.size = widgets.number(
             "section_size", suffix=" m", decimals=1, low=0.2, high=200, step=0.5,
-            tip="Height of the picture, and its width across a target", fixed=True,
+            tip="Height of the picture, and its width across a target",
         )  # fmt: skip
         self.thickness.setValue(0.20)
         self.size.setValue(2.0)
@@ -107,14 +112,14 @@ class SectionPanel(QWidget):
         return bool(self.through.text())
 
     def save(self, path: Path) -> None:
-        """Write the section as it is shown, under what it cuts; the ending says as what.
+        """Write the section as it is shown, but in metres; the ending says as what.
 
         Raises
         ------
         InputError
             Where the file cannot be written.
         """
-        with written_whole(path) as part:
+        with units.standard(), written_whole(path) as part:
             self._print(part, path.suffix[1:].lower())
 
     def picture(self) -> QImage:
@@ -124,14 +129,15 @@ class SectionPanel(QWidget):
         return QImage.fromData(stream.getvalue())
 
     def _print(self, target: Path | BytesIO, kind: str) -> None:
-        figure = self.canvas.figure
-        title = figure.suptitle(self.through.text(), fontsize=11, parse_math=False)
-        try:
-            figure.savefig(target, format=kind, dpi=PRINT_DPI)
-        finally:
-            title.remove()
-            figure._suptitle = None
-            self.canvas.draw_idle()
+        from matplotlib.figure import Figure
+
+        shown = self.canvas.figure
+        printed = Figure(figsize=shown.get_size_inches(), layout="constrained")
+        self._draw(printed)
+        for axes, like in zip(printed.axes, shown.axes, strict=True):
+            axes.set(xlim=like.get_xlim(), ylim=like.get_ylim())
+        printed.suptitle(self.through.text(), fontsize=11, parse_math=False)
+        printed.savefig(target, format=kind, dpi=PRINT_DPI)
 
     def _allow_pictures(self, allowed: bool) -> None:
         self.save_picture.allow(allowed)
@@ -156,21 +162,25 @@ class SectionPanel(QWidget):
         through : what is cut
         target : whether it lies across a target, and not between two points
         """
-        # Imported here, so that the start of the window does not wait for Matplotlib.
-        from lispac.gui.panels.section_figure import draw_section
-
         self.through.setText(say(through))
         self.laid.setEnabled(target)
         self.words.hide()
         self._make_canvas()
         across = RIGHT if self.level else AHEAD
         words = (across, AHEAD if self.level else HEIGHT) if target else (ALONG, HEIGHT)
-        draw_section(cuts, colours, words, self.canvas.figure)
+        self._shown = cuts, colours, words
+        self._draw(self.canvas.figure)
         self._zooming.keep()
         self.canvas.draw_idle()
         self.canvas.show()
         self._allow_pictures(True)
         self.canvas.setAccessibleName(say(f"Section of the lines: {through}"))
+
+    def _draw(self, figure: "Figure") -> None:
+        # Imported here, so that the start of the window does not wait for Matplotlib.
+        from lispac.gui.panels.section_figure import draw_section
+
+        draw_section(*self._shown, figure)
 
     def _make_canvas(self) -> None:
         if self.canvas is not None:

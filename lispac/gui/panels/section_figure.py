@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 
 from lispac.gui import theme, units
 from lispac.gui.language import say
+from lispac.gui.panels.ticks import in_units
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.overlay import length_text, scale_length
 from lispac.workflow.sections import Cut
@@ -39,6 +40,8 @@ def draw_section(
         axes.set_xlabel(say(words[0]), fontsize=TEXT, color=theme.TEXT)
         if number == 1:
             axes.set_ylabel(say(words[1]), fontsize=TEXT, color=theme.TEXT)
+        in_units(axes.xaxis, "m")
+        in_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
     if lines:
         marks = [
@@ -54,10 +57,11 @@ def draw_section(
 
 
 def title(cut: Cut) -> str:
-    """Which placement it is, and how far apart the lines are."""
+    """Which placement it is, and how far apart the lines are, in the user's language and unit."""
     if cut.apart is None:
-        return TITLES[cut.which]
-    return f"{TITLES[cut.which]}: up to {cut.apart * 1000:.0f} mm apart"
+        return say(TITLES[cut.which])
+    apart = units.figure(cut.apart * 1000, "mm", ".0f")
+    return units.signs(say(f"{TITLES[cut.which]}: up to {apart} mm apart"), "mm")
 
 
 def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
@@ -78,7 +82,7 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
     axes.spines[:].set_color(theme.MUTED)
-    axes.set_title(say(title(cut)), fontsize=TEXT, color=theme.TEXT, loc="left")
+    axes.set_title(title(cut), fontsize=TEXT, color=theme.TEXT, loc="left")
     if not total:
         axes.text(0.5, 0.5, say("No points here"), transform=axes.transAxes, ha="center",
                   color=theme.MUTED, fontsize=TEXT)  # fmt: skip
@@ -87,9 +91,8 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
 
 def _bar(axes: Axes, extent: Array) -> None:
     """A bar of a round length in the lower left corner."""
-    with units.standard():  # the picture is saved as it is shown
-        metres = scale_length(1.0, 0.3 * float(extent.min()))
-        words = say(length_text(metres))
+    metres = scale_length(1.0, 0.3 * float(extent.min()))
+    words = say(length_text(metres))
     left, low = -0.46 * extent[0], -0.45 * extent[1]
     axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
               solid_capstyle="butt")  # fmt: skip

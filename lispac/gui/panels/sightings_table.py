@@ -86,7 +86,9 @@ class SightingsModel(QAbstractTableModel):
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
         """Name of a line with its heading, and its colour."""
-        return _said(self._head(section, orientation, role))
+        said = _said(self._head(section, orientation, role))
+        tip = role == Role.ToolTipRole and said is not None
+        return units.signs(said, "mm", figures=False) if tip else said
 
     def _head(self, section: int, orientation: Qt.Orientation, role: int) -> Any:
         if orientation == Qt.Orientation.Vertical:

@@ -256,9 +256,11 @@ class TargetsPanel(QWidget):
         self.shape_choice.currentIndexChanged.connect(self._shape_changed)
         self._sphere_radius = widgets.number(
             "sphere_radius", suffix=" m", decimals=4, low=0, high=10, step=0.01,
-            tip="Radius of the ball, not its diameter; 0 where it is unknown: balls of 0.05 to "
-            "0.5 m are then sought and the radius is estimated",
+            tip="Radius of the ball, not its diameter; 0 where it is unknown: balls of "
+            f"{units.limit(0.05, 'm')} to {units.limit(0.5, 'm')} m are then sought and the radius "
+            "is estimated",
         )  # fmt: skip
+        widgets.convert_tip(self._sphere_radius, "m")
         self._sphere_radius.setSpecialValueText(say("unknown"))
         self._sphere_radius.valueChanged.connect(self._shape_changed)
 
@@ -280,9 +282,10 @@ class TargetsPanel(QWidget):
         self._threshold = widgets.number(
             "threshold", suffix=" mm", decimals=0, low=0, high=1000, step=5,
             tip="Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the "
-            "larger of 10 mm and 3 × the LiDAR noise, for spheres at least 30 mm (a small ball: "
-            "0.3 of its radius)",
+            f"larger of {units.limit(10.0, 'mm')} mm and 3 × the LiDAR noise, for spheres at least "
+            f"{units.limit(30.0, 'mm')} mm (a small ball: 0.3 of its radius)",
         )  # fmt: skip
+        widgets.convert_tip(self._threshold, "mm")
         self._threshold.setSpecialValueText(say("default"))
         self._expected = ExpectedFields()
         form = QFormLayout()

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels.number_field import BASES, NumberField
+from lispac.gui.units import Base
 
 
 def label(text: str = "", role: str = "", *, wrap: bool = False, name: str = "") -> QLabel:
@@ -75,6 +76,7 @@ def number(
     high: float,
     step: float,
     tip: str = "",
+    ranged: bool = False,
     fixed: bool = False,
 ) -> NumberField:
     """A field for a number with its unit; the mouse wheel does not change it in passing.
@@ -82,12 +84,16 @@ def number(
     Parameters
     ----------
     suffix, decimals, low, high, step : in the unit that `value` has
+    ranged : bool
+        Say the range and the unit after the tip.
     fixed : bool
         Show and take this very unit, whatever the user has chosen.
     """
     base = None if fixed else BASES.get(suffix)
     bases = () if base is None else (base,)
-    tip = units.signs(say(tip), *bases, figures=False)
+    if ranged:
+        tip = _with_range(tip, low, high, suffix.strip(), base)
+    tip = units.signs(say(tip), *bases, figures=ranged)
     made = NumberField(base)
     made.setObjectName(name)
     made.setAccessibleName(tip or name)
@@ -101,6 +107,17 @@ def number(
     made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setKeyboardTracking(True)
     return made
+
+
+def convert_tip(made: QWidget, *bases: Base) -> None:
+    """Signs of the units shown in a tip whose figures are of `lispac.gui.units`."""
+    made.setToolTip(units.signs(made.toolTip(), *bases))
+    made.setAccessibleName(units.signs(made.accessibleName(), *bases))
+
+
+def _with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
+    first, last = (f"{v:,.10g}" if base is None else units.limit(v, base) for v in (low, high))
+    return f"{tip}, {first} to {last} {'deg' if unit == '°' else unit}".rstrip()
 
 
 class Choice(QComboBox):

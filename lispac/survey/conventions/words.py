@@ -1,6 +1,6 @@
 """A boresight and a lever arm in a sentence."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
+Figures = Callable[[float, float, float], Sequence[str]]
 
 CHECK_FIRST = (
     "These angles are right if the assumption above is: prove it on one line over a known "
@@ -21,15 +22,16 @@ LARGE_DEG = 10.0
 """From here on the order of the turns shows, and is said."""
 
 
-def boresight_words(boresight: Array) -> str:
+def boresight_words(boresight: Array, figures: Figures | None = None) -> str:
     """Where the scanner looks, as a sentence.
 
     Parameters
     ----------
     boresight : ndarray of shape (3,), radians; roll, pitch, yaw of this program
+    figures : writes the sizes of three angles in degrees; empty where one is zero
     """
     roll, pitch, yaw = np.degrees(boresight)
-    leans, looks, turned = _amounts(roll, pitch, yaw)
+    leans, looks, turned = (figures or _amounts)(roll, pitch, yaw)
     parts = []
     if looks:
         parts.append(f"looks {looks} deg bow {'down' if pitch > 0 else 'up'}")
@@ -47,18 +49,19 @@ def boresight_words(boresight: Array) -> str:
     return sentence + "."
 
 
-def lever_arm_words(lever_arm: Sequence[float] | Array) -> str:
+def lever_arm_words(lever_arm: Sequence[float] | Array, figures: Figures | None = None) -> str:
     """Where the optical centre is, as a sentence.
 
     Parameters
     ----------
     lever_arm : three numbers, metres, body (forward, left, up)
+    figures : writes the sizes of three lengths in metres; empty where one is zero
     """
     forward, left, up = (float(value) for value in lever_arm)
     parts = []
     for value, amount, (ahead, behind) in zip(
         (forward, left, up),
-        _amounts(forward, left, up),
+        (figures or _amounts)(forward, left, up),
         (("forward of", "aft of"), ("to port of", "to starboard of"), ("above", "below")),
         strict=True,
     ):

@@ -23,6 +23,10 @@
         <source>The window changes when the running task has ended</source>
         <translation>La fenêtre changera quand la tâche en cours sera terminée</translation>
     </message>
+    <message>
+        <source>What the program does, takes for granted and cannot do is noted here, with the time.</source>
+        <translation>Ce que le programme fait, tient pour acquis ou ne peut pas faire est noté ici, avec l&apos;heure.</translation>
+    </message>
 </context>
 <context>
     <name>questions</name>
@@ -2668,6 +2672,10 @@
         <source>has moved</source>
         <translation>a bougé</translation>
     </message>
+    <message>
+        <source>first</source>
+        <translation>premier</translation>
+    </message>
 </context>
 <context>
     <name>identity dialog</name>
@@ -3923,8 +3931,8 @@
         <translation>Forme de la cible ; les lignes ne sont comparées que sur des plans, une cible de validation en est donc un</translation>
     </message>
     <message>
-        <source>Radius of the ball, not its diameter; 0 where it is unknown: balls of 0.05 to 0.5 m are then sought and the radius is estimated</source>
-        <translation>Rayon de la sphère, non son diamètre ; 0 s&apos;il est inconnu : des sphères de 0,05 à 0,5 m sont alors cherchées et le rayon est estimé</translation>
+        <source>Radius of the ball, not its diameter; 0 where it is unknown: balls of {low:n} to {high:n} m are then sought and the radius is estimated</source>
+        <translation>Rayon de la sphère, non son diamètre ; 0 s&apos;il est inconnu : des sphères de {low} à {high} m sont alors cherchées et le rayon est estimé</translation>
     </message>
     <message>
         <source>Choose one line to seed it alone, where the search from another line failed</source>
@@ -3935,8 +3943,8 @@
         <translation>Seuls des points à cette distance du germe au plus peuvent appartenir à la cible ; 0 laisse le choix au programme</translation>
     </message>
     <message>
-        <source>Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the larger of 10 mm and 3 × the LiDAR noise, for spheres at least 30 mm (a small ball: 0.3 of its radius)</source>
-        <translation>Distance maximale d&apos;un point à son plan ou à sa sphère (seuil de RANSAC) ; 0 donne la plus grande de 10 mm et 3 × le bruit du LiDAR, pour les sphères au moins 30 mm (petite sphère : 0,3 de son rayon)</translation>
+        <source>Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the larger of {least:n} mm and 3 × the LiDAR noise, for spheres at least {sphere:n} mm (a small ball: 0.3 of its radius)</source>
+        <translation>Distance maximale d&apos;un point à son plan ou à sa sphère (seuil de RANSAC) ; 0 donne la plus grande de {least} mm et 3 × le bruit du LiDAR, pour les sphères au moins {sphere} mm (petite sphère : 0,3 de son rayon)</translation>
     </message>
     <message>
         <source>Ball radius</source>
@@ -4079,16 +4087,16 @@
         <translation>Angle maximal</translation>
     </message>
     <message>
-        <source>Width of the target, 0 where nothing is known; the planes found are compared with it. 1.23 × 1.22 m at 90° is the usual board</source>
-        <translation>Largeur de la cible, 0 si rien n&apos;est connu ; les plans trouvés lui sont comparés. 1,23 × 1,22 m à 90° est le panneau usuel</translation>
+        <source>Width of the target, 0 where nothing is known; the planes found are compared with it. {width:n} × {height:n} m at 90° is the usual board</source>
+        <translation>Largeur de la cible, 0 si rien n&apos;est connu ; les plans trouvés lui sont comparés. {width} × {height} m à 90° est le panneau usuel</translation>
     </message>
     <message>
-        <source>Height of the target up its slope, 0 where nothing is known; the planes found are compared with it. 1.23 × 1.22 m at 90° is the usual board</source>
-        <translation>Hauteur de la cible le long de sa pente, 0 si rien n&apos;est connu ; les plans trouvés lui sont comparés. 1,23 × 1,22 m à 90° est le panneau usuel</translation>
+        <source>Height of the target up its slope, 0 where nothing is known; the planes found are compared with it. {width:n} × {height:n} m at 90° is the usual board</source>
+        <translation>Hauteur de la cible le long de sa pente, 0 si rien n&apos;est connu ; les plans trouvés lui sont comparés. {width} × {height} m à 90° est le panneau usuel</translation>
     </message>
     <message>
-        <source>Angle from level: 0 lies flat, 90 stands upright; the planes found are compared with it. 1.23 × 1.22 m at 90° is the usual board</source>
-        <translation>Angle depuis l&apos;horizontale : 0 à plat, 90 debout ; les plans trouvés lui sont comparés. 1,23 × 1,22 m à 90° est le panneau usuel</translation>
+        <source>Angle from level: 0 lies flat, 90 stands upright; the planes found are compared with it. {width:n} × {height:n} m at 90° is the usual board</source>
+        <translation>Angle depuis l&apos;horizontale : 0 à plat, 90 debout ; les plans trouvés lui sont comparés. {width} × {height} m à 90° est le panneau usuel</translation>
     </message>
     <message>
         <source>Being judged</source>
@@ -5929,8 +5937,8 @@ m/s</translation>
         <translation>La matrice de la correction est à gauche : nouveau = correction · actuel.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Do not add the angles:&lt;/b&gt; the sum would be {n:n}° off, {mm:n} mm at 100 m.</source>
-        <translation>&lt;b&gt;N&apos;additionnez pas les angles :&lt;/b&gt; la somme serait fausse de {n}°, {mm} mm à 100 m.</translation>
+        <source>&lt;b&gt;Do not add the angles:&lt;/b&gt; the sum would be {n:n}° off, {mm:n} mm at {far:n} m.</source>
+        <translation>&lt;b&gt;N&apos;additionnez pas les angles :&lt;/b&gt; la somme serait fausse de {n}°, {mm} mm à {far} m.</translation>
     </message>
     <message>
         <source>The correction of the 4x4 matrix:</source>
@@ -7319,12 +7327,12 @@ m/s</translation>
         <translation>Lignes à parcourir, de {low} à {high}</translation>
     </message>
     <message>
-        <source>No line comes nearer to the wall than this, 0 to 100 m</source>
-        <translation>Aucune ligne ne passe plus près du mur, de 0 à 100 m</translation>
+        <source>No line comes nearer to the wall than this, {low:n} to {high:n} m</source>
+        <translation>Aucune ligne ne passe plus près du mur, de {low} à {high} m</translation>
     </message>
     <message>
-        <source>Time on site for lines, 1 to 1440 min</source>
-        <translation>Temps sur le site pour les lignes, de 1 à 1440 min</translation>
+        <source>Time on site for lines, {low:n} to {high:n} min</source>
+        <translation>Temps sur le site pour les lignes, de {low} à {high} min</translation>
     </message>
     <message>
         <source>{what}: give at least one number in {unit}.</source>
@@ -7561,12 +7569,12 @@ m/s</translation>
         <translation>Ajouter une sphère</translation>
     </message>
     <message>
-        <source>Hang one more board, 2 m to the right (Insert)</source>
-        <translation>Poser un panneau de plus, 2 m à droite (Inser)</translation>
+        <source>Hang one more board, {aside:n} m to the right (Insert)</source>
+        <translation>Poser un panneau de plus, {aside} m à droite (Inser)</translation>
     </message>
     <message>
-        <source>Put up a ball of 20 cm, 2 m to the right</source>
-        <translation>Poser une sphère de 20 cm, 2 m à droite</translation>
+        <source>Put up a ball of {wide:n} m, {aside:n} m to the right</source>
+        <translation>Poser une sphère de {wide} m, {aside} m à droite</translation>
     </message>
     <message>
         <source>Remove the selected target (Delete)</source>
@@ -7801,8 +7809,8 @@ m/s</translation>
         <translation>Mur vu de l&apos;eau</translation>
     </message>
     <message>
-        <source>Drag a target along the wall and up (in steps of 0.1 m, with Shift of 0.01 m). Keys: Page up and down choose a target, the arrows move it; Insert adds a board, Delete removes.</source>
-        <translation>Faites glisser une cible le long du mur et en hauteur (par pas de 0,1 m, de 0,01 m avec Maj). Clavier : Page précédente et suivante choisissent une cible, les flèches la déplacent ; Inser ajoute un panneau, Suppr retire.</translation>
+        <source>Drag a target along the wall and up (in steps of {wide:n} m, with Shift of {fine:n} m). Keys: Page up and down choose a target, the arrows move it; Insert adds a board, Delete removes.</source>
+        <translation>Faites glisser une cible le long du mur et en hauteur (par pas de {wide} m, de {fine} m avec Maj). Clavier : Page précédente et suivante choisissent une cible, les flèches la déplacent ; Inser ajoute un panneau, Suppr retire.</translation>
     </message>
     <message>
         <source>this plan</source>
@@ -8057,16 +8065,8 @@ m/s</translation>
         <translation>Durée pendant laquelle les erreurs de position restent semblables, de {low} à {high} s</translation>
     </message>
     <message>
-        <source>For how long position errors stay alike, {low:n} to 1e+05 s</source>
-        <translation>Durée pendant laquelle les erreurs de position restent semblables, de {low} à 100 000 s</translation>
-    </message>
-    <message>
         <source>For how long attitude errors stay alike, {low:n} to {high:n} s</source>
         <translation>Durée pendant laquelle les erreurs d&apos;attitude restent semblables, de {low} à {high} s</translation>
-    </message>
-    <message>
-        <source>For how long attitude errors stay alike, {low:n} to 1e+05 s</source>
-        <translation>Durée pendant laquelle les erreurs d&apos;attitude restent semblables, de {low} à 100 000 s</translation>
     </message>
     <message>
         <source>How far one line sees a target off its shape, {low:n} to {high:n} mm</source>

@@ -1,0 +1,48 @@
+"""A cluster on this machine, whose workers tests may kill."""
+
+import time
+from contextlib import ExitStack
+
+import dask
+import distributed
+
+RESTART_S = 30.0
+"""In which a nanny has started a worker again, on busy processors."""
+
+
+class Clusters:
+    """Two workers, each a process of its own that is started again when it ends.
+
+    Attributes
+    ----------
+    running : the cluster that is used
+    """
+
+    def __init__(self) -> None:
+        self._open = ExitStack()
+        self.running = self._started()
+
+    def _started(self) -> distributed.LocalCluster:
+        # The scheduler gives a chunk up as soon as it has lost one worker.
+        self._open.enter_context(dask.config.set({"distributed.scheduler.allowed-failures": 0}))
+        return self._open.enter_context(
+            distributed.LocalCluster(
+                n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0",
+                silence_logs=50,
+            )
+        )  # fmt: skip
+
+    def with_workers(self) -> distributed.LocalCluster:
+        """The cluster; another one where the test before has cost it its workers for good."""
+        until = time.monotonic() + RESTART_S
+        while len(self.running.scheduler.workers) < 2:
+            if time.monotonic() > until:
+                self.close()
+                self.running = self._started()
+                break
+            time.sleep(0.05)
+        return self.running
+
+    def close(self) -> None:
+        """End all processes."""
+        self._open.close()

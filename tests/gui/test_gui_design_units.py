@@ -1,0 +1,88 @@
+"""The design of a site in feet and milliradians: typed and shown there, metric in the plan."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from lispac.errors import InputError
+from lispac.gui import units
+from lispac.gui.design import edits
+from lispac.gui.design.limits import LimitsForm, numbers_of
+from lispac.gui.design.lists import LINE_FIELDS, TARGET_FIELDS, LinesList
+from lispac.gui.design.system import SystemPanel
+from lispac.gui.design.workspace import Workspace
+
+FOOT = 0.3048
+"""Metres, by definition."""
+LINE = {field.name: field for field in LINE_FIELDS}
+TARGET = {field.name: field for field in TARGET_FIELDS}
+
+
+@pytest.fixture(autouse=True)
+def imperial() -> Iterator[None]:
+    units.show_in("milliradians", "feet")
+    yield
+    units.show_in("degrees", "metres")
+
+
+def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) -> None:
+    workspace = Workspace()
+    lines = LinesList(workspace)
+    table = lines.table
+    assert table.horizontalHeaderItem(2).text() == "Distance\n(ft)"
+    assert table.horizontalHeaderItem(4).text() == "Speed\n(ft/s)"
+    distance = workspace.titled.plan.lines[0].distance
+    assert table.item(0, 2).text() == f"{distance / FOOT:.1f}"
+    assert LINE["distance"].read("50") == pytest.approx(50 * FOOT)
+    assert LINE["speed"].read("3") == pytest.approx(3 * FOOT)
+    assert LINE["heading"].read("50") == 50.0
+    assert TARGET["flatness"].read("0.002") == pytest.approx(0.6096)  # millimetres
+    assert TARGET["flatness"].said(0.6096) == "0.0020"
+
+
+def test_an_end_of_a_range_may_be_typed_as_it_is_said(qapp: QApplication) -> None:
+    assert LINE["distance"].limit(edits.FARTHEST) == "656.2"
+    assert LINE["distance"].read("656.2") == edits.FARTHEST
+    with pytest.raises(InputError, match=r"700 ft is out of range; give 3\.281 to 656\.2 ft"):
+        LINE["distance"].read("700")
+
+
+def test_limits_that_are_not_typed_over_stay_to_the_last_digit(qapp: QApplication) -> None:
+    form, titled = LimitsForm(), edits.usual()
+    _, site = form.site(titled)
+    with units.standard():
+        metric = LimitsForm().site(titled)[1]
+    assert vars(site) == vars(metric)
+    form.lists["heights"].setText("10, 20")
+    assert form.site(titled)[1].heights == pytest.approx((10 * FOOT, 20 * FOOT))
+    assert "700 is out of range; give -164 to 656.2 ft" in refusal("700")
+
+
+def refusal(text: str) -> str:
+    with pytest.raises(InputError) as caught:
+        numbers_of(text, "Boards up", "m", -50.0, 200.0)
+    return str(caught.value)
+
+
+def test_a_field_of_the_system_is_in_feet_and_edits_only_itself(qapp: QApplication) -> None:
+    workspace = Workspace()
+    panel, before = SystemPanel(workspace), workspace.titled.plan.system
+    assert panel.max_range.text() == f"{before.scanner.max_range / FOOT:.0f} ft"
+    assert panel.attitude[0].suffix() == " mrad"
+    panel.max_range.lineEdit().setText("500")
+    panel.max_range.interpretText()
+    after = workspace.titled.plan.system
+    assert after.scanner.max_range == pytest.approx(500 * FOOT)
+    assert after.pos == before.pos
+    assert panel.max_range.text() == "500 ft"
+
+
+@pytest.mark.parametrize(("length", "shown"), [(0.1, 0.2), (0.01, 0.02), (0.5, 2.0), (1.0, 2.0)])
+def test_what_is_dragged_goes_in_steps_that_are_round(length: float, shown: float) -> None:
+    steps = edits.stepped(12.3456, length) / FOOT / shown
+    assert steps == pytest.approx(round(steps), abs=1e-6)
+    with units.standard():
+        assert edits.stepped(12.3456, length) == pytest.approx(
+            round(12.3456 / length) * length, abs=1e-12
+        )

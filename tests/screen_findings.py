@@ -1,0 +1,115 @@
+"""What the dialogues of `tests.screens` show: found once, with the project's own survey."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from lispac.gui.dialogs.sensor_editor import NEW_POS, SensorEditor
+from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.settings import AppSettings
+from lispac.identity import Identity
+from lispac.io.project_file import write_project
+from lispac.project import Project
+from lispac.report.absolute_values import Absolute
+from lispac.report.budget_values import Budget
+from lispac.simulation.thesis_site import SITES
+from lispac.simulation.visibility_study import Visibility, visibility
+from lispac.workflow.absolute import check_absolute
+from lispac.workflow.budget import budget_of
+from lispac.workflow.history import History, histories
+from lispac.workflow.proposing import Proposal, propose
+from lispac.workflow.seed_lists import Outcome, pick_seeds, read_seeds
+from lispac.workflow.subsampling import USUAL, Subsampled, subsampling_study
+from lispac.workflow.survey import Survey
+from tests.report_sample import sample_project
+
+SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
+HOW = (
+    "All are sought as planes on every line, with search radius, threshold and the rest as set in "
+    "step 2."
+)
+NOWHERE = (400.0, 400.0, 0.0)
+"""North, west, up: no line has seen anything there."""
+
+
+@dataclass(frozen=True)
+class Findings:
+    """Answers that take a while."""
+
+    checked: Absolute
+    budget: Budget
+    histories: tuple[tuple[History, ...], tuple[str, ...]]
+    subsampled: tuple[Subsampled, ...]
+    visible: list[Visibility]
+    proposal: Proposal
+    seeds: Path
+    outcomes: tuple[Outcome, ...]
+
+    @classmethod
+    def of(cls, project: Project, survey: Survey, folder: Path) -> "Findings":
+        """All of it, for an estimated and validated project; files go into a folder."""
+        bare = project
+        for target in project.targets:
+            bare = bare.without_target(target.name)
+        seeds = _seed_list(project, folder / "seeds.csv")
+        listed = read_seeds(seeds, bare, survey.trajectory).seeds
+        absolute = check_absolute(project, survey, _check_points(project, folder))[0].absolute
+        assert absolute is not None
+        return cls(
+            Absolute.of(absolute),
+            Budget.of(budget_of(project, survey)),
+            _years(project, folder),
+            subsampling_study(project, survey, sorted({*USUAL, project.settings.subsample})),
+            [visibility(site) for site in SITES.values()],
+            propose(bare, survey),
+            seeds,
+            pick_seeds(bare, survey, listed, {})[1],
+        )
+
+    def asked(
+        self, dialogs: Dialogs, settings: AppSettings, project: Project, survey: Survey
+    ) -> dict[str, Callable[[], object]]:
+        """By name: what brings up a dialogue that no action ends in at once."""
+        way, used = survey.trajectory, project.settings.subsample
+        return {
+            "checked": lambda: dialogs.checked(self.checked),
+            "budget-found": lambda: dialogs.budget(self.budget),
+            "history": lambda: dialogs.history(*self.histories),
+            "subsampling": lambda: dialogs.subsampling(self.subsampled, used),
+            "visibility": lambda: dialogs.visibility(self.visible),
+            "proposal": lambda: dialogs.proposal(self.proposal),
+            "seed-list": lambda: dialogs.seed_list(self.seeds, project, way, HOW),
+            "seeds-found": lambda: dialogs.seeds_found(self.outcomes, len(project.lines)),
+            "sensors-of-plan": lambda: dialogs.sensors_of_plan(settings),
+            "sensor-editor": lambda: SensorEditor(
+                settings.sensors, NEW_POS, "", dialogs.parent
+            ).exec(),
+            "add-or-new": lambda: dialogs.add_or_new(project.name),
+            "candidate-waits": lambda: dialogs.candidate_waits("T3"),
+            "recover": lambda: dialogs.recover(project.name, "2026-03-04 14:05"),
+            "open-elsewhere": lambda: dialogs.open_elsewhere(project.name, "process 4711 here"),
+            "overwrite": lambda: dialogs.overwrite(project.name),
+        }
+
+
+def _seed_list(project: Project, path: Path) -> Path:
+    """Seeds of the project's targets, and one where there is nothing."""
+    rows = [(target.name, *target.seed) for target in project.targets]
+    rows.append(("T9", *NOWHERE))
+    path.write_text("".join("{},{:.2f},{:.2f},{:.2f}\n".format(*row) for row in rows))
+    return path
+
+
+def _check_points(project: Project, folder: Path) -> Path:
+    """The seeds, as if they had been surveyed."""
+    path = folder / "checkpoints.csv"
+    path.write_text("".join("{},{},{},{}\n".format(t.name, *t.seed) for t in project.targets))
+    return path
+
+
+def _years(project: Project, folder: Path) -> tuple[tuple[History, ...], tuple[str, ...]]:
+    """The project's answer this year and last."""
+    last = sample_project(folder / "years" / "2025")
+    write_project(replace(last, identity=replace(SYSTEM, dates="2025-04-02")))
+    now = replace(project, identity=replace(SYSTEM, dates="2026-04-05"))
+    return histories([folder / "years"], also=[now])
