@@ -59,6 +59,7 @@ class Session(QObject):
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
         if former is not None:
             window.log.take_over(former.log)
+            window.workflow.open(former.workflow.opened)
         # Queued: the action that asks for it belongs to the window that goes.
         window.renewal_asked.connect(self.renew, Qt.ConnectionType.QueuedConnection)
         window.show()

@@ -4,7 +4,8 @@ import gc
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -101,6 +102,40 @@ def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo)
     assert not document.is_modified
     document.undo_stack.undo()
     assert document.is_modified
+
+
+def renewed(session: Session, qtbot: QtBot, code: str) -> MainWindow:
+    """The window in another language."""
+    former = session.window
+    former.settings.language = code
+    former.renew()
+    qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
+    return session.window
+
+
+def test_the_open_step_stays_open(session: Session, qtbot: QtBot, demo: Demo) -> None:
+    session.window.document.open(demo.picked, demo.survey)
+    assert session.window.workflow.opened == 2
+    session.window.workflow.headers[1].click()
+    assert renewed(session, qtbot, "fr").workflow.opened == 1
+
+
+def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
+    session: Session, qtbot: QtBot
+) -> None:
+    def spoken() -> str:
+        return session.window.report.language.currentText()
+
+    assert spoken() == "English"
+    renewed(session, qtbot, "fr")
+    assert spoken() == "Français"
+    QTest.keyClick(session.window.report.page, Qt.Key.Key_Down)
+    assert session.window.settings.report_choice()[1:] == ("letter", "", "")
+    QTest.keyClick(session.window.report.language, Qt.Key.Key_Up)
+    assert session.window.settings.report_choice()[3] == "en"
+    renewed(session, qtbot, "en")
+    renewed(session, qtbot, "fr")
+    assert spoken() == "English"
 
 
 def test_the_log_stays(session: Session, qtbot: QtBot) -> None:

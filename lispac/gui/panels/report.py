@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.errors import InputError
-from lispac.gui.language import say
+from lispac.gui.language import language, say
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
 from lispac.language.catalogue import LANGUAGES
@@ -68,10 +68,14 @@ class ReportPanel(QWidget):
 
     @property
     def choice(self) -> tuple[str, str, str, str]:
-        """Template, page, convention and language, to be remembered."""
+        """Template, page, convention and language, to be remembered.
+
+        The language is empty where it is the window's own, and goes with that, but for a template.
+        """
         template = "" if self._template is None else str(self._template)
         options = self._chosen(USUAL)
-        return template, options.page, options.convention, options.language
+        own = not template and options.language == language()
+        return template, options.page, options.convention, "" if own else options.language
 
     def options(self) -> ReportOptions:
         """How the report is wanted.
@@ -85,12 +89,13 @@ class ReportPanel(QWidget):
 
     def show_choice(self, choice: tuple[str, str, str, str]) -> None:
         """Fill in what was chosen last; what is no longer there is left out."""
-        template, page, convention, language = choice
+        template, page, convention, spoken = choice
         self.show_template(Path(template) if template else None)
         if page in PAGES:
             self.page.setCurrentIndex(list(PAGES).index(page))
-        if language in LANGUAGES:
-            self.language.setCurrentIndex(list(LANGUAGES).index(language))
+        if spoken or not template:
+            code = spoken if spoken in LANGUAGES else language()
+            self.language.setCurrentIndex(list(LANGUAGES).index(code))
         keys = ["", *(each.key for each in OTHERS)]
         self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
 
