@@ -19,7 +19,7 @@ from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
 from lispac.project import Project
-from tests.gui.support import WAIT_MS, Driver
+from tests.gui.support import WAIT_MS, Driver, in_front
 from tests.report_sample import sample_project
 from tests.static_scans import tripod_scan
 
@@ -27,13 +27,16 @@ Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
 
 
-def answered(driver: Driver, look) -> None:
-    """Look at the dialogue that comes, and close it with Enter; its errors are the test's."""
+def answered(driver: Driver, look, key: Qt.Key = Key.Key_Return) -> None:
+    """Look at the dialogue that comes, and end it by a key; its errors are the test's.
+
+    Enter presses the button that was clicked last, where one was.
+    """
     looked: list[BaseException | None] = []
 
     def wait(tries: int) -> None:
         dialog = QApplication.activeModalWidget()
-        if not isinstance(dialog, QDialog):
+        if not isinstance(dialog, QDialog) or not in_front(dialog):
             if tries:
                 QTimer.singleShot(50, lambda: wait(tries - 1))
             return
@@ -43,7 +46,7 @@ def answered(driver: Driver, look) -> None:
         except BaseException as error:
             looked.append(error)
         finally:
-            driver.bot.keyClick(dialog, Key.Key_Return)
+            driver.bot.keyClick(dialog, key)
 
     QTimer.singleShot(50, lambda: wait(1200))
     driver.bot.waitUntil(lambda: bool(looked), timeout=WAIT_MS)
@@ -85,7 +88,7 @@ def test_the_open_answer_is_held_against_last_years(
         assert QGuiApplication.clipboard().pixmap().width() >= 560
 
     adjusted.bot.keyClick(adjusted.window, Key.Key_F11)
-    answered(adjusted, look)
+    answered(adjusted, look, Key.Key_Escape)
 
 
 def test_a_folder_without_projects_is_told(driver: Driver, tmp_path: Path) -> None:
@@ -240,7 +243,7 @@ def test_visible_errors_are_chosen_read_off_and_copied(
     action = driver.window.actions_["visibility"]
     assert action.isEnabled()
     action.trigger()
-    answered(driver, look)
+    answered(driver, look, Key.Key_Escape)
 
 
 def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:
