@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui import theme, units
+from lispac.gui.carrying import carry_over
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.language import speak
 from lispac.gui.main_window import MainWindow
@@ -59,7 +60,7 @@ class Session(QObject):
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
         if former is not None:
             window.log.take_over(former.log)
-            window.workflow.open(former.workflow.opened)
+            carry_over(former, window)
         # Queued: the action that asks for it belongs to the window that goes.
         window.renewal_asked.connect(self.renew, Qt.ConnectionType.QueuedConnection)
         window.show()

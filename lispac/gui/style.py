@@ -129,8 +129,8 @@ QTabWidget > QTabBar::tab {{ padding: 6px 14px; background: transparent; border:
 QTabWidget > QTabBar::tab:selected {{ color: {s.text}; border-bottom-color: {s.accent}; }}
 QTabWidget > QTabBar::tab:hover {{ background: {s.hover}; }}
 QTabWidget > QTabBar::tab:focus {{ color: {s.accent}; }}
-QLineEdit[wrong="true"] {{ background: {s.wrong_ground}; border: 1px solid {s.error};
-    border-radius: 2px; }}
+QLineEdit[wrong="true"], QDoubleSpinBox[wrong="true"] {{ background: {s.wrong_ground};
+    border: 1px solid {s.error}; border-radius: 2px; }}
 QFrame[role="candidate"] {{ background: {s.candidate_ground};
     border: 1px solid {s.candidate_edge}; border-radius: 5px; }}
 QTableView, QListView {{ border: 1px solid {s.border}; gridline-color: {s.grid};

@@ -3,7 +3,9 @@
 The worker gets a function that takes `progress` and returns a value. It only leaves numbers in
 the task and asks for the cancel flag; the GUI thread looks at them twenty times a second, and it
 alone calls what is to be done with the value. A cancelled or failed task changes nothing; one that
-writes files and has ended when it is cancelled has written them, and that is what is said.
+writes files and has ended when it is cancelled has written them, and that is what is said. What
+ends under a dialogue waits for it: the dialogue was opened on the project as it was, and what is
+done with the value may open another.
 """
 
 import queue
@@ -14,6 +16,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QApplication
 
 from lispac.errors import Cancelled
 from lispac.gui.tidying import GivingBack
@@ -177,9 +180,12 @@ class TaskRunner(QObject):
             memory.when_due()
 
     def _finish(self) -> None:
-        task, self.current = self.current, None
-        if task is None or self._closed:
+        if self.current is None or self._closed:
             return
+        if QApplication.activeModalWidget() is not None:
+            QTimer.singleShot(REFRESH_MS, self, self._finish)
+            return
+        task, self.current = self.current, None
         self._timer.stop()
         try:
             wrote = task.lasting and task.error is None
@@ -192,6 +198,7 @@ class TaskRunner(QObject):
             else:
                 if task.cancel.is_set():
                     self.too_late.emit(f"{task.title}: it was done before it could be cancelled")
+                self.changed.emit()  # nor while a dialogue shows what was found
                 task.done(task.value)
         finally:
             self.changed.emit()

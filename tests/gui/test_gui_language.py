@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.design import edits
 from lispac.gui.language import language, leave_plan_alone, say, speak
 from lispac.gui.main_window import MainWindow
+from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.widgets import TallArea
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
@@ -118,6 +119,37 @@ def test_the_open_step_stays_open(session: Session, qtbot: QtBot, demo: Demo) ->
     assert session.window.workflow.opened == 2
     session.window.workflow.headers[1].click()
     assert renewed(session, qtbot, "fr").workflow.opened == 1
+
+
+def test_what_is_typed_and_not_applied_stays(session: Session, qtbot: QtBot, demo: Demo) -> None:
+    english = session.window
+    english.document.open(demo.picked, demo.survey)
+    used = demo.picked.settings
+    english.data.lever_arm.fields[2].setValue(-2.5)
+    english.targets.shape_choice.setCurrentIndex(1)
+    for fold in (english.adjust.also, english.adjust.advanced):
+        fold.open()
+    english.adjust.unit.setCurrentIndex(1)
+    english.adjust.distance.setValue(0.25)
+    QTest.mouseClick(english.adjust.parameters.switches["latency"], Qt.MouseButton.LeftButton)
+    optional = {each.objectName(): each for each in english.adjust.findChildren(OptionalNumber)}
+    number, wrong = "surface", "sigma_latency"
+    optional[number].setText("0.125")
+    optional[wrong].setText("0,1 2")
+    french = renewed(session, qtbot, "fr")
+    assert french.document.project.settings == used
+    assert french.data.lever_arm.value() == (*used.lever_arm[:2], -2.5)
+    assert french.data.apply.isEnabled()
+    assert french.targets.shape_choice.currentIndex() == 1
+    assert french.adjust.also.head.isChecked()
+    assert french.adjust.subsample == 0.25
+    assert french.adjust.parameters.switches["latency"].isChecked()
+    fields = {each.objectName(): each for each in french.adjust.findChildren(OptionalNumber)}
+    assert fields[number].text() == "0,125"
+    assert fields[wrong].text() == "0,1 2"
+    assert not french.adjust.sound
+    QTest.mouseClick(french.data.revert, Qt.MouseButton.LeftButton)
+    assert french.data.lever_arm.value() == used.lever_arm
 
 
 def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(

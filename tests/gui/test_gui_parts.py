@@ -6,7 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication, QDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
 from lispac.adjustment.result import Contradiction
@@ -60,6 +61,35 @@ def test_a_cancelled_task_hands_nothing_over(qtbot, runner):
         runner.cancel()
     assert stopped.args == ["Endless"]
     assert got == []
+
+
+def test_nothing_runs_any_more_while_a_dialogue_shows_what_was_found(qtbot, runner):
+    seen = []
+
+    def show(_value: int) -> None:
+        told.append(runner.current)
+        dialog = QDialog()
+        QTimer.singleShot(50, lambda: (seen.append(runner.busy), dialog.accept()))
+        dialog.exec()
+
+    told: list[Task | None] = []
+    runner.changed.connect(lambda: told.append(runner.current))
+    runner.run("Setting the pages", lambda progress: 1, show)
+    qtbot.waitUntil(lambda: bool(seen))
+    assert seen == [False]
+    first = next(k for k, task in enumerate(told) if task is None)
+    assert told[first:] == [None] * len(told[first:])  # told before it is shown
+
+
+def test_what_ends_under_a_dialogue_waits_for_it(qtbot, runner):
+    got: list[int] = []
+    dialog = QDialog()
+    seen = []
+    runner.run("Work", lambda progress: 1, got.append)
+    QTimer.singleShot(400, lambda: (seen.append(list(got)), dialog.accept()))
+    dialog.exec()
+    assert seen == [[]]
+    qtbot.waitUntil(lambda: got == [1])
 
 
 @pytest.mark.parametrize("lasting", [False, True])

@@ -2,10 +2,12 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QDoubleSpinBox
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QValidator, QWheelEvent
+from PySide6.QtWidgets import QDoubleSpinBox, QToolTip
 
 from lispac.gui import units
+from lispac.gui.language import say
 from lispac.gui.units import Base
 
 BASES: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}
@@ -19,8 +21,10 @@ KEPT = 12
 class NumberField(QDoubleSpinBox):
     """Has its value in the base, with all its digits; shows it with as many as are read.
 
-    A value that is only shown, or confirmed as it is shown, stays what it is. A decimal comma and a
-    decimal point are taken alike, whatever the language.
+    A value that is only shown, or confirmed as it is shown, stays what it is. A decimal comma and
+    a decimal point are taken alike, whatever the language. A number beyond the range can be typed,
+    and is marked with the range beside it; it is never cut to another. Enter does not take it, and
+    where the field is left with it, what was there before comes back.
 
     Parameters
     ----------
@@ -34,7 +38,11 @@ class NumberField(QDoubleSpinBox):
         self._factor = 1.0 if base is None else units.unit(base).factor
         # What is seen of it: judges and writes in the unit shown.
         self._face = QDoubleSpinBox()
+        self._before: float | None = None
         super().setDecimals(KEPT)
+        line = self.lineEdit()
+        line.textEdited.connect(self._typed)
+        line.textChanged.connect(self._mark)
 
     def setDecimals(self, decimals: int) -> None:
         """As many as the base is shown with."""
@@ -69,14 +77,85 @@ class NumberField(QDoubleSpinBox):
         return self._face.textFromValue(shown if round(shown, self.decimals()) else 0.0)
 
     def validate(self, text: str, place: int) -> object:
-        """Whether a text may become a number."""
-        return self._face.validate(self._own(text), place)
+        """Whether a text may become a number, or is one beyond the range."""
+        found = self._face.validate(self._own(text), place)
+        if found[0] is QValidator.State.Invalid and (self._minus(text) or self._beyond(text)):
+            return QValidator.State.Intermediate, text, place
+        return found
 
     def valueFromText(self, text: str) -> float:
         """Value of a text in the unit shown; the value as it is where its text is the same."""
         typed = self._face.valueFromText(self._own(text))
         shown = self._face.valueFromText(self.textFromValue(self.value()))
         return self.value() if typed == shown else typed / self._factor
+
+    def stepBy(self, steps: int) -> None:
+        """From what is typed, or from what was there before where that is beyond the range."""
+        self._end()
+        super().stepBy(steps)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Give back what was there before, where what is typed is no number of the range."""
+        self._end()
+        super().focusOutEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter takes what is typed, unless it lies beyond the range."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            if self._beyond(self.text()):
+                self._say_range("")
+                event.accept()
+                return
+            self._end()
+        elif event.key() == Qt.Key.Key_Escape and self._beyond(self.text()):
+            self._end()
+            event.accept()
+            return
+        super().keyPressEvent(event)
+
+    def _typed(self, text: str) -> None:
+        if self._before is None:
+            self._before = self.value()
+        if self._beyond(text):
+            self._say_range("")
+
+    def _end(self) -> None:
+        """What is typed is done with."""
+        before, self._before = self._before, None
+        if before is None or self.hasAcceptableInput():
+            return
+        typed = self.cleanText()
+        self.setValue(before)
+        self._show_again()
+        self._mark(self.text())  # Qt tells of typed texts only
+        if typed and self._beyond(typed):
+            self._say_range(typed)
+
+    def _say_range(self, typed: str) -> None:
+        low = self._face.textFromValue(self._face.minimum())
+        high = f"{self._face.textFromValue(self._face.maximum())}{self.suffix()}"
+        words = f"From {low} to {high}"
+        if typed:
+            words = f"{typed} is not between {low} and {high}: {self.text()} is kept"
+        QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), say(words), self)
+
+    def _mark(self, text: str) -> None:
+        wrong = self._beyond(text)
+        if bool(self.property("wrong")) != wrong:
+            self.setProperty("wrong", wrong)
+            self.style().unpolish(self)
+            self.style().polish(self)
+
+    def _minus(self, text: str) -> bool:
+        return self._bare(text) in ("-", "\N{MINUS SIGN}")
+
+    def _beyond(self, text: str) -> bool:
+        number, is_one = self.locale().toDouble(self._bare(text))
+        face = self._face
+        return is_one and not face.minimum() <= number <= face.maximum()
+
+    def _bare(self, text: str) -> str:
+        return self._own(text).removesuffix(self.suffix()).strip()
 
     def _own(self, text: str) -> str:
         point = self.locale().decimalPoint()

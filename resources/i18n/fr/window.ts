@@ -8858,4 +8858,15 @@ m/s</translation>
         <translation>Ce que le manuel dit de l&apos;étape ouverte</translation>
     </message>
 </context>
+<context>
+    <name>window</name>
+    <message>
+        <source>From {low:kept} to {high:kept}</source>
+        <translation>De {low} à {high}</translation>
+    </message>
+    <message>
+        <source>{typed:kept} is not between {low:kept} and {high:kept}: {text:kept} is kept</source>
+        <translation>{typed} n’est pas entre {low} et {high} : {text} est gardé</translation>
+    </message>
+</context>
 </TS>

@@ -1,0 +1,61 @@
+"""What stands in the fields of a window, and is not yet applied, for the one made in its place."""
+
+from typing import TYPE_CHECKING, TypeVar
+
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QWidget
+
+from lispac.errors import InputError
+from lispac.gui.panels.fields import OptionalNumber
+from lispac.gui.panels.number_field import NumberField
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+Kind = TypeVar("Kind", bound=QWidget)
+
+
+def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
+    """Fill in what was typed and chosen in the steps; the open step is open again.
+
+    Choices first: what is typed may be in the unit that one of them sets.
+    """
+    for before, after in (
+        (former.data, heir.data),
+        (former.targets, heir.targets),
+        (former.adjust, heir.adjust),
+        (former.validate, heir.validate),
+    ):
+        _choices(before, after)
+        _numbers(before, after)
+    heir.workflow.open(former.workflow.opened)
+
+
+def _choices(before: QWidget, after: QWidget) -> None:
+    for list_, own in _pairs(QComboBox, before, after):
+        if list_.count() == own.count():
+            own.setCurrentIndex(list_.currentIndex())
+    for button, own in _pairs(QAbstractButton, before, after):
+        # Of radio buttons that one is on says all: none of them can be turned off
+        if button.isCheckable() and (button.isChecked() or not own.autoExclusive()):
+            own.setChecked(button.isChecked())
+
+
+def _numbers(before: QWidget, after: QWidget) -> None:
+    for number, own in _pairs(NumberField, before, after):
+        own.setValue(number.value())
+    for optional, own in _pairs(OptionalNumber, before, after):
+        try:
+            own.show_value(optional.value())
+        except InputError:
+            own.setText(optional.text())
+        own.textChanged.emit(own.text())
+
+
+def _pairs(kind: type[Kind], before: QWidget, after: QWidget) -> list[tuple[Kind, Kind]]:
+    """Fields of one kind that have the same name in both."""
+    named = {each.objectName(): each for each in after.findChildren(kind) if each.objectName()}
+    return [
+        (each, named[each.objectName()])
+        for each in before.findChildren(kind)
+        if each.objectName() in named
+    ]

@@ -1,0 +1,117 @@
+"""Numbers as they are typed: one beyond the range is marked, named, and never cut to another."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import units
+from lispac.gui.language import speak
+from lispac.gui.panels import widgets
+from lispac.gui.panels.number_field import NumberField
+from tests.gui.support import in_front
+
+Key, SOON_MS = Qt.Key, 20_000
+
+
+class Form(QWidget):
+    """A field of −100 to 100 m with 2 m in it, one of 0.1 to 1000 mm, and the values told."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.told: list[float] = []
+        self.up = widgets.number("up", suffix=" m", decimals=4, low=-100, high=100, step=0.01)
+        self.up.setValue(2.0)
+        self.sigma = widgets.number("sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.up)
+        layout.addWidget(self.sigma)
+        self.up.valueChanged.connect(self.told.append)
+
+
+@pytest.fixture
+def form(qtbot: QtBot) -> Iterator[Form]:
+    made = Form()
+    qtbot.addWidget(made)
+    made.show()
+    qtbot.waitUntil(lambda: in_front(made), timeout=SOON_MS)
+    yield made
+    QToolTip.hideText()
+
+
+def typed(qtbot: QtBot, field: NumberField, text: str) -> None:
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClicks(field, text)
+
+
+def test_what_is_beyond_the_range_is_marked_and_the_range_is_named(form, qtbot) -> None:
+    typed(qtbot, form.up, "2173")
+    assert form.up.cleanText() == "2173"
+    assert form.up.property("wrong") is True
+    assert QToolTip.text() == "From -100.0000 to 100.0000 m"
+    qtbot.keyClick(form.up, Key.Key_Return)
+    assert form.up.cleanText() == "2173"  # Enter does not take it
+    qtbot.keyClick(form.up, Key.Key_Backspace)
+    qtbot.keyClick(form.up, Key.Key_Backspace)
+    assert form.up.property("wrong") is False
+    qtbot.keyClick(form.up, Key.Key_Return)
+    assert form.up.value() == 21.0
+
+
+def test_left_with_such_a_number_the_field_has_what_it_had_before(form, qtbot) -> None:
+    typed(qtbot, form.up, "2173")
+    form.sigma.setFocus()
+    assert form.up.value() == 2.0
+    assert form.up.text() == "2.0000 m"
+    assert form.up.property("wrong") is False
+    assert form.told[-1] == 2.0  # 2 and 21, on the way, are taken back
+    assert QToolTip.text() == "2173 is not between -100.0000 and 100.0000 m: 2.0000 m is kept"
+
+
+@pytest.mark.parametrize("text", ["-", "-3", "0", "20000"])
+def test_no_sign_and_no_digit_is_lost(form, qtbot, text: str) -> None:
+    form.sigma.setValue(5.0)
+    typed(qtbot, form.sigma, text)
+    assert form.sigma.cleanText() == text
+    form.up.setFocus()
+    assert form.sigma.value() == 5.0
+
+
+def test_a_step_starts_where_the_field_was(form, qtbot) -> None:
+    typed(qtbot, form.up, "500")
+    qtbot.keyClick(form.up, Key.Key_Up)
+    assert form.up.value() == pytest.approx(2.01)
+
+
+def test_escape_takes_the_field_back(form, qtbot) -> None:
+    typed(qtbot, form.up, "-500")
+    qtbot.keyClick(form.up, Key.Key_Escape)
+    assert form.up.text() == "2.0000 m"
+
+
+def test_letters_and_too_many_decimals_cannot_be_typed(form, qtbot) -> None:
+    typed(qtbot, form.up, "1x.23456")
+    assert form.up.cleanText() == "1.2345"
+
+
+def test_in_feet_and_in_french_the_range_is_in_them(form, qtbot) -> None:
+    speak("fr")
+    units.show_in("degrees", "feet")
+    try:
+        own = Form()
+        qtbot.addWidget(own)
+        own.show()
+        qtbot.waitUntil(lambda: in_front(own), timeout=SOON_MS)
+        typed(qtbot, own.up, "329,5")
+        assert QToolTip.text().replace("\N{NO-BREAK SPACE}", " ") == "De -328,0840 à 328,0840 ft"
+        own.sigma.setFocus()
+        assert own.up.value() == 2.0
+        typed(qtbot, own.up, "320,5")
+        own.sigma.setFocus()
+        assert own.up.value() == pytest.approx(320.5 * 0.3048)
+    finally:
+        speak("en")
+        units.show_in("degrees", "metres")
