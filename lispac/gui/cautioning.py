@@ -160,6 +160,7 @@ class Cautioning(QObject):
             _focus(data.lines)
         cloud = scene.clouds.get(cause.name)
         if cloud is not None:
+            scene.gone_to.emit(cloud.sample[::50], cause.name)
             self._window.viewport.fit(cloud.sample)
 
     def _to_sighting(self, cause: Cause) -> None:

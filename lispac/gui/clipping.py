@@ -9,7 +9,7 @@ from lispac.gui.actions import Actions
 from lispac.gui.panels.clipping import ClippingPanel
 from lispac.gui.scene import Scene
 from lispac.gui.viewport.base import Colour, Handle, Sketch, Viewport
-from lispac.gui.viewport.clipping import EDGES, Box
+from lispac.gui.viewport.clipping import EDGES, Array, Box
 from lispac.gui.viewport.decimation import robust_sample
 from lispac.targets.section import common_normal
 
@@ -23,17 +23,23 @@ class Clipping(QObject):
     """Keeps the box; handles on its sides and fields change it."""
 
     def __init__(
-        self, scene: Scene, viewport: Viewport, actions: Actions, bring: Callable[[QObject], None]
+        self,
+        scene: Scene,
+        viewport: Viewport,
+        actions: Actions,
+        bring: Callable[[QObject], None],
+        note: Callable[[str], None],
     ) -> None:
         super().__init__(actions)
         self._scene, self._viewport, self._actions = scene, viewport, actions
-        self._bring = bring
+        self._bring, self._note = bring, note
         self.panel = ClippingPanel()
         self.box: Box | None = None
         actions["clip"].triggered.connect(lambda on: self.begin() if on else self.reset())
         self.panel.sized.connect(lambda lengths: self._take(self.box and self.box.sized(lengths)))
         self.panel.about_asked.connect(self.begin)
         self.panel.reset_asked.connect(self.reset)
+        scene.gone_to.connect(self.show)
         viewport.signals.handle_moved.connect(self._drag)
         viewport.signals.handle_let_go.connect(self._let_go)
 
@@ -51,6 +57,13 @@ class Clipping(QObject):
             box = Box.about(everything, np.array([1.0, 0.0, 0.0]), 0.0)
         self._take(box)
         self._bring(self.panel)
+
+    def show(self, points: Array, what: str) -> None:
+        """Take the box along to points (n, 3) that are gone to, where it hides most of them."""
+        if self.box is None or 2 * len(self.box.inside(points)) >= len(points):
+            return
+        self._take(Box.about(points, common_normal([points]), MARGIN))
+        self._note(f"The clip box hid {what}; it lies about it now")
 
     def reset(self) -> None:
         """Draw everything."""

@@ -4,6 +4,7 @@ What was left after the adjustment at the points of targets is coloured in `resi
 """
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Literal, get_args
 
 import numpy as np
@@ -16,6 +17,15 @@ from lispac.survey.cloud import Cloud
 Colouring = Literal["line", "height", "intensity", "range", "time", "residual"]
 COLOURINGS: tuple[Colouring, ...] = get_args(Colouring)
 
+Scale = Literal["viridis", "cividis", "gray", "turbo"]
+SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
+    {"viridis": (0.0, 0.94), "cividis": (0.0, 0.94), "gray": (0.22, 0.74), "turbo": (0.03, 0.97)}
+)
+"""Scales of colours for what was measured, and what is used of each from 0 to 1.
+
+The first is even in lightness, so that it is read without telling the colours apart; the ends of
+some would be lost on the bright or the dark ground.
+"""
 OUTER = 2.0
 """Percent at either end that share the last colour: a few stray points must not take the scale."""
 LOOKED_AT = 100_000
@@ -27,6 +37,15 @@ TITLES: dict[Colouring, str] = {
     "range": "Range (m)",
     "time": "Time since the first line began (s)",
 }
+
+
+_used: Scale = "viridis"
+
+
+def use_scale(scale: Scale) -> None:
+    """Colour by another scale from now on; the window is made anew then."""
+    global _used
+    _used = scale
 
 
 def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None:
@@ -72,9 +91,7 @@ def _places(values: Array, low: float, high: float, count: int) -> NDArray[np.in
 
 
 def _scale() -> NDArray[np.uint8]:
-    """Viridis: even in lightness, so that it is read without telling the colours apart."""
     from matplotlib import colormaps
 
-    # Its brightest end would be lost on the bright ground.
-    shares = np.linspace(0.0, 0.94, 256)
-    return np.asarray(np.round(255 * colormaps["viridis"](shares)[:, :3]), dtype=np.uint8)
+    shares = np.linspace(*SCALES[_used], 256)
+    return np.asarray(np.round(255 * colormaps[_used](shares)[:, :3]), dtype=np.uint8)

@@ -69,7 +69,7 @@ class Controller(QObject):
                 preload()
             return project, load_survey(project, progress=progress)
 
-        self._runner.run(f"Opening {path.name}", work, self._opened)
+        self._runner.run(f"Opening {path.name}", work, self._opened, shows=True)
 
     def create(self, request: ImportRequest) -> None:
         """Make a project and open it."""
@@ -89,7 +89,9 @@ class Controller(QObject):
                 progress=progress,
             )
 
-        self._runner.run(f"Making {request.folder.name}", work, self._opened, lasting=True)
+        self._runner.run(
+            f"Making {request.folder.name}", work, self._opened, lasting=True, shows=True
+        )
 
     def add_lines(self, lines: Sequence[LineSource]) -> None:
         """Add lines to the project: one undo step."""
@@ -127,7 +129,7 @@ class Controller(QObject):
                 project = make_demo(place, progress=part(progress, 0.0, 0.8))
             return project, load_survey(project, progress=part(progress, 0.8, 1.0))
 
-        self._runner.run("Opening the demo survey", work, self._opened)
+        self._runner.run("Opening the demo survey", work, self._opened, shows=True)
 
     def save(self) -> bool:
         """Write the project; whether that went well."""

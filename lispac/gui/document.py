@@ -61,6 +61,7 @@ class Document(QObject):
         self._folder: Path | None = None
         self.survey: Survey | None = None
         self._key: tuple[object, ...] | None = None
+        self._reported: tuple[Project | None, str] = (None, "")
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
 
@@ -89,6 +90,12 @@ class Document(QObject):
     def refused_since(self) -> str:
         """Why an estimate was refused that was asked for after the result; empty where none was."""
         return "" if self._state is None else self._state.refused_since
+
+    @property
+    def reported(self) -> str:
+        """Name of the last report of the project as it stands; empty where there is none."""
+        told, name = self._reported
+        return name if told is not None and told is self.project else ""
 
     @property
     def is_modified(self) -> bool:
@@ -176,6 +183,11 @@ class Document(QObject):
         self.undo_stack.setClean()
         self.saved.emit()
 
+    def mark_reported(self, project: Project, name: str) -> None:
+        """A report of ``project`` was written to a file of this name."""
+        self._reported = (project, name)
+        self.changed.emit()
+
     def move(self, project: Project, survey: Survey) -> None:
         """The project was saved in another folder and goes on there, with every edit before."""
         assert self._state is not None
@@ -188,6 +200,7 @@ class Document(QObject):
     def handed_over(self, parent: QObject | None = None) -> "Document":
         """The same project with the same way back, for a window made anew."""
         heir = Document(parent)
+        heir._reported = self._reported
         heir._folder, heir.survey, heir._key = self._folder, self.survey, self._key
         stack = self.undo_stack
         steps = [stack.command(k) for k in range(stack.count())]

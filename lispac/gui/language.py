@@ -7,9 +7,10 @@ window is made anew then, around the same document.
 
 import re
 from collections.abc import Iterable
+from datetime import date, datetime
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QLibraryInfo, QLocale, QTranslator
+from PySide6.QtCore import QDate, QDateTime, QLibraryInfo, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
 from lispac.language.catalogue import catalogue_of
@@ -101,6 +102,21 @@ def pieces(text: str) -> list[str]:
 def _said(piece: str) -> str:
     bare = piece.strip(" ")
     return piece.replace(bare, _own.cell(bare)) if bare else piece
+
+
+def say_moment(seconds: float) -> str:
+    """A time of this computer, seconds since 1970, as the user's language writes it."""
+    when = datetime.fromtimestamp(seconds)
+    if language() == "en":
+        return f"{when:%Y-%m-%d %H:%M}"
+    return QLocale().toString(QDateTime(when), QLocale.FormatType.ShortFormat)
+
+
+def say_day(day: date) -> str:
+    """A day as the user's language writes it."""
+    if language() == "en":
+        return day.isoformat()
+    return QLocale().toString(QDate(day.year, day.month, day.day), QLocale.FormatType.ShortFormat)
 
 
 def say_all(texts: Iterable[str]) -> list[str]:

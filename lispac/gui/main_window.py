@@ -258,6 +258,7 @@ class MainWindow(QMainWindow):
         actions.recent.aboutToShow.connect(self._list_recent)
 
     def _join_work(self) -> None:
+        self.document.changed.connect(self.task_bar.clearMessage)  # it was said of what was
         self.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(lambda title: self._note(f"{title}: cancelled"))

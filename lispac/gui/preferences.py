@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from lispac.errors import InputError
-from lispac.gui.settings import POINT_SIZE, AppSettings
+from lispac.gui.colouring import Scale
+from lispac.gui.settings import POINT_SIZE, THEMES, AppSettings
 from lispac.gui.viewport.decimation import Budget
 
 if TYPE_CHECKING:
@@ -27,6 +28,8 @@ class Preferences:
     scanner, pos : names in the sensor library that new projects begin with; empty for none
     angles, lengths : keys of the units shown
     cache : folder that the cache lies in; None for the system's
+    theme : one of `settings.THEMES`
+    scale : of the colours of what is measured at the points
     """
 
     language: str = ""
@@ -38,6 +41,8 @@ class Preferences:
     angles: str = "degrees"
     lengths: str = "metres"
     cache: Path | None = None
+    theme: str = THEMES[0]
+    scale: Scale = "viridis"
 
     @classmethod
     def of(cls, settings: AppSettings) -> "Preferences":
@@ -46,7 +51,7 @@ class Preferences:
         return cls(
             settings.language_chosen, settings.point_size, settings.point_budget,
             settings.report_choice()[2], scanner, pos, *settings.units,
-            settings.cache_folder,
+            settings.cache_folder, settings.theme, settings.colour_scale,
         )  # fmt: skip
 
     def keep(self, settings: AppSettings) -> None:
@@ -65,6 +70,7 @@ class Preferences:
         settings.keep_report_choice((template, page, self.convention, language))
         settings.usual_sensors = (self.scanner, self.pos)
         settings.units = (self.angles, self.lengths)
+        settings.theme, settings.colour_scale = self.theme, self.scale
         settings.sync()
         settings.cache_folder = self.cache
 
@@ -79,9 +85,9 @@ class Preferring(QObject):
         window.actions_["settings"].triggered.connect(lambda _=False: self.ask())
 
     def ask(self) -> None:
-        """Ask, and apply what was chosen at once; other words or units need another window."""
+        """Ask, and apply what was chosen at once; other words or looks need another window."""
         window, settings = self._window, self._window.settings
-        before = settings.language, settings.units
+        before = _looks(settings)
         answer = window.dialogs.preferences(Preferences.of(settings), settings)
         if answer is None:
             return
@@ -92,8 +98,13 @@ class Preferring(QObject):
         window.viewport.set_point_size(answer.point_size)
         self._draw()
         window.report.show_choice(settings.report_choice())
-        if (settings.language, settings.units) != before:
+        if _looks(settings) != before:
             window.renew()
 
     def _draw(self) -> None:
         self._window.viewport.set_point_budget(self._window.settings.point_budget)
+
+
+def _looks(settings: AppSettings) -> tuple[object, ...]:
+    """What a window is made with."""
+    return settings.language, settings.units, settings.theme, settings.colour_scale

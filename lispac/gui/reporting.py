@@ -96,7 +96,7 @@ class Reporting(QObject):
                 )  # fmt: skip
             return path
 
-        self._runner.run("Writing the report", work, self._written, lasting=True)
+        self._runner.run("Writing the report", work, partial(self._written, project), lasting=True)
 
     def preview(self) -> None:
         """Show the pages as they will be printed."""
@@ -125,7 +125,9 @@ class Reporting(QObject):
                     progress=progress,
                 )  # fmt: skip
 
-        self._runner.run("Setting the pages", work, lambda preview: self._show(project, preview))
+        self._runner.run(
+            "Setting the pages", work, lambda preview: self._show(project, preview), shows=True
+        )
 
     def _show(self, project: Project, preview: "Preview") -> None:
         def save() -> str:
@@ -139,12 +141,13 @@ class Reporting(QObject):
             except InputError as error:
                 self._controller.refused.emit(error)
                 return ""
-            self._written(path)
+            self._written(project, path)
             return f"Wrote {path}"
 
         self._dialogs.preview(preview.pages, save)
 
-    def _written(self, path: Path) -> None:
+    def _written(self, project: Project, path: Path) -> None:
+        self._document.mark_reported(project, path.name)
         self._controller.noted.emit(f"Wrote {path}")
 
     def _options(self) -> ReportOptions | None:

@@ -7,13 +7,13 @@ found when a project is opened was left by a crash, and is offered.
 
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
-from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QLockFile, QObject, Signal
 
 from lispac.errors import LispacError
+from lispac.gui.language import say_moment
 from lispac.io.project_file import FILE_NAME, forget_unsaved, keep_unsaved
 from lispac.project import Project
 from lispac.workflow.projects import Unsaved, unsaved_work
@@ -174,7 +174,5 @@ def _signature(folder: Path) -> Signature | None:
 
 def _when(found: Unsaved) -> str:
     """When it was written down, and whether the project was saved since."""
-    kept, saved = (
-        f"{datetime.fromtimestamp(each):%Y-%m-%d %H:%M}" for each in (found.kept, found.saved)
-    )
+    kept, saved = say_moment(found.kept), say_moment(found.saved)
     return f"{kept}; the project was saved later, at {saved}" if found.saved > found.kept else kept

@@ -24,6 +24,8 @@ class Scene(QObject):
     """Keeps the viewport in step with the document, the candidate and the before/after switch."""
 
     which_changed = Signal(str)
+    gone_to = Signal(object, str)
+    """Points (n, 3) that the view goes to, and what they are of."""
     selection_changed = Signal()
     drawn = Signal()
     """The lines are drawn anew."""
@@ -142,6 +144,7 @@ class Scene(QObject):
         self._viewport.select((name, line))
         points = self._points(target, line)
         if points is not None:
+            self.gone_to.emit(points, name)
             self._viewport.fit(points)
         self.selection_changed.emit()
 

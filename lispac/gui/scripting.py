@@ -38,7 +38,10 @@ class Scripting(QObject):
             return script_of(project, survey, progress=progress)
 
         task = self._runner.run(
-            "Writing the script of this project", work, lambda made: self._show(project, made)
+            "Writing the script of this project",
+            work,
+            lambda made: self._show(project, made),
+            shows=True,
         )
         self._controller.based_on_project(task)
 

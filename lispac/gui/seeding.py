@@ -81,7 +81,7 @@ class Seeding(QObject):
             self._take_over(path, edited, outcomes)
 
         what = "1 seed" if len(seeds) == 1 else f"{len(seeds)} seeds"
-        task = self._runner.run(f"Picking {what} of {path.name}", work, done)
+        task = self._runner.run(f"Picking {what} of {path.name}", work, done, shows=True)
         self._controller.based_on_project(task)
 
     def _take_over(self, path: Path, edited: Project, outcomes: "tuple[Outcome, ...]") -> None:

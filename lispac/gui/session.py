@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.gui import theme, units
 from lispac.gui.carrying import carry_over
+from lispac.gui.colouring import use_scale
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.language import speak
 from lispac.gui.main_window import MainWindow
@@ -55,6 +56,7 @@ class Session(QObject):
     def _made(self, former: MainWindow | None) -> MainWindow:
         speak(self._settings.language)
         units.show_in(*self._settings.units)
+        use_scale(self._settings.colour_scale)
         theme.apply_theme(self._application, self._settings.theme)
         document = None if former is None else former.document.handed_over()
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)

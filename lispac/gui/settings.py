@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
 from lispac import caches
+from lispac.gui.colouring import SCALES, Scale
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
 from lispac.language.catalogue import LANGUAGES
@@ -141,6 +142,16 @@ class AppSettings:
     @theme.setter
     def theme(self, choice: str) -> None:
         self._store.setValue("theme", choice)
+
+    @property
+    def colour_scale(self) -> Scale:
+        """What is measured at the points is coloured by this scale."""
+        chosen = str(self._store.value("colour_scale", ""))
+        return next((scale for scale in SCALES if scale == chosen), next(iter(SCALES)))
+
+    @colour_scale.setter
+    def colour_scale(self, scale: Scale) -> None:
+        self._store.setValue("colour_scale", scale)
 
     @property
     def sensors(self) -> Path:

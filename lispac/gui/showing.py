@@ -65,8 +65,9 @@ class Showing(QObject):
         document = window.document
         survey = document.survey if document.survey_is_current else None
         statuses = status.steps(
-            document.project, survey, waiting=document.awaits_result, refusal=document.refusal
-        )
+            document.project, survey, waiting=document.awaits_result, refusal=document.refusal,
+            reported=document.reported,
+        )  # fmt: skip
         return document.project, survey, statuses
 
     def _enable(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:

@@ -1,7 +1,6 @@
 """What stands where the lines will be, while no project is open: ways to begin."""
 
 from collections.abc import Iterable
-from datetime import datetime
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, Signal
@@ -16,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.language import say
+from lispac.gui.language import say, say_moment
 from lispac.gui.panels import widgets
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
 
@@ -107,11 +106,11 @@ def _link(icon: str, title: str, told: str, *, bare: bool = False) -> QCommandLi
 def _state(folder: Path) -> str:
     """When a project was saved last, and where it is."""
     try:
-        saved = datetime.fromtimestamp((folder / FILE_NAME).stat().st_mtime)
+        saved = say_moment((folder / FILE_NAME).stat().st_mtime)
     except OSError:
         return f"Not found: {folder}"
     unsaved = "; has unsaved work" if (folder / UNSAVED_NAME).is_file() else ""
-    return f"Saved {saved:%Y-%m-%d %H:%M}{unsaved}, in {folder.parent}"
+    return f"Saved {saved}{unsaved}, in {folder.parent}"
 
 
 def _nothing() -> QLabel:

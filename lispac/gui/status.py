@@ -42,7 +42,12 @@ def point_count(number: int) -> str:
 
 
 def steps(
-    project: Project | None, survey: Survey | None, *, waiting: bool = False, refusal: str = ""
+    project: Project | None,
+    survey: Survey | None,
+    *,
+    waiting: bool = False,
+    refusal: str = "",
+    reported: str = "",
 ) -> tuple[StepStatus, ...]:
     """Status of the five steps in order.
 
@@ -54,6 +59,8 @@ def steps(
         Whether a result is to follow from the last edit by itself.
     refusal : str
         Why none follows, in words.
+    reported : str
+        Name of the file a report of the project as it stands was written to.
     """
     if project is None:
         nothing = StepStatus("empty", "no project", "Open or make a project first.")
@@ -68,7 +75,7 @@ def steps(
         _targets(project, survey),
         _adjust(project, survey, waiting, refusal),
         _validate(project, survey),
-        _report(project, survey),
+        _report(project, survey, reported),
     )
 
 
@@ -107,12 +114,7 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
             ready=True,
         )
     if len(used) < 2:
-        return StepStatus(
-            "warning",
-            sentence,
-            SINGLE,
-            ready=True,
-        )
+        return StepStatus("warning", f"{sentence}: a second is missing", SINGLE, ready=True)
     advice = (
         "Enough to adjust. Pick validation planes too, to show how well the lines agree."
         if not planes
@@ -146,6 +148,8 @@ def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str
         return StepStatus("todo", "estimating again", "The result follows at once.", ready=ready)
     if not ready:
         return StepStatus("empty", "pick targets first", "Pick at least two targets first.")
+    if len(used) < 2:
+        return StepStatus("warning", "a second target is missing", SINGLE, ready=True)
     return StepStatus("todo", "ready to estimate", "Press Estimate.", ready=True)
 
 
@@ -185,9 +189,16 @@ def _validate(project: Project, survey: Survey | None) -> StepStatus:
     )
 
 
-def _report(project: Project, survey: Survey | None) -> StepStatus:
+def _report(project: Project, survey: Survey | None, reported: str) -> StepStatus:
     if project.result is None:
         return StepStatus("empty", "estimate first", "The report needs an estimated boresight.")
+    if reported:
+        return StepStatus(
+            "done",
+            f"exported: {reported}",
+            "The report tells of the project as it stands; export it again in another form.",
+            ready=survey is not None,
+        )
     missing = "" if project.validation else " It will have no validation: run step 4 for it."
     return StepStatus(
         "todo" if project.validation else "warning",

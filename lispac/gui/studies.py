@@ -61,7 +61,10 @@ class Studies(QObject):
             return histories([folder], also=current, progress=progress)
 
         self._runner.run(
-            "Reading the calibrations", work, lambda found: self._dialogs.history(*found)
+            "Reading the calibrations",
+            work,
+            lambda found: self._dialogs.history(*found),
+            shows=True,
         )
 
     def check(self) -> None:
@@ -88,7 +91,7 @@ class Studies(QObject):
             assert found.absolute is not None
             self._dialogs.checked(Absolute.of(found.absolute))
 
-        task = self._runner.run(f"Checking against {request.path.name}", work, done)
+        task = self._runner.run(f"Checking against {request.path.name}", work, done, shows=True)
         self._controller.based_on_project(task)
 
     def budget(self) -> None:
@@ -100,6 +103,7 @@ class Studies(QObject):
             "Adding up the errors",
             lambda _progress: Budget.of(budget_of(project, survey)),
             self._dialogs.budget,
+            shows=True,
         )
         self._controller.based_on_project(task)
 
@@ -115,7 +119,7 @@ class Studies(QObject):
 
         task = self._runner.run(
             "Studying the distance between points", work,
-            lambda found: self._dialogs.subsampling(found, used),
+            lambda found: self._dialogs.subsampling(found, used), shows=True,
         )  # fmt: skip
         self._controller.based_on_project(task)
 
@@ -130,7 +134,7 @@ class Studies(QObject):
                 for k, site in enumerate(sites)
             ]
 
-        self._runner.run("Simulating boards", work, self._dialogs.visibility)
+        self._runner.run("Simulating boards", work, self._dialogs.visibility, shows=True)
 
     def _ready(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current

@@ -62,7 +62,10 @@ class TargetWork(QObject):
             return not_picked(project, propose(project, survey, progress=progress))
 
         task = self._runner.run(
-            "Proposing targets", work, lambda proposal: self._offer(project, proposal)
+            "Proposing targets",
+            work,
+            lambda proposal: self._offer(project, proposal),
+            shows=True,
         )
         self._controller.based_on_project(task)
 

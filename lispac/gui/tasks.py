@@ -3,9 +3,9 @@
 The worker gets a function that takes `progress` and returns a value. It only leaves numbers in
 the task and asks for the cancel flag; the GUI thread looks at them twenty times a second, and it
 alone calls what is to be done with the value. A cancelled or failed task changes nothing; one that
-writes files and has ended when it is cancelled has written them, and that is what is said. What
-ends under a dialogue waits for it: the dialogue was opened on the project as it was, and what is
-done with the value may open another.
+writes files and has ended when it is cancelled has written them, and that is what is said. Where
+what was found is shown in a dialogue, the task has ended before that opens, and waits for one that
+is open already.
 """
 
 import queue
@@ -36,6 +36,7 @@ class Task:
     quiet : nobody waits for it, and it gives way to work that somebody waits for
     key : a later quiet task of the same key takes its place
     lasting : what it does is on the disk once it has ended, and no longer to be cancelled
+    shows : its value is shown in a dialogue
     gave_way : it was cancelled for other work, not because the user wanted it to stop
     """
 
@@ -45,6 +46,7 @@ class Task:
     quiet: bool = False
     key: str = ""
     lasting: bool = False
+    shows: bool = False
     gave_way: bool = False
     cancel: threading.Event = field(default_factory=threading.Event)
     fraction: float = 0.0
@@ -118,9 +120,10 @@ class TaskRunner(QObject):
         quiet: bool = False,
         key: str = "",
         lasting: bool = False,
+        shows: bool = False,
     ) -> Task:
         """Give work to the worker; ``done`` gets its value on the GUI thread."""
-        task = Task(title, work, done, quiet, key, lasting)
+        task = Task(title, work, done, quiet, key, lasting, shows)
         for other in self._all():
             replaced = key and other.key == key
             gives_way = other.quiet and not quiet
@@ -182,7 +185,7 @@ class TaskRunner(QObject):
     def _finish(self) -> None:
         if self.current is None or self._closed:
             return
-        if QApplication.activeModalWidget() is not None:
+        if self.current.shows and QApplication.activeModalWidget() is not None:
             QTimer.singleShot(REFRESH_MS, self, self._finish)
             return
         task, self.current = self.current, None
@@ -198,7 +201,8 @@ class TaskRunner(QObject):
             else:
                 if task.cancel.is_set():
                     self.too_late.emit(f"{task.title}: it was done before it could be cancelled")
-                self.changed.emit()  # nor while a dialogue shows what was found
+                if task.shows:
+                    self.changed.emit()
                 task.done(task.value)
         finally:
             self.changed.emit()

@@ -36,7 +36,7 @@ class Tools(QObject):
         self.comparing = Comparing(
             window.document, window.scene, window.computing, view, actions, note
         )
-        self.clipping = Clipping(window.scene, view, actions, bring)
+        self.clipping = Clipping(window.scene, view, actions, bring, note)
         self.lasso = Lasso(
             window.document, window.scene, view, actions, self.pointing, self.clipping, note,
             window.controller.refused.emit,

@@ -29,7 +29,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.identity import Identity
 from lispac.io.files import remove_abandoned, written_whole
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
-from lispac.io.values import decoded, encoded, in_one_line
+from lispac.io.values import Unfit, decoded, encoded, in_one_line
 from lispac.project import (
     ROLES,
     SHAPES,
@@ -156,9 +156,22 @@ def _read(path: Path) -> Project:
         RecursionError,
     ) as error:  # fmt: skip
         raise ProjectError(
-            f"{path}: the project file is damaged ({in_one_line(error)}); restore it from a copy."
+            f"{path}: the project file is damaged ({_plainly(error)}); restore it from a copy."
         ) from error
     return project
+
+
+def _plainly(error: Exception) -> str:
+    """What is wrong with the file, without the words of those who read it."""
+    if isinstance(error, json.JSONDecodeError):
+        return f"it cannot be read from line {error.lineno} on"
+    if isinstance(error, UnicodeDecodeError):
+        return "it is not text"
+    if isinstance(error, KeyError):
+        return f"{error.args[0]} is missing in it"
+    if isinstance(error, OSError):
+        return error.strerror or "it cannot be read"
+    return str(error) if isinstance(error, Unfit) else "something in it is of the wrong kind"
 
 
 def _require_consistent(project: Project) -> None:
@@ -166,24 +179,24 @@ def _require_consistent(project: Project) -> None:
 
     Raises
     ------
-    ValueError
+    Unfit
     """
     project.settings.require_sound()
     project.identity.require_sound()
     lines = {line.name for line in project.lines}
     for target in project.targets:
         if target.role not in ROLES:
-            raise ValueError(f"{target.name} has the role {target.role!r}")
+            raise Unfit(f"{target.name} has the role {target.role!r}")
         if target.shape not in SHAPES:
-            raise ValueError(f"{target.name} has the shape {target.shape!r}")
+            raise Unfit(f"{target.name} has the shape {target.shape!r}")
         require_target(target)
         if not (np.isfinite(target.seed).all() and target.threshold > 0 and target.radius > 0):
-            raise ValueError(f"seed, threshold or radius of {target.name}")
+            raise Unfit(f"seed, threshold or radius of {target.name}")
         for sighting in target.sightings:
             if sighting.line not in lines:
-                raise ValueError(f"{target.name} is on a line {sighting.line} that is not listed")
+                raise Unfit(f"{target.name} is on a line {sighting.line} that is not listed")
     if project.result is not None and project.result.model.pos_errors not in POS_ERRORS:
-        raise ValueError(f"model {project.result.model.pos_errors!r}")
+        raise Unfit(f"model {project.result.model.pos_errors!r}")
 
 
 def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:

@@ -1,11 +1,18 @@
 """Results and settings as plain values for JSON, and back, by their type annotations."""
 
+import re
 from functools import cache
 from typing import Any, TypeVar
 
 import numpy as np
 
+from lispac.errors import LispacError
+
 Value = TypeVar("Value")
+
+
+class Unfit(ValueError):
+    """What was read does not fit, in words for those who know the project and not the code."""
 
 
 @cache
@@ -32,7 +39,7 @@ def decoded(content: Any, kind: type[Value]) -> Value:
 
     Raises
     ------
-    ValueError
+    Unfit
         Where the content does not fit the type.
     """
     from cattrs.errors import BaseValidationError, ForbiddenExtraKeysError
@@ -40,17 +47,25 @@ def decoded(content: Any, kind: type[Value]) -> Value:
     try:
         return _converter().structure(content, kind)
     except (BaseValidationError, ForbiddenExtraKeysError) as error:
-        raise ValueError(f"{kind.__name__} cannot be read: {_first(error)}") from error
+        raise Unfit(f"its {_in_words(kind)} cannot be read{_reason(error)}") from error
+
+
+def _in_words(kind: type[Any]) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind.__name__).lower()
+
+
+def _reason(error: BaseException) -> str:
+    """The innermost of nested errors where it says something to those who do not know the code."""
+    from cattrs.errors import ForbiddenExtraKeysError
+
+    while isinstance(error, BaseExceptionGroup):
+        error = error.exceptions[0]
+    if isinstance(error, ForbiddenExtraKeysError):
+        return f": {', '.join(sorted(error.extra_fields))} is not known"
+    return f": {error}" if isinstance(error, LispacError) else ""
 
 
 def in_one_line(error: BaseException) -> str:
     """What an error of the system or a library is called and says, in one line."""
     said = str(error).splitlines()
     return f"{type(error).__name__}: {said[0]}" if said else type(error).__name__
-
-
-def _first(error: BaseException) -> str:
-    """The innermost of nested errors, in one line."""
-    while isinstance(error, BaseExceptionGroup):
-        error = error.exceptions[0]
-    return str(error).splitlines()[0] if str(error) else type(error).__name__

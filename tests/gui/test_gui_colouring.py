@@ -4,8 +4,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from PySide6.QtGui import QColor
 
-from lispac.gui.colouring import COLOURINGS, shading
+from lispac.gui.colouring import COLOURINGS, SCALES, Scale, shading, use_scale
+from lispac.gui.schemes import DARK, LIGHT
 from lispac.gui.viewing_actions import COLOURED
 from tests.gui.support import Demo, Driver, Key, press
 
@@ -31,6 +33,23 @@ def test_colours_follow_the_values(demo: Demo) -> None:
     assert low < high <= everything.max() + 0.5
     time = shading("time", clouds)
     assert float(time.low) == 0
+
+
+@pytest.mark.parametrize("scale", SCALES)
+def test_a_scale_is_seen_on_either_ground(demo: Demo, scale: Scale) -> None:
+    """No colour of it comes near to that of the view, bright or dark."""
+    use_scale(scale)
+    try:
+        shaded = shading("height", demo.survey.clouds)
+    finally:
+        use_scale("viridis")
+    assert shaded is not None
+    colours = shaded.scale.astype(float)
+    assert len(np.unique(shaded.scale, axis=0)) > 100  # greys have no more between the ends
+    for scheme in (LIGHT, DARK):
+        for ground in (scheme.ground, scheme.sky):
+            away = np.array(QColor(ground).getRgb()[:3], dtype=float)
+            assert np.linalg.norm(colours - away, axis=1).min() > 25
 
 
 def test_keys_and_menu_change_the_colours(opened: Driver) -> None:

@@ -1,5 +1,6 @@
 """Parts of the window on their own: tasks, dialogues, settings, words."""
 
+import json
 import threading
 import time
 from dataclasses import replace
@@ -74,7 +75,7 @@ def test_nothing_runs_any_more_while_a_dialogue_shows_what_was_found(qtbot, runn
 
     told: list[Task | None] = []
     runner.changed.connect(lambda: told.append(runner.current))
-    runner.run("Setting the pages", lambda progress: 1, show)
+    runner.run("Setting the pages", lambda progress: 1, show, shows=True)
     qtbot.waitUntil(lambda: bool(seen))
     assert seen == [False]
     first = next(k for k, task in enumerate(told) if task is None)
@@ -85,7 +86,7 @@ def test_what_ends_under_a_dialogue_waits_for_it(qtbot, runner):
     got: list[int] = []
     dialog = QDialog()
     seen = []
-    runner.run("Work", lambda progress: 1, got.append)
+    runner.run("Work", lambda progress: 1, got.append, shows=True)
     QTimer.singleShot(400, lambda: (seen.append(list(got)), dialog.accept()))
     dialog.exec()
     assert seen == [[]]
@@ -181,6 +182,23 @@ def test_closing_waits_for_the_worker(qtbot):
 
 
 # -- errors and words ----------------------------------------------------------------------------
+
+
+def test_what_a_library_said_is_in_the_details(qapp):
+    try:
+        try:
+            json.loads("{")
+        except ValueError as error:
+            raise InputError("a.json: it cannot be read; restore it.") from error
+    except InputError as told:
+        box = error_box(None, told)
+    assert box.text() == "a.json: it cannot be read; restore it."
+    box.findChild(QPushButton, "copy_details").click()
+    assert "JSONDecodeError" in QApplication.clipboard().text()
+    box.deleteLater()
+    own = error_box(None, InputError("a.las: there is no such file."))
+    assert own.findChild(QPushButton, "copy_details") is None
+    own.deleteLater()
 
 
 def test_an_error_of_the_program_is_its_sentence_and_another_has_details(

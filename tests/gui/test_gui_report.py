@@ -103,6 +103,12 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     click(adjusted, panel.report)
     adjusted.rest()
     assert adjusted.dialogs.errors == []
+    header = adjusted.window.workflow.headers[REPORT].sentence
+    assert header.text() == "exported: r.html"
+    adjusted.window.controller.rename("T1", "North wall")
+    assert header.text() != "exported: r.html"  # the report tells of another project
+    adjusted.window.document.undo_stack.undo()
+    assert header.text() == "exported: r.html"
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert "Order 4711" in text
     assert "size: letter;" in text

@@ -23,7 +23,8 @@ from lispac.workflow.projects import new_project
 from lispac.workflow.sensors import keep, library
 from tests.gui.support import Driver, Key, Left, press
 
-OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk")
+OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
+                     theme="dark", scale="turbo")  # fmt: skip
 MINE = ScannerFigures("Profiler 16", 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
 
 

@@ -1,5 +1,7 @@
 """The first minutes: the start page, and the tour followed to its end by mouse and keys."""
 
+import os
+from datetime import datetime
 from pathlib import Path
 
 import numpy as np
@@ -7,9 +9,13 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
+from lispac.gui.language import speak
 from lispac.gui.main_window import MainWindow
 from lispac.gui.tour import STEPS
+from lispac.io.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, press, seed
+
+DAY = datetime(2026, 3, 7, 9, 5).timestamp()
 
 
 def links(window: MainWindow, name: str) -> list[QCommandLinkButton]:
@@ -32,6 +38,22 @@ def test_recent_projects_are_a_click_away(driver: Driver, demo_copy: Path, tmp_p
     assert driver.project.folder == demo_copy
     assert not window.stage.start.isVisible()
     assert window.viewport.widget.isVisible()
+
+
+def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_copy: Path) -> None:
+    window = driver.window
+    window.settings.add_recent(demo_copy)
+    os.utime(demo_copy / FILE_NAME, (DAY, DAY))
+    for code, said in (("en", "Saved 2026-03-07 09:05, in"), ("fr", "07/03/2026 09:05, dans")):
+        speak(code)
+        try:
+            window.stage.start.show_recent(window.settings.recent())
+        finally:
+            speak("en")
+        (known, *_) = [
+            link for link in links(window, "start_recent") if link.toolTip() == str(demo_copy)
+        ][-1:]
+        assert said in known.description()
 
 
 def test_every_way_to_begin_is_an_action(driver: Driver) -> None:

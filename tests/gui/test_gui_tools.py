@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from lispac.causes import Cause
 from lispac.gui.panels.section import EMPTY
 from lispac.gui.sections import frame_of
 from lispac.gui.viewport.base import PickedPoint
@@ -232,6 +233,23 @@ def test_the_clip_box_is_laid_about_the_target_and_changed_by_fields_and_handles
     window.actions_["clip"].trigger()
     window.document.open(None, None)
     assert view.box is None
+
+
+def test_the_clip_box_goes_along_to_what_it_would_hide(picked: Driver) -> None:
+    window, view = picked.window, picked.viewport
+    window._select("T1", "")
+    press(picked, Key.Key_X)
+    box = view.box
+    window._select("T1", picked.project.lines[0].name)
+    assert view.box is box  # it is in there
+    window._select("T2", "")
+    points = np.concatenate(list(window.scene.selected_points.values()))
+    assert len(view.box.inside(points)) == len(points)
+    assert not len(box.inside(points))
+    assert window.task_bar.currentMessage() == "The clip box hid T2; it lies about it now"
+    window.cautioning.follow(Cause.of_line(picked.project.lines[1].name))
+    sample = window.scene.clouds[picked.project.lines[1].name].sample[::50]
+    assert len(view.box.inside(sample)) > 0.99 * len(sample)
 
 
 def test_before_and_after_in_one_picture(adjusted: Driver) -> None:

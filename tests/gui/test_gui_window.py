@@ -44,7 +44,7 @@ def test_a_seed_lights_up_the_plane_on_every_line_and_enter_accepts(opened: Driv
     assert [t.name for t in opened.project.targets] == ["T1"]
     assert [m.label for m in opened.viewport.markers] == ["T1"]
     assert not opened.window.targets.candidate.isVisible()
-    assert sentence(opened, 1) == "1 target in 6 lines"
+    assert sentence(opened, 1) == "1 target in 6 lines: a second is missing"
 
 
 def test_escape_rejects_and_leaves_nothing(opened: Driver):

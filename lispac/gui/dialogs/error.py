@@ -10,9 +10,10 @@ from lispac.gui.language import say
 
 
 def describe(error: BaseException) -> tuple[str, str]:
-    """A plain sentence, and details where the sentence is not the program's own."""
+    """A plain sentence, and details where it tells of what a library or the system has said."""
     if isinstance(error, LispacError):
-        return str(error), ""
+        foreign = error.__cause__ is not None and not isinstance(error.__cause__, LispacError)
+        return str(error), "".join(traceback.format_exception(error)) if foreign else ""
     if isinstance(error, MemoryError):
         return "There is not enough memory for this; close other programs or use fewer lines.", ""
     if isinstance(error, OSError) and error.strerror:

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
 from lispac.gui import theme
+from lispac.gui.colouring import Scale
 from lispac.gui.dialogs.cache_box import CacheBox
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.dialogs.sensor_library import SensorLibraryPage
@@ -27,6 +28,15 @@ UNITS = {
     "survey feet": "US survey feet (ftUS)",
 }
 """What the units shown are called, by their keys."""
+LOOKS = {"system": "As the system", "light": "Light", "dark": "Dark"}
+"""What the themes are called."""
+SCALES: dict[Scale, str] = {
+    "viridis": "Viridis: even, safe for the colour-blind",
+    "cividis": "Cividis: blue to yellow, safe for the colour-blind",
+    "gray": "Greys",
+    "turbo": "Turbo: a rainbow, not safe for the colour-blind",
+}
+"""What the scales of colours are called."""
 
 
 class SettingsDialog(QDialog):
@@ -76,6 +86,8 @@ class SettingsDialog(QDialog):
             list(ANGLES)[self.angles.currentIndex()],
             list(LENGTHS)[self.lengths.currentIndex()],
             self.cache.folder,
+            list(LOOKS)[self.looks.currentIndex()],
+            list(SCALES)[self.scale.currentIndex()],
         )
 
     def show_preferences(self, given: Preferences) -> None:
@@ -91,6 +103,8 @@ class SettingsDialog(QDialog):
         self.angles.setCurrentIndex(list(ANGLES).index(given.angles))
         self.lengths.setCurrentIndex(list(LENGTHS).index(given.lengths))
         self.cache.show_folder(given.cache)
+        self.looks.setCurrentIndex(list(LOOKS).index(given.theme))
+        self.scale.setCurrentIndex(list(SCALES).index(given.scale))
 
     def _build(self) -> None:
         self.language = widgets.Choice(
@@ -115,6 +129,15 @@ class SettingsDialog(QDialog):
             "settings_lengths", [UNITS[key] for key in LENGTHS],
             "Unit of lengths and distances in the window; files, reports and scripts stay metric",
         )  # fmt: skip
+        self.looks = widgets.Choice(
+            "settings_looks", list(LOOKS.values()),
+            "Colours of the window; those of the lines are told apart on either ground, by the "
+            "colour-blind too",
+        )  # fmt: skip
+        self.scale = widgets.Choice(
+            "settings_scale", list(SCALES.values()),
+            "Colours of the points by height, intensity, range or time; residuals have their own",
+        )  # fmt: skip
         self.convention = widgets.Choice(
             "settings_convention", ["This program alone", *(each.name for each in OTHERS)],
             "Reports also state the boresight as another program has it",
@@ -124,6 +147,8 @@ class SettingsDialog(QDialog):
             field.setMaximumWidth(160)
         self._form.addRow(widgets.label("Window", "heading"))
         self._form.addRow(say("Language"), self.language)
+        self._form.addRow(say("Colours"), self.looks)
+        self._form.addRow(say("Colours of measured values"), self.scale)
         self._form.addRow(say("Size of points"), self.point_size)
         self._form.addRow(say("Points drawn at most"), self.point_budget)
         self._form.addRow(say("Angles"), self.angles)

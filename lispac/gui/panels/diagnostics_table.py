@@ -40,6 +40,8 @@ class Cell:
     """Form, and units of the column's base to one of the value, of a mere number."""
     bases: tuple[Base, ...] = ()
     """Units whose signs stand in it."""
+    shown: str = ""
+    """What is seen in place of the text, by which it is sorted."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,7 @@ class _Item(QTableWidgetItem):
         if base is not None and cell.figure is not None and cell.value is not None:
             form, scale = cell.figure
             text = units.figure(cell.value * scale, base, form)
-        text = text if cell.named else units.signs(say(text), *cell.bases)
+        text = text if cell.named else cell.shown or units.signs(say(text), *cell.bases)
         super().__init__(text.replace("-", "−") if cell.value is not None else text)
         self.cell = cell
 

@@ -1049,10 +1049,6 @@
         <translation>{path} : fait par une version plus récente du programme (schéma {version}) ; mettez celui-ci à jour.</translation>
     </message>
     <message>
-        <source>{path:file}: the project file is damaged ({in_one_line:foreign}); restore it from a copy.</source>
-        <translation>{path} : le fichier du projet est endommagé ({in_one_line}) ; restaurez-le depuis une copie.</translation>
-    </message>
-    <message>
         <source>{path:file}: the points of target {name:kept} are missing; restore the file from a copy of the project, or make the project again.</source>
         <translation>{path} : les points de la cible {name} manquent ; restaurez le fichier depuis une copie du projet, ou refaites le projet.</translation>
     </message>
@@ -5072,6 +5068,61 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>building the pages in {language:kept}</source>
         <translation>production des pages en {language}</translation>
+    </message>
+</context>
+<context>
+    <name>project_file</name>
+    <message>
+        <source>{path:file}: the project file is damaged ({plainly}); restore it from a copy.</source>
+        <translation>{path} : le fichier du projet est endommagé ({plainly}) ; restaurez-le depuis une copie.</translation>
+    </message>
+    <message>
+        <source>it cannot be read from line {lineno:n} on</source>
+        <translation>illisible à partir de la ligne {lineno}</translation>
+    </message>
+    <message>
+        <source>it is not text</source>
+        <translation>ce n&apos;est pas du texte</translation>
+    </message>
+    <message>
+        <source>{args:kept} is missing in it</source>
+        <translation>{args} y manque</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>illisible</translation>
+    </message>
+    <message>
+        <source>something in it is of the wrong kind</source>
+        <translation>un élément n&apos;y est pas de la bonne sorte</translation>
+    </message>
+    <message>
+        <source>its {in_words:kept} cannot be read</source>
+        <translation>sa partie « {in_words} » est illisible</translation>
+    </message>
+    <message>
+        <source>its {in_words:kept} cannot be read: {reason}</source>
+        <translation>sa partie « {in_words} » est illisible : {reason}</translation>
+    </message>
+    <message>
+        <source>{name:kept} has the role {role:kept}</source>
+        <translation>{name} a le rôle {role}</translation>
+    </message>
+    <message>
+        <source>{name:kept} has the shape {shape:kept}</source>
+        <translation>{name} a la forme {shape}</translation>
+    </message>
+    <message>
+        <source>seed, threshold or radius of {name:kept}</source>
+        <translation>germe, seuil ou rayon de {name}</translation>
+    </message>
+    <message>
+        <source>{name:kept} is on a line {line:kept} that is not listed</source>
+        <translation>{name} est sur une ligne {line} qui n&apos;est pas dans la liste</translation>
+    </message>
+    <message>
+        <source>{names:kept} is not known</source>
+        <translation>{names} n&apos;est pas connu</translation>
     </message>
 </context>
 </TS>

@@ -737,10 +737,6 @@
         <translation>Coloration &amp;suivante</translation>
     </message>
     <message>
-        <source>Colours</source>
-        <translation>Couleurs</translation>
-    </message>
-    <message>
         <source>Colour the points by line, height, intensity, range, time, residual, in turn</source>
         <translation>Colorer les points par ligne, hauteur, intensité, distance, temps, résidu, tour à tour</translation>
     </message>
@@ -1908,6 +1904,58 @@
     <message>
         <source>Taking pictures of the view</source>
         <translation>Prise d&apos;images de la vue</translation>
+    </message>
+    <message>
+        <source>The clip box hid {what:kept}; it lies about it now</source>
+        <translation>La boîte de découpe cachait {what} ; elle l&apos;entoure maintenant</translation>
+    </message>
+    <message>
+        <source>{sentence}: a second is missing</source>
+        <translation>{sentence} : il en manque une seconde</translation>
+    </message>
+    <message>
+        <source>a second target is missing</source>
+        <translation>il manque une seconde cible</translation>
+    </message>
+    <message>
+        <source>exported: {reported:kept}</source>
+        <translation>exporté : {reported}</translation>
+    </message>
+    <message>
+        <source>The report tells of the project as it stands; export it again in another form.</source>
+        <translation>Le rapport décrit le projet tel qu&apos;il est ; l&apos;exporter de nouveau sous une autre forme.</translation>
+    </message>
+    <message>
+        <source>Colours of measured values</source>
+        <translation>Couleurs des valeurs mesurées</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Viridis: even, safe for the colour-blind</source>
+        <translation>Viridis : régulière, lisible par les daltoniens</translation>
+    </message>
+    <message>
+        <source>Cividis: blue to yellow, safe for the colour-blind</source>
+        <translation>Cividis : du bleu au jaune, lisible par les daltoniens</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Turbo: a rainbow, not safe for the colour-blind</source>
+        <translation>Turbo : arc-en-ciel, trompeuse pour les daltoniens</translation>
+    </message>
+    <message>
+        <source>Colours of the window; those of the lines are told apart on either ground, by the colour-blind too</source>
+        <translation>Couleurs de la fenêtre ; celles des lignes se distinguent sur les deux fonds, aussi par les daltoniens</translation>
+    </message>
+    <message>
+        <source>Colours of the points by height, intensity, range or time; residuals have their own</source>
+        <translation>Couleurs des points par hauteur, intensité, distance ou temps ; les résidus ont les leurs</translation>
     </message>
 </context>
 <context>
