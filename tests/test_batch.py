@@ -66,7 +66,7 @@ def test_every_project_has_a_row(
     rows = table(tmp_path / "table.csv")
     assert len(rows) == 6
     for name, why in (
-        ("broken", "damaged"), ("moved", "L3.laz: there is no such LAS file"),
+        ("broken", "damaged"), ("moved", "L3.laz: there is no such file; bring it back"),
         ("unpicked", "there is no target to adjust"),
     ):  # fmt: skip
         row = rows[str(projects / name)]

@@ -41,6 +41,7 @@ def build_parser() -> argparse.ArgumentParser:
     sensor_options.add(commands)
     _look(commands)
     _new(commands)
+    _locate(commands)
     _import(commands)
     pick_options.add(commands)
     _propose(commands)
@@ -73,6 +74,14 @@ def _warnings(commands: "Commands[argparse.ArgumentParser]") -> None:
     warnings = command(commands, "warnings", "list all there is to be warned of in a project")
     warnings.add_argument("project", type=Path, metavar="PROJECT")
     json_option(warnings)
+
+
+def _locate(commands: "Commands[argparse.ArgumentParser]") -> None:
+    locate = command(commands, "locate", "say where the files of a project that was moved are now")
+    locate.add_argument("project", type=Path, metavar="PROJECT")
+    locate.add_argument(
+        "folder", type=Path, metavar="FOLDER", help="they are in it, or in folders below it"
+    )
 
 
 def _look(commands: "Commands[argparse.ArgumentParser]") -> None:

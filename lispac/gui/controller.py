@@ -1,6 +1,7 @@
 """Intents become edits: opening and saving, seeds, and the list of targets."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -34,6 +35,8 @@ class Controller(QObject):
     """Something worth a line in the log and the status bar."""
     refused = Signal(object)
     """An error the user is to be told of."""
+    files_missing = Signal(object)
+    """A project that cannot be opened before its files are found."""
 
     def __init__(
         self,
@@ -61,15 +64,41 @@ class Controller(QObject):
     def open(self, path: Path) -> None:
         """Open a project by its folder, its project.json or the file that opens it."""
 
-        def work(progress: Progress) -> Opened:
-            from lispac.workflow.projects import open_project
+        def read() -> tuple[Project, tuple[str, ...]]:
+            from lispac.workflow.projects import opened_with_notes
 
-            project = open_project(path)
+            return opened_with_notes(path)
+
+        self._open(path.name, read)
+
+    def open_found(self, project: Project) -> None:
+        """Open a project whose files were found; that is something to save."""
+        self._open(project.name, lambda: (project, ()), found=True)
+
+    def _open(
+        self, name: str, read: Callable[[], tuple[Project, tuple[str, ...]]], *, found: bool = False
+    ) -> None:
+        def work(progress: Progress) -> Opened | Project:
+            from lispac.workflow.moved import missing
+
+            project, notes = read()
+            if missing(project):
+                return project
             if project.validation:
                 preload()
-            return project, load_survey(project, progress=progress)
+            survey = load_survey(project, progress=progress)
+            return project, replace(survey, notes=(*notes, *survey.notes))
 
-        self._runner.run(f"Opening {path.name}", work, self._opened, shows=True)
+        def done(opened: Opened | Project) -> None:
+            if isinstance(opened, Project):
+                self.files_missing.emit(opened)
+                return
+            self._opened(opened)
+            if found and self._document.project is opened[0]:
+                self._document.undo_stack.resetClean()
+                self.noted.emit("The files were found; save the project to keep where they are")
+
+        self._runner.run(f"Opening {name}", work, done, shows=True)
 
     def create(self, request: ImportRequest) -> None:
         """Make a project and open it."""

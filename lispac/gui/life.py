@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QMenu
 
+from lispac.errors import InputError
 from lispac.gui.computing import Computing
 from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
@@ -17,9 +18,10 @@ from lispac.gui.language import say
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.io.seed_file import looks_like_a_list
-from lispac.project import Settings
+from lispac.project import Project, Settings
 from lispac.workflow.export_request import What
 from lispac.workflow.intake import project_among
+from lispac.workflow.moved import missing, with_files_in
 
 
 class ProjectLife(QObject):
@@ -42,6 +44,7 @@ class ProjectLife(QObject):
         self._document, self._controller, self._computing = document, controller, computing
         self._estimating, self._scene = estimating, scene
         self._dialogs, self._settings = dialogs, settings
+        controller.files_missing.connect(self._seek_files)
 
     def may_leave(self) -> bool:
         """Whether the present project may go; asks where it has changes."""
@@ -114,6 +117,21 @@ class ProjectLife(QObject):
             path = self._dialogs.project_to_open(recent[0].parent if recent else Path.home())
             if path is not None:
                 self._controller.open(path)
+
+    def _seek_files(self, project: Project) -> None:
+        """Ask where the files of a project are now, as long as some are missing."""
+        while True:
+            folder = self._dialogs.files_now(project.name, missing(project), project.folder)
+            if folder is None:
+                self._controller.noted.emit(f"{project.name} was not opened: its files are missing")
+                return
+            try:
+                found = with_files_in(project, folder)
+            except InputError as error:
+                self._dialogs.show_error(error)
+                continue
+            self._controller.open_found(found)
+            return
 
     def save_as(self) -> None:
         """Ask for another folder, save the project there and go on with it."""

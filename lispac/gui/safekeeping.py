@@ -16,6 +16,7 @@ from lispac.errors import LispacError
 from lispac.gui.language import say_moment
 from lispac.io.project_file import FILE_NAME, forget_unsaved, keep_unsaved
 from lispac.project import Project
+from lispac.workflow.moved import with_files_of
 from lispac.workflow.projects import Unsaved, unsaved_work
 
 if TYPE_CHECKING:
@@ -96,7 +97,8 @@ class Safekeeping(QObject):
         if found is None:
             forget_unsaved(project.folder)
         elif self._dialogs.recover(project.name, _when(found)):
-            self._document.edit("recovery of unsaved work", found.project)
+            again = with_files_of(found.project, project)
+            self._document.edit("recovery of unsaved work", again)
             self._note("What was not saved is back; save the project to keep it")
         else:
             forget_unsaved(project.folder)

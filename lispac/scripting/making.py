@@ -11,6 +11,7 @@ from lispac.simulation.survey import POINTS_PER_SECOND
 from lispac.survey.source import USUAL
 from lispac.workflow import projects
 from lispac.workflow.demo import make_demo
+from lispac.workflow.moved import with_files_in
 
 AnyPath = str | Path
 
@@ -74,15 +75,27 @@ def new(
     return OpenProject(project, survey, progress=progress)
 
 
-def open(folder: AnyPath, *, progress: Progress = no_progress) -> OpenProject:
+def open(
+    folder: AnyPath, *, files: AnyPath | None = None, progress: Progress = no_progress
+) -> OpenProject:
     """Open a project by its folder; its lines are read by the first step that needs them.
+
+    Parameters
+    ----------
+    files : path, optional
+        Folder that the files of a project that was moved are in now.
 
     Raises
     ------
     ProjectError
         Where there is none, or its file is damaged.
+    InputError
+        Where no missing file is in ``files``.
     """
-    return OpenProject(projects.open_project(Path(folder)), progress=progress)
+    project = projects.open_project(Path(folder))
+    if files is not None:
+        project = with_files_in(project, Path(files))
+    return OpenProject(project, progress=progress)
 
 
 def demo(

@@ -20,6 +20,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
 from lispac.workflow.importing import LINES, line_folder
+from lispac.workflow.moved import with_files_beside
 from lispac.workflow.reading import usual_or_settled
 from lispac.workflow.restarts import lines_counted_on
 from lispac.workflow.stated_times import lines_in_trajectory_time, states_time
@@ -247,11 +248,23 @@ def taken_back(project: Project) -> Iterator[None]:
 def open_project(folder: Path) -> Project:
     """Open a project by its folder, its ``project.json`` or the file that opens it.
 
+    Files that are gone from where they were are found in its folder and beside it.
+
     Raises
     ------
     ProjectError
     """
-    return read_project(folder)
+    return opened_with_notes(folder)[0]
+
+
+def opened_with_notes(folder: Path) -> tuple[Project, tuple[str, ...]]:
+    """Open a project as `open_project` does, and say which files were found elsewhere.
+
+    Raises
+    ------
+    ProjectError
+    """
+    return with_files_beside(read_project(folder))
 
 
 @dataclass(frozen=True, eq=False)
@@ -279,6 +292,7 @@ def unsaved_work(folder: Path) -> Unsaved | None:
     project = read_unsaved(folder)
     if project is None:
         return None
+    project, _ = with_files_beside(project)
     kept, saved = (folder / name for name in (UNSAVED_NAME, FILE_NAME))
     return Unsaved(project, kept.stat().st_mtime, saved.stat().st_mtime)
 

@@ -22,6 +22,7 @@ from lispac.survey.time_quality import coverage, left_out, short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.targets.alignment import Alignment, align
 from lispac.workflow.importing import import_line, line_folder
+from lispac.workflow.moved import require_files
 from lispac.workflow.offers import offered
 from lispac.workflow.reading import LAS_ENDINGS, local_trajectory, read_accuracy, read_line
 
@@ -120,6 +121,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     ProjectError
         Where a line has to be imported and its store cannot be written.
     """
+    require_files(project)
     progress(0.0, f"Reading {project.trajectory.name}")
     trajectory, notes = local_trajectory(project)
     notes = _with_shifts(project, notes)

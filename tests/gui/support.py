@@ -40,6 +40,8 @@ class ScriptedDialogs(Dialogs):
         self.about_dropped: DropAnswer = "cancel"
         self.lines: tuple[LineSource, ...] | None = None
         self.about_candidate: CandidateAnswer = "cancel"
+        self.folders: list[Path] = []
+        """Where the files of a moved project are now, one answer after the other."""
         self.safety: list[str] = []
         """Asked about unsaved work and other windows; tests in other processes share the demo."""
         self.recovers, self.opens_twice, self.overwrites = False, True, True
@@ -108,6 +110,10 @@ class ScriptedDialogs(Dialogs):
     def recover(self, name: str, when: str) -> bool:
         self.safety.append(f"recover {name}")
         return self.recovers
+
+    def files_now(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
+        self.asked.append(f"{name}: {len(missing)}")
+        return self.folders.pop(0) if self.folders else None
 
     def open_elsewhere(self, name: str, where: str) -> bool:
         self.safety.append(f"{name} is open in {where}")

@@ -39,6 +39,44 @@ def test_a_project_opens_with_a_key_and_its_lines_are_drawn(
     assert not driver.window.isWindowModified()
 
 
+def test_a_project_whose_files_are_elsewhere_asks_for_them(
+    driver: Driver, demo_copy: Path, tmp_path: Path
+):
+    """Its user takes the wrong folder, then that of the lines, then that of the rest."""
+    known = open_project(demo_copy)
+    for name, paths in (("lines", [n.path for n in known.lines]), ("nav", [known.trajectory])):
+        (tmp_path / "usb" / name).mkdir(parents=True)
+        for path in paths:
+            path.rename(tmp_path / "usb" / name / path.name)
+    (tmp_path / "empty").mkdir()
+    folders = [tmp_path / "empty", tmp_path / "usb" / "lines", tmp_path / "usb"]
+    driver.dialogs.folders = list(folders)
+    driver.window.open_project(demo_copy)
+    driver.rest()
+    assert driver.dialogs.asked == ["harbour: 7", "harbour: 7", "harbour: 1"]
+    (error,) = driver.dialogs.errors
+    assert "none of the missing files is in this folder" in str(error)
+    assert driver.project.trajectory == tmp_path / "usb" / "nav" / known.trajectory.name
+    assert driver.window.document.survey_is_current
+    assert driver.window.isWindowModified()  # where they are is kept with the project
+    driver.dialogs.errors.clear()
+    press(driver, Key.Key_S, Control)
+    assert not driver.window.isWindowModified()
+    assert open_project(demo_copy).trajectory == driver.project.trajectory
+
+
+def test_a_project_whose_files_nobody_finds_stays_closed(driver: Driver, demo_copy: Path):
+    known = open_project(demo_copy)
+    known.trajectory.unlink()
+    driver.window.open_project(demo_copy)
+    driver.rest()
+    assert driver.dialogs.asked == ["harbour: 1"]
+    assert driver.window.document.project is None
+    assert driver.window.task_bar.currentMessage() == (
+        "harbour was not opened: its files are missing"
+    )
+
+
 def test_a_folder_without_a_project_is_refused_in_words(driver: Driver, tmp_path: Path):
     driver.window.open_project(tmp_path)
     driver.rest()

@@ -1,17 +1,22 @@
 """Short questions, and what went wrong."""
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Literal
 
-from PySide6.QtWidgets import QMessageBox, QPushButton, QWidget
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 from lispac.errors import LispacError
 from lispac.gui.dialogs.error import describe, error_box
 from lispac.gui.language import say
 from lispac.gui.logbook import LOG
+from lispac.gui.status import counted
 
 Answer = Literal["save", "discard", "cancel"]
 CandidateAnswer = Literal["accept", "reject", "cancel"]
 DropAnswer = Literal["add", "new", "cancel"]
+MOST_NAMED = 8
+"""Missing files that are named one by one."""
 
 
 class Questions:
@@ -95,6 +100,28 @@ class Questions:
         back = box.addButton(say("Bring it back"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(say("Forget it"), QMessageBox.ButtonRole.DestructiveRole)
         return self._asked(box, back)
+
+    def files_now(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
+        """Where the files of a project that was moved are now; None where it stays closed."""
+        box = QMessageBox(
+            QMessageBox.Icon.Question, "LISPAC",
+            say(f"{name} cannot find {counted(len(missing), 'file')} it was made from."),
+            QMessageBox.StandardButton.Cancel, self.parent,
+        )  # fmt: skip
+        box.setObjectName("files_dialog")
+        shown = [str(path) for path in missing[:MOST_NAMED]]
+        more = len(missing) - len(shown)
+        box.setInformativeText(
+            "\n".join([*shown, *([say(f"and {more} more")] if more else []), "",
+                       say("Choose the folder that they are in now, or one above it.")])
+        )  # fmt: skip
+        choose = box.addButton(say("Choose the folder…"), QMessageBox.ButtonRole.AcceptRole)
+        if not self._asked(box, choose):
+            return None
+        folder = QFileDialog.getExistingDirectory(
+            self.parent, say("Folder with the files of the project"), str(start)
+        )
+        return Path(folder) if folder else None
 
     def open_elsewhere(self, name: str, where: str) -> bool:
         """Whether a project that another window has is to be opened all the same."""

@@ -302,6 +302,11 @@ def is_import(folder: Path) -> bool:
     return (folder / MANIFEST).exists() or (folder / SPOOL).is_dir()
 
 
+def is_imported(folder: Path) -> bool:
+    """Whether a line was imported into a folder, to the end."""
+    return (folder / MANIFEST).exists()
+
+
 def remove_leftovers(folder: Path, keep: str = "") -> None:
     """Remove what interrupted imports left, but not the columns ``keep`` nor complete blocks."""
     for path in folder.glob(f"{COLUMNS}*"):

@@ -5125,4 +5125,23 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{names} n&apos;est pas connu</translation>
     </message>
 </context>
+<context>
+    <name>moved</name>
+    <message>
+        <source>{folder:file}: none of the missing files is in this folder or in one below it ({named:kept}); choose the folder that they are in now.</source>
+        <translation>{folder} : aucun des fichiers manquants n&apos;est dans ce dossier ni plus bas ({named}) ; choisissez le dossier où ils sont maintenant.</translation>
+    </message>
+    <message>
+        <source>{first:file}: there is no such file; bring it back, or say where it is now: lispac locate, or open the project in the window.</source>
+        <translation>{first} : ce fichier n&apos;existe pas ; remettez-le, ou dites où il est maintenant : lispac locate, ou ouvrez le projet dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>{first:file}: there is no such file, nor {named:kept}; bring them back, or say where they are now: lispac locate, or open the project in the window.</source>
+        <translation>{first} : ce fichier n&apos;existe pas, ni {named} ; remettez-les, ou dites où ils sont maintenant : lispac locate, ou ouvrez le projet dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>{name:kept} was moved: it is read from {parent:kept}</source>
+        <translation>{name} a été déplacé : il est lu dans {parent}</translation>
+    </message>
+</context>
 </TS>

@@ -114,6 +114,34 @@
         <source>Without saving, what was changed since is lost.</source>
         <translation>Sans enregistrement, ce qui a été modifié depuis est perdu.</translation>
     </message>
+    <message>
+        <source>{name:kept} cannot find {counted} it was made from.</source>
+        <translation>{name} ne trouve pas {counted} dont il est fait.</translation>
+    </message>
+    <message>
+        <source>Choose the folder that they are in now, or one above it.</source>
+        <translation>Choisissez le dossier où ils sont maintenant, ou un dossier plus haut.</translation>
+    </message>
+    <message>
+        <source>Choose the folder…</source>
+        <translation>Choisir le dossier…</translation>
+    </message>
+    <message>
+        <source>Folder with the files of the project</source>
+        <translation>Dossier des fichiers du projet</translation>
+    </message>
+    <message>
+        <source>and {more:n} more</source>
+        <translation>et {more} autres</translation>
+    </message>
+    <message>
+        <source>{name:kept} was not opened: its files are missing</source>
+        <translation>{name} n&apos;a pas été ouvert : ses fichiers manquent</translation>
+    </message>
+    <message>
+        <source>The files were found; save the project to keep where they are</source>
+        <translation>Les fichiers sont trouvés ; enregistrez le projet pour garder où ils sont</translation>
+    </message>
 </context>
 <context>
     <name>logbook</name>
@@ -2250,6 +2278,14 @@
     <message>
         <source>1 target in 1 line, {planes}</source>
         <translation>1 cible sur 1 ligne, {planes}</translation>
+    </message>
+    <message>
+        <source>{n:n} file</source>
+        <translation>{n} fichier</translation>
+    </message>
+    <message>
+        <source>{n:n} files</source>
+        <translation>{n} fichiers</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,39 @@
+"""``lispac locate``: where the files of a project that was moved are now."""
+
+from argparse import Namespace
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.project import Project
+from lispac.workflow.moved import found_words, missing, with_files_in
+from lispac.workflow.projects import opened_with_notes, save_project
+
+
+def locate(arguments: Namespace) -> None:
+    """Point the project at the files that are found, and save it.
+
+    Raises
+    ------
+    InputError
+        Where none is there, or others are still missing; what was found is saved all the same.
+    """
+    if not arguments.folder.is_dir():
+        raise InputError(f"{arguments.folder}: there is no such folder; check the path.")
+    before, notes = opened_with_notes(arguments.project)
+    for note in notes:
+        print(note)
+    after = with_files_in(before, arguments.folder.absolute())
+    save_project(after)
+    for path in sorted(_files(after) - _files(before)):
+        print(found_words(path))
+    gone = missing(after)
+    if gone:
+        names = ", ".join(path.name for path in gone)
+        raise InputError(f"{arguments.folder}: not here: {names}; say where, too.")
+    if after is before and not notes:
+        print("No file is missing.")
+
+
+def _files(project: Project) -> set[Path]:
+    accuracy = () if project.accuracy is None else (project.accuracy,)
+    return {project.trajectory, *accuracy, *(line.path for line in project.lines)}

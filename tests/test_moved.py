@@ -1,0 +1,152 @@
+"""A project on another disk than before: its files are found, or asked for; no other is taken."""
+
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lispac
+from lispac.cli.main import main
+from lispac.errors import InputError
+from lispac.io.project_file import keep_unsaved, read_project
+from lispac.project import Project
+from lispac.workflow import demo
+from lispac.workflow.moved import missing, with_files_beside, with_files_in, with_files_of
+from lispac.workflow.projects import create_project, open_project, opened_with_notes, unsaved_work
+from lispac.workflow.survey import load_survey
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Files in ``survey/nav`` and ``survey/lines``, and their project in ``projects/quay``."""
+    root = tmp_path_factory.mktemp("made")
+    simulated = demo.make_demo(root / "simulated", points_per_second=4000.0)
+    for sub, paths in (
+        ("nav", (simulated.trajectory, simulated.accuracy)),
+        ("lines", [line.path for line in simulated.lines]),
+    ):
+        (root / "disk" / "survey" / sub).mkdir(parents=True)
+        for path in paths:
+            shutil.copy(path, root / "disk" / "survey" / sub / path.name)
+    nav, lines = (root / "disk" / "survey" / sub for sub in ("nav", "lines"))
+    assert simulated.accuracy is not None
+    create_project(
+        root / "disk" / "projects" / "quay",
+        trajectory=nav / simulated.trajectory.name,
+        accuracy=nav / simulated.accuracy.name,
+        lines=[replace(line, path=lines / line.path.name) for line in simulated.lines],
+        settings=simulated.settings,
+        trajectory_reading=simulated.trajectory_reading,
+        accuracy_reading=simulated.accuracy_reading,
+    )
+    return root / "disk"
+
+
+@pytest.fixture
+def disk(made: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(made, tmp_path / "disk"))
+
+
+def files(project: Project) -> set[Path]:
+    assert project.accuracy is not None
+    return {project.trajectory, project.accuracy, *(line.path for line in project.lines)}
+
+
+def test_moved_together_nothing_is_missing(disk: Path) -> None:
+    moved = disk.rename(disk.with_name("other"))
+    project, notes = opened_with_notes(moved / "projects" / "quay")
+    assert (missing(project), notes) == ((), ())
+
+
+@pytest.mark.parametrize("place", [".", "raw", "..", "../survey"])
+def test_files_in_the_projects_folder_and_beside_it_are_found(disk: Path, place: str) -> None:
+    """With the names of the folders they were in, or without."""
+    home = disk / "projects" / "quay"
+    other = home / "survey" if place == "raw" else home / place
+    if place == "raw":
+        shutil.move(disk / "survey", other)
+    else:
+        other.mkdir(exist_ok=True)
+        for path in [*(disk / "survey").rglob("*.*")]:
+            shutil.move(path, other / path.name)
+        shutil.rmtree(disk / "survey")
+    if place == "../survey":
+        assert missing(open_project(home))  # beside it, and in a folder it was not in
+        project = with_files_in(open_project(home), home.parent)
+    else:
+        project, notes = opened_with_notes(home)
+        assert len(notes) == len(files(project))
+        assert all("was moved: it is read from" in note for note in notes)
+    assert missing(project) == ()
+    assert {path.parent.resolve() for path in files(project)} <= {
+        other.resolve(), other.resolve() / "nav", other.resolve() / "lines",
+    }  # fmt: skip
+    assert len(load_survey(project).lines) == len(project.lines)
+
+
+def test_a_folder_above_them_is_enough(disk: Path, tmp_path: Path) -> None:
+    project = read_project(disk / "projects" / "quay")
+    (tmp_path / "usb" / "2026").mkdir(parents=True)
+    shutil.move(disk / "survey", tmp_path / "usb" / "2026" / "harbour")
+    assert set(missing(project)) == files(project)
+    found = with_files_in(project, tmp_path / "usb")
+    assert missing(found) == ()
+    assert with_files_in(found, tmp_path) is found
+    assert files(with_files_of(project, found)) == files(found)
+
+
+def test_of_two_files_of_one_name_none_is_taken(disk: Path, tmp_path: Path) -> None:
+    project = read_project(disk / "projects" / "quay")
+    for day in ("monday", "tuesday"):
+        shutil.copytree(disk / "survey" / "lines", tmp_path / "usb" / day)
+    shutil.copytree(disk / "survey" / "nav", tmp_path / "usb" / "day")
+    shutil.rmtree(disk / "survey")
+    found = with_files_in(project, tmp_path / "usb")
+    assert set(missing(found)) == {line.path for line in project.lines}
+    again = with_files_in(found, tmp_path / "usb" / "tuesday")
+    assert missing(again) == ()
+    assert {line.path.parent.name for line in again.lines} == {"tuesday"}
+
+
+def test_a_folder_without_them_is_refused(disk: Path, tmp_path: Path) -> None:
+    project = read_project(disk / "projects" / "quay")
+    shutil.rmtree(disk / "survey")
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(InputError, match="none of the missing files is in this folder"):
+        with_files_in(project, tmp_path / "empty")
+    with pytest.raises(InputError, match="bring them back, or say where they are now"):
+        load_survey(project)
+
+
+def test_unsaved_work_is_found_its_files_too(disk: Path) -> None:
+    home = disk / "projects" / "quay"
+    project = read_project(home)
+    keep_unsaved(replace(project, settings=replace(project.settings, subsample=0.2)))
+    shutil.move(disk / "survey", home / "survey")
+    found = unsaved_work(home)
+    assert found is not None
+    assert missing(found.project) == ()
+    assert with_files_beside(found.project) == (found.project, ())
+
+
+def test_at_the_command_line_and_in_a_script(
+    disk: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    home, usb = disk / "projects" / "quay", tmp_path / "usb"
+    shutil.move(disk / "survey", usb / "quay")
+    assert main(["warnings", str(home)]) == 1
+    assert "lispac locate" in capsys.readouterr().err
+    assert missing(lispac.open(home, files=usb).project) == ()
+    assert main(["locate", str(home), str(usb / "nowhere")]) == 1
+    assert "there is no such folder" in capsys.readouterr().err
+    assert main(["locate", str(home), str(usb / "quay" / "nav")]) == 1
+    out, err = capsys.readouterr()
+    assert out.count("was moved: it is read from") == 2
+    assert "not here: " in err
+    assert main(["locate", str(home), str(usb)]) == 0
+    capsys.readouterr()
+    assert main(["locate", str(home), str(usb)]) == 0
+    assert capsys.readouterr().out == "No file is missing.\n"
+    assert np.isfinite(load_survey(open_project(home)).trajectory.time).all()
