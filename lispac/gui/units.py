@@ -113,8 +113,10 @@ def limit(value: float, base: Base) -> str:
     return f"{shown:,.10g}"
 
 
-def ended(value: float, low: float, high: float) -> float:
+def ended(value: float, base: Base | None, low: float, high: float) -> float:
     """A value in the base; what lies beyond an end by its rounding in `limit` is that end."""
+    if not differs(base):
+        return value
     if low - ROUNDED * abs(low) <= value < low:
         return low
     return high if high < value <= high + ROUNDED * abs(high) else value

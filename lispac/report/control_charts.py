@@ -16,6 +16,8 @@ from lispac.validation.repeatability import NORMAL_95
 LIMITS = "#dbe4ee"
 HALF = 0.35
 """Of the time between two calibrations: how far limits reach to either side of theirs."""
+DAYS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
+"""Forms of a date beside the axis, from years to seconds: the same in every language."""
 
 
 def control_figure(
@@ -65,7 +67,9 @@ def control_figure(
     panels[-1].set_xlim(at[0] - HALF * between, at[-1] + HALF * between)
     locator = AutoDateLocator(minticks=2)  # type: ignore[no-untyped-call]
     panels[-1].xaxis.set_major_locator(locator)
-    formatter = ConciseDateFormatter(locator)  # type: ignore[no-untyped-call]
+    formatter = ConciseDateFormatter(  # type: ignore[no-untyped-call]
+        locator, formats=DAYS, zero_formats=DAYS, show_offset=False
+    )
     panels[-1].xaxis.set_major_formatter(formatter)
     figure.supxlabel(
         say(

@@ -54,7 +54,7 @@ def numbers_of(
             typed = float(part)
         except ValueError:
             raise InputError(f"{what}: “{part}” is not a number; give {shown}.") from None
-        value = units.ended(typed / factor, low, high)
+        value = units.ended(typed / factor, base, low, high)
         if not low <= value <= high:
             raise InputError(
                 f"{what}: {typed:g} is out of range; give {_ends(low, high, base)} {shown}."

@@ -85,7 +85,7 @@ class Field:
         if not math.isfinite(typed):
             raise InputError(f"{self.title}: “{text}” is not a number; give {self.sign}.")
         value = typed if self.base is None else typed / units.unit(self.base).factor
-        value = units.ended(value, self.low, self.high)
+        value = units.ended(value, self.base, self.low, self.high)
         if not self.low <= value <= self.high:
             raise InputError(
                 f"{self.title}: {typed:g} {self.sign} is out of range; give "

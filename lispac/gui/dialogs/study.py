@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui.language import say
@@ -11,6 +11,8 @@ from lispac.gui.panels.diagnostics_table import DiagnosticsTable, Row
 
 HEAD, ROW, MOST_SHOWN = 64, 24, 10
 """Pixels of the table's headings and of a row, and rows shown at the least."""
+OFF_THE_EDGE = 40
+"""Pixels of the screen that are left beside the dialogue."""
 
 
 class StudyDialog(QDialog):
@@ -60,6 +62,22 @@ class StudyDialog(QDialog):
         """Show rows in the table, all of them where they are few."""
         self.table.show_rows(rows)
         self.table.setMinimumHeight(HEAD + ROW * min(len(rows), MOST_SHOWN))
+        if self.isVisible():
+            self._widen()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Find room for the table."""
+        super().showEvent(event)
+        self._widen()
+
+    def _widen(self) -> None:
+        """As wide as the table, where the screen is: else its last column would be cut off."""
+        around = self.body.contentsMargins()
+        frame = 2 * self.table.frameWidth() + self.table.verticalScrollBar().sizeHint().width()
+        wanted = self.table.horizontalHeader().length() + frame + around.left() + around.right()
+        wanted = min(wanted, self.screen().availableGeometry().width() - OFF_THE_EDGE)
+        if wanted > self.width():
+            self.resize(wanted, self.height())
 
     def numbers(self) -> str:
         """What is copied for a spreadsheet."""

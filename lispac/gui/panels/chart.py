@@ -5,6 +5,8 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPixmap
 
+from lispac.gui.panels.ticks import spoken_ticks
+
 AFTER_MS = 20
 """A plot takes 0.1 s. What else changes with it is painted before, and keys are heard between."""
 
@@ -29,6 +31,7 @@ class Chart(FigureCanvasQTAgg):
     def draw(self) -> None:
         """Draw now."""
         self._stale = False
+        spoken_ticks(self.figure)
         super().draw()
 
     def picture(self) -> QPixmap:

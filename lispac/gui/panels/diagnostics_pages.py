@@ -99,7 +99,6 @@ class FigurePage(Page):
         # Imported here, so that the start of the window does not wait for it.
         from lispac.gui.panels import diagnostic_figures
         from lispac.gui.panels.chart import Chart
-        from lispac.gui.panels.ticks import spoken_ticks
 
         if self.canvas is None:
             self.canvas = Chart(200, 120, theme.PAPER)
@@ -107,7 +106,6 @@ class FigurePage(Page):
             self.canvas.setAccessibleName(say(self.title))
             self._row.addWidget(self.canvas, 1)
         getattr(diagnostic_figures, self.draws)(result, self.canvas.figure)
-        spoken_ticks(self.canvas.figure)
         self.canvas.draw_idle()
 
 

@@ -200,7 +200,7 @@ class HistogramsPanel(QWidget):
         )
 
     def _show_units(self, figure) -> None:
-        from lispac.gui.panels.ticks import in_units, spoken_ticks
+        from lispac.gui.panels.ticks import in_units
 
         against = self.plot.currentIndex() == AGAINST
         legend = None if against or not units.differs("mm") else figure.axes[0].get_legend()
@@ -215,7 +215,6 @@ class HistogramsPanel(QWidget):
             in_units(axes.xaxis, "m" if against else "mm")
             if against:
                 in_units(axes.yaxis, "mm")
-        spoken_ticks(figure)
 
     def _canvas(self):
         if self.canvas is None:

@@ -87,7 +87,6 @@ class QualityPage(QWidget):
         # Imported here, so that the start of the dialogue does not wait for it.
         from lispac.gui.dialogs.import_files.quality_figures import PAGES, Quality
         from lispac.gui.panels.chart import Chart
-        from lispac.gui.panels.ticks import spoken_ticks
 
         if self.canvas is None:
             self.canvas = Chart(300, 180, theme.PAPER)
@@ -98,7 +97,6 @@ class QualityPage(QWidget):
         name = NAMES[self.choice.checkedId()]
         self._hint.setText(say("Coloured: the lines." if name == "Track" else "Shaded: the lines."))
         PAGES[name](quality, self.canvas.figure)
-        spoken_ticks(self.canvas.figure)
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(say(f"{name} of the trajectory over time, lines marked"))
         self.drawn.emit()
