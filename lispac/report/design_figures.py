@@ -91,7 +91,9 @@ def errors_figure(found: Scatter, figure: Figure | None = None, say: Say = uncha
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         axes.hist(unit[:, k], edges, color=COLOURS[k], alpha=0.75)
         axes.plot(at, expected, color=INK, linewidth=1.0)
-        dress(axes, say("error / foretold sigma"), say("surveys") if k == 0 else "")
+        dress(
+            axes, say("error / foretold sigma") if k == 1 else "", say("surveys") if k == 0 else ""
+        )
         ratio = found.ratio[k]
         said = f"{angle}: {ratio:.2f} \u00b1 {ratio * found.by_chance:.2f}"
         axes.set_title(say(said), fontsize=TEXT, color=INK, loc="left")
