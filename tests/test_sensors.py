@@ -11,6 +11,8 @@ from lispac.errors import InputError
 from lispac.installed import resource, user_folder
 from lispac.io.scanner_file import read_scanner
 from lispac.io.sensor_file import STATES, PosFigures, PosState, ScannerFigures
+from lispac.language.catalogue import catalogue_of
+from lispac.language.translation import Translator
 from lispac.project import Settings
 from lispac.workflow import sensors
 from lispac.workflow.projects import open_project
@@ -47,6 +49,17 @@ def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> 
             states = {state.name: state for state in pos.figures.states}
             assert states["degraded"].position_sigma > states["rtk"].position_sigma
             assert states["degraded"].attitude_sigma_deg > states["rtk"].attitude_sigma_deg
+
+
+def test_what_the_program_says_of_its_own_sensors_is_translated(tmp_path: Path) -> None:
+    found = sensors.library(tmp_path)
+    french = Translator(catalogue_of("fr"), spoken_numbers=True)
+    for figures in (
+        *(scanner.figures for scanner in found.scanners),
+        *(state for pos in found.pos for state in pos.figures.states),
+    ):
+        assert sensors.origin_of(figures, french.cell) != sensors.origin_of(figures)
+    assert french.unknown == ()
 
 
 @pytest.mark.parametrize("name", FIGURES)

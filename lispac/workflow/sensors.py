@@ -228,5 +228,6 @@ def sigmas_of(state: PosState) -> dict[str, Any]:
 
 
 def origin_of(figures: ScannerFigures | PosState, said: Callable[[str], str] = str) -> str:
-    """Where the figures come from, and whether to check them; ``said`` translates the latter."""
-    return f"{figures.source} ({said(FROM_MEMORY)})" if figures.from_memory else figures.source
+    """Where the figures come from, and whether to check them; ``said`` translates it."""
+    source = said(figures.source)
+    return f"{source} ({said(FROM_MEMORY)})" if figures.from_memory else source

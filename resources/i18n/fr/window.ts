@@ -7285,6 +7285,62 @@ m/s</translation>
         <source>Sigma of the beam&apos;s direction; at 0 the noise is the same on each axis</source>
         <translation>Écart-type de la direction du faisceau ; à 0 le bruit est le même sur chaque axe</translation>
     </message>
+    <message>
+        <source>Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, 60 s without GNSS, RTK before)</source>
+        <translation>Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (à terre, 60 s sans GNSS, RTK avant)</translation>
+    </message>
+    <message>
+        <source>Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, no outage); the base 10 km away</source>
+        <translation>Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (à terre, sans coupure) ; la base à 10 km</translation>
+    </message>
+    <message>
+        <source>HDL-32E user&apos;s manual 63-9113: range, accuracy taken for noise; direction and beam assumed</source>
+        <translation>Manuel HDL-32E 63-9113 : distance, exactitude prise pour bruit ; direction et faisceau supposés</translation>
+    </message>
+    <message>
+        <source>No data sheet at hand; DGNSS without fixed ambiguities</source>
+        <translation>Aucune fiche technique sous la main ; DGNSS sans ambiguïtés fixées</translation>
+    </message>
+    <message>
+        <source>No data sheet at hand; POSPac, antennas 2 m apart, the base 10 km away</source>
+        <translation>Aucune fiche technique sous la main ; POSPac, antennes à 2 m l&apos;une de l&apos;autre, la base à 10 km</translation>
+    </message>
+    <message>
+        <source>No data sheet at hand; antennas 2 m apart, the base 10 km away</source>
+        <translation>Aucune fiche technique sous la main ; antennes à 2 m l&apos;une de l&apos;autre, la base à 10 km</translation>
+    </message>
+    <message>
+        <source>No data sheet at hand; precision, and the resolution of the angle, taken for its sigma</source>
+        <translation>Aucune fiche technique sous la main ; précision, et résolution de l&apos;angle prise pour son écart-type</translation>
+    </message>
+    <message>
+        <source>No data sheet at hand; rounded up</source>
+        <translation>Aucune fiche technique sous la main ; arrondi vers le haut</translation>
+    </message>
+    <message>
+        <source>No data sheet at hand; some 60 s without GNSS, rounded up</source>
+        <translation>Aucune fiche technique sous la main ; quelque 60 s sans GNSS, arrondi vers le haut</translation>
+    </message>
+    <message>
+        <source>Ouster OS1 data sheet (128 channels up to +22.5 deg; no date): repeatability with a strong signal</source>
+        <translation>Fiche technique Ouster OS1 (128 canaux jusqu&apos;à +22,5° ; sans date) : répétabilité avec un signal fort</translation>
+    </message>
+    <message>
+        <source>PandarXT user manual: range, precision; direction and beam assumed</source>
+        <translation>Manuel PandarXT : distance, précision ; direction et faisceau supposés</translation>
+    </message>
+    <message>
+        <source>RIEGL VUX-1UAV data sheet: precision; the resolution of the angle, taken for its sigma</source>
+        <translation>Fiche technique RIEGL VUX-1UAV : précision ; résolution de l&apos;angle prise pour son écart-type</translation>
+    </message>
+    <message>
+        <source>Thesis, section 1.2.1, table 1.1, after Zoller + Fröhlich (2022); the beam spreads by less</source>
+        <translation>Thèse, section 1.2.1, tableau 1.1, d&apos;après Zoller + Fröhlich (2022) ; le faisceau diverge moins</translation>
+    </message>
+    <message>
+        <source>Thesis, section 1.2.2, table 1.2, after iXblue (2019); the base 10 km away</source>
+        <translation>Thèse, section 1.2.2, tableau 1.2, d&apos;après iXblue (2019) ; la base à 10 km</translation>
+    </message>
 </context>
 <context>
     <name>design</name>
