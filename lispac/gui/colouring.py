@@ -19,7 +19,7 @@ COLOURINGS: tuple[Colouring, ...] = get_args(Colouring)
 
 Scale = Literal["viridis", "cividis", "gray", "turbo"]
 SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
-    {"viridis": (0.0, 0.94), "cividis": (0.0, 0.94), "gray": (0.22, 0.74), "turbo": (0.03, 0.97)}
+    {"viridis": (0.0, 0.94), "cividis": (0.0, 0.94), "gray": (0.30, 0.74), "turbo": (0.03, 0.97)}
 )
 """Scales of colours for what was measured, and what is used of each from 0 to 1.
 
