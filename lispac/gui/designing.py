@@ -271,6 +271,11 @@ class Designing(QObject):
 
     # -- the end -----------------------------------------------------------------------------
 
+    @property
+    def runners(self) -> tuple[TaskRunner, TaskRunner]:
+        """What works for this window."""
+        return self.runner, self.paper
+
     def _may_lose(self) -> bool:
         """Whether the plan may go: it is saved, or the user says so."""
         if not self.workspace.history.changed:

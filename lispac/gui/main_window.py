@@ -317,12 +317,13 @@ class MainWindow(QMainWindow):
             self.renew()
 
     def renew(self) -> None:
-        """Ask for a window in the language and looks of the settings."""
-        if self.runner.busy:
-            self._note("The window changes when the running task has ended")
-            self.runner.idle.connect(self.renewal_asked, Qt.ConnectionType.SingleShotConnection)
-        else:
-            self.renewal_asked.emit()
+        """Ask for a window in the language and looks of the settings, once no task runs."""
+        for runner in (self.runner, *self.designing.runners):
+            if runner.busy:
+                self._note("The window changes when the running task has ended")
+                runner.idle.connect(self.renew, Qt.ConnectionType.SingleShotConnection)
+                return
+        self.renewal_asked.emit()
 
     def _toggle(self) -> None:
         self.computing.show("prior" if self.scene.which == "estimated" else "estimated")

@@ -1,6 +1,7 @@
 """The window in another language: made anew around the same project."""
 
 import gc
+import threading
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,7 @@ from lispac.gui.panels.widgets import TallArea
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
+from lispac.progress import Progress
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import Demo, ScriptedDialogs
@@ -168,6 +170,26 @@ def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     renewed(session, qtbot, "en")
     renewed(session, qtbot, "fr")
     assert spoken() == "English"
+
+
+def test_another_language_waits_for_the_work_on_a_plan(session: Session, qtbot: QtBot) -> None:
+    """A search that is cancelled looks at its flag now and then: the window would stand still."""
+    former = session.window
+    former.designing.open()
+    goes_on, ended = threading.Event(), []
+
+    def work(_progress: Progress) -> None:
+        goes_on.wait(20)
+
+    former.designing.runner.run("Finding the best plan", work, ended.append)
+    former.settings.language = "fr"
+    former.renew()
+    qtbot.wait(200)
+    assert session.window is former
+    assert "when the running task has ended" in former.log.toPlainText()
+    goes_on.set()
+    qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
+    assert ended == [None]
 
 
 def test_the_log_stays(session: Session, qtbot: QtBot) -> None:
