@@ -63,6 +63,12 @@ class Task:
         if message:
             self.message = message
 
+    def let_go(self) -> None:
+        """Keep that it was, and how it ended: not the lines it worked on, nor what it found."""
+        self.work, self.done, self.value = _nothing, _nothing, None
+        if self.error is not None:
+            self.error.__traceback__ = None  # its frames hold them as well
+
     def seconds_left(self) -> float | None:
         """Seconds still to go at the mean rate so far; None while too little is known."""
         elapsed = time.monotonic() - self.started
@@ -206,4 +212,9 @@ class TaskRunner(QObject):
                 task.done(task.value)
         finally:
             self.changed.emit()
+            task.let_go()
             self._next()
+
+
+def _nothing(_ignored: object) -> None:
+    """What an ended task still does."""

@@ -1,8 +1,10 @@
 """Parts of the window on their own: tasks, dialogues, settings, words."""
 
+import gc
 import json
 import threading
 import time
+import weakref
 from dataclasses import replace
 from pathlib import Path
 
@@ -91,6 +93,31 @@ def test_what_ends_under_a_dialogue_waits_for_it(qtbot, runner):
     dialog.exec()
     assert seen == [[]]
     qtbot.waitUntil(lambda: got == [1])
+
+
+@pytest.mark.parametrize("fails", [False, True])
+def test_an_ended_task_holds_nothing_it_worked_on(qtbot, runner, fails):
+    """Whoever keeps the task, to cancel it or to know that it ran, keeps no survey with it."""
+
+    class Lines:
+        pass
+
+    lines, found, ended = Lines(), Lines(), []
+    alive = [weakref.ref(lines), weakref.ref(found)]
+
+    def work(_progress, lines=lines, found=found):
+        if fails:
+            raise InputError("It cannot be done.")
+        return found, lines
+
+    runner.failed.connect(lambda error: ended.append(str(error)))
+    kept = runner.run("Work", work, lambda value: ended.append("done"))
+    del lines, found, work
+    qtbot.waitUntil(lambda: bool(ended))
+    qtbot.waitUntil(lambda: not runner.active)
+    gc.collect()
+    assert [each() for each in alive] == [None, None]
+    assert isinstance(kept.error, InputError) == fails
 
 
 @pytest.mark.parametrize("lasting", [False, True])
