@@ -122,7 +122,16 @@ def _settings(room: str, tests: Sequence[str]) -> str:
         "do_not_mutate": COMPILED,
         "also_copy": ["tests/", "resources/", "installer/", "pyproject.toml", "README.md"],
         "pytest_add_cli_args_test_selection": [f"tests/test_{each}.py" for each in tests],
-        "pytest_add_cli_args": ["-n0", "-p", "no:cacheprovider"],
+        # Each change has a process of its own, which would leave a virtual screen behind
+        "pytest_add_cli_args": [
+            "-n0",
+            "-p",
+            "no:cacheprovider",
+            "-p",
+            "no:xvfb",
+            "-W",
+            "ignore::pytest.PytestConfigWarning",
+        ],
     }
     rows = [f"{name}=\n" + "".join(f"    {each}\n" for each in each_of)
             for name, each_of in lists.items()]  # fmt: skip
