@@ -1,7 +1,7 @@
 """The bundle, and the commands of the README, on a Debian that has nothing.
 
-    sudo python3 -m tests.extras.clean_root bundle     build it, copy it in, run it there
-    sudo python3 -m tests.extras.clean_root readme     demo and test from a fresh clone
+    sudo .venv/bin/python -m tests.extras.clean_root bundle     build it, copy it in, run it there
+    sudo .venv/bin/python -m tests.extras.clean_root readme     demo and test from a fresh clone
 
 debootstrap makes a minimal root once; each run works in a copy of it, in a chroot with mounts of
 its own that end with it. The log says what was done, how long it took and how large it is. What the
