@@ -7,7 +7,7 @@ import os
 import subprocess
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import laspy
@@ -15,8 +15,10 @@ import numpy as np
 import pytest
 
 from lispac.cli.main import main
+from lispac.io.project_file import read_project, write_project
 from tests import point_files
 from tests.intake_files import START, fan, write_line
+from tests.report_sample import sample_project
 from tests.trajectory_files import vessel, write_delph, write_records
 
 Words = list[str]
@@ -189,6 +191,25 @@ def _(scene: Scene) -> Words:
     path = write_delph(scene / "nav.txt", vessel(200))
     path.write_text(path.read_text()[:-40])
     return scene.new(trajectory="nav.txt")
+
+
+def against(name: str, text: str) -> Case:
+    """A reference that a calibrated project is checked against."""
+
+    def case(scene: Scene) -> Words:
+        project = scene.made()
+        result = sample_project(scene / "sample").result
+        write_project(replace(read_project(Path(project)), result=result))
+        (scene / name).write_text(text)
+        return ["check", project, "--reference", str(scene / name)]
+
+    return case
+
+
+refused("Reference cut short")(against("scan.pts", "3\n1.5 2.5 3.5\n1.6 2.5 3.5\n"))
+refused("Reference with more points than its count")(
+    against("scan.pts", "1\n1.5 2.5 3.5\n1.6 2.5 3.5\n")
+)
 
 
 @refused("Empty trajectory")

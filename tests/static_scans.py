@@ -1,5 +1,8 @@
 """Static scans of the built-in port: its true surfaces, sampled with known noise and shifted."""
 
+from collections.abc import Sequence
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -43,3 +46,14 @@ def tripod_scan(
         points = on_plane(name, *rng.uniform(-0.5, 0.5, (2, n)))
         parts.append(points + np.outer(rng.normal(0.0, noise, n), plane.normal))
     return np.concatenate(parts) + shift
+
+
+def write_pts(path: Path, blocks: Sequence[Array], *, more: int = 4) -> Path:
+    """Leica PTS as Cyclone writes it; ``more`` columns are intensity, red, green and blue."""
+    with path.open("w") as file:
+        for points in blocks:
+            file.write(f"{len(points)}\n")
+            others = np.tile([-1035, 97, 59, 38][:more], (len(points), 1))
+            rows = np.column_stack([points, others])
+            np.savetxt(file, rows, fmt=["%.5f"] * 3 + ["%d"] * more)
+    return path

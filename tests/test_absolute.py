@@ -29,7 +29,7 @@ from lispac.workflow.survey import Survey
 from tests.absolute_sample import checked, true_offsets, with_truth
 from tests.report_sample import sample_content, sample_project
 from tests.report_schema import followed
-from tests.static_scans import on_plane, tripod_scan
+from tests.static_scans import on_plane, tripod_scan, write_pts
 from tests.test_cli import answer, refused, run
 
 SHIFTS = (0.0, 0.005, 0.020)
@@ -282,7 +282,7 @@ def test_a_scan_on_the_map_without_time(
         ),
         ("p.csv", "name,north,west,up,sigma\na,1,2,3,-1\n", "sigma is '-1'"),
         ("p.csv", "a,1,2\n", "three coordinates are needed"),
-        ("p.ply", "ply\n", "read from LAS, LAZ, E57 or text"),
+        ("p.ply", "ply\n", "read from LAS, LAZ, E57, PTS or text"),
         ("p.csv", "a,90000,2,3\n", "km from the trajectory"),
     ],
 )
@@ -292,6 +292,27 @@ def test_references_that_cannot_be_used(
     (tmp_path / name).write_text(text)
     with pytest.raises(InputError, match=said):
         check_absolute(*known, tmp_path / name)
+
+
+def test_the_same_points_in_every_format(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    scan = near_and_far().round(5)
+    header = laspy.LasHeader(version="1.2", point_format=0)
+    header.scales, header.offsets = np.full(3, 1e-5), np.zeros(3)
+    las = laspy.LasData(header)
+    las.xyz = scan
+    las.write(tmp_path / "scan.las")
+    half = len(scan) // 2
+    write_pts(tmp_path / "scan.pts", [scan[:half], scan[half:]])
+    expected = checked(known, tmp_path / "scan.xyz", scan)
+    for name in ("scan.las", "scan.pts"):
+        found = check_absolute(*known, tmp_path / name)[0].absolute
+        assert found is not None
+        assert [line.line for line in found.lines] == [line.line for line in expected.lines]
+        for one, other in zip(found.lines, expected.lines, strict=True):
+            assert one.after.distances.n == other.after.distances.n
+            assert one.after.signed.mean == pytest.approx(other.after.signed.mean, abs=1e-9)
+            assert one.after.interval_95 == pytest.approx(other.after.interval_95, abs=1e-9)
+            assert one.before.distances.rms == pytest.approx(other.before.distances.rms, abs=1e-9)
 
 
 def test_what_no_line_sees(known: tuple[Project, Survey], tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.registry import Finding
 from lispac.io.seed_file import looks_like_a_list, read_point_list
+from lispac.io.static_scan import static_scan
 from lispac.survey.store import layout
 from lispac.survey.store.reading import open_store
 from lispac.survey.store.writing import write_store
@@ -27,6 +28,7 @@ from lispac.targets.settings import FinderChoices
 from tests import point_files
 from tests.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like
 from tests.report_sample import sample_project
+from tests.static_scans import write_pts
 from tests.store_lines import RECIPE, Line, files_of, place, small, stop_at
 from tests.test_trajectory_bad_input import anything, good
 
@@ -206,6 +208,29 @@ def coordinate_list(folder: Path) -> tuple[Sources, Attempt]:
     return [*(damaged(content) for content in sound), made, anything], attempt
 
 
+def static_scans(folder: Path) -> tuple[Sources, Attempt]:
+    """PTS, which is read without time and so is in no list of formats."""
+    path = write_pts(folder / "scan.pts", [point_files.XYZ[:4], point_files.XYZ[4:9]])
+
+    def attempt(content: bytes) -> bool:
+        path.write_bytes(content)
+
+        def read() -> None:
+            for chunk in static_scan(path).chunks(local=True):
+                assert np.isfinite(chunk).all()
+
+        told = said_by(read)
+        assert told is None or str(path) in told
+        return told is None
+
+    word = st.sampled_from(["1", "2", "0", "-7", "1.5", "1e400", "nan", "1_0", "1,5", "#", "x"])
+    mark = st.sampled_from([" ", "\t", "\n", "\r\n", "\r"])
+    made = st.lists(st.tuples(word, mark), max_size=40).map(
+        lambda parts: "".join(text for pair in parts for text in pair).encode()
+    )
+    return [damaged(path.read_bytes()), made, anything], attempt
+
+
 LINE = Line(2_500)
 
 
@@ -306,6 +331,7 @@ SUBJECTS: dict[str, Subject] = {
     "project": project,
     "sightings": sightings,
     "coordinate list": coordinate_list,
+    "static scan": static_scans,
     "store manifest": manifest,
     "store columns": columns,
     "store spool": spool,

@@ -208,8 +208,8 @@ def _check(commands: "Commands[argparse.ArgumentParser]") -> None:
     check.add_argument("project", type=Path, metavar="PROJECT")
     check.add_argument(
         "--reference", type=Path, required=True, metavar="FILE",
-        help="static scan (LAS, LAZ, E57, text), or a list of check points: name, x, y, z, and "
-        "perhaps sigma and the name of the plane they lie on",
+        help="static scan (LAS, LAZ, E57, PTS, text), or a list of check points: name, x, y, z, "
+        "and perhaps sigma and the name of the plane they lie on",
     )  # fmt: skip
     check.add_argument(
         "--reference-sigma", type=not_negative, default=0.005, metavar="M",

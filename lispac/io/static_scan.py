@@ -1,6 +1,6 @@
 """Clouds without time, of a tripod for one: their places alone, chunk by chunk.
 
-LAS and LAZ of any point format, E57 with the poses of its scans applied, and text with three
+LAS and LAZ of any point format, E57 with the poses of its scans applied, PTS, and text with three
 columns of coordinates.
 """
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io import e57, las_chunks
+from lispac.io import e57, las_chunks, pts
 from lispac.io.points import LARGEST, plainly, require_filled
 from lispac.io.registry import NOT
 from lispac.io.seed_file import header_of, separator_of
@@ -23,7 +23,7 @@ from lispac.io.text_table import fields_of, is_number, lines_of
 Array = NDArray[np.float64]
 
 WHAT = "static scan"
-OTHERS = (".ply", ".pcd", ".ptx", ".pts", ".rcp", ".fls", ".zfs")
+OTHERS = (".ply", ".pcd", ".ptx", ".rcp", ".fls", ".zfs")
 """Endings of clouds whose coordinates are not read without time."""
 
 
@@ -45,7 +45,7 @@ class StaticScan:
     height_unit: str
 
     @property
-    def is_binary(self) -> bool:
+    def is_cloud(self) -> bool:
         """Whether it is a cloud for certain; a text may be a list of points as well."""
         return bool(_kind(self.path))
 
@@ -62,7 +62,7 @@ class StaticScan:
         InputError
             Where the file is damaged, empty, or holds what is no coordinate.
         """
-        known = {"las": las_chunks.places, "e57": e57.places}
+        known = {"las": las_chunks.places, "e57": e57.places, "pts": pts.places}
         if kind := _kind(self.path):
             chunks = known[kind](self.path)
         else:
@@ -97,17 +97,19 @@ def static_scan(path: Path) -> StaticScan:
         return StaticScan(path, e57.stated_of(path), "")
     if path.suffix.lower() in OTHERS:
         raise InputError(
-            f"{path}: a {WHAT} is read from LAS, LAZ, E57 or text (x, y, z); export it as one of "
-            "these."
+            f"{path}: a {WHAT} is read from LAS, LAZ, E57, PTS or text (x, y, z); export it as "
+            "one of these."
         )
     return StaticScan(path, "", "")
 
 
 def _kind(path: Path) -> str:
-    """``las`` or ``e57`` by the first bytes; empty for text."""
+    """``las`` or ``e57`` by the first bytes, ``pts`` by the ending; empty for other text."""
     if las_chunks.sniff(path) > NOT:
         return "las"
-    return "e57" if e57.sniff(path) > NOT else ""
+    if e57.sniff(path) > NOT:
+        return "e57"
+    return "pts" if path.suffix.lower() == ".pts" else ""
 
 
 def _of_text(path: Path, local: bool) -> Array:

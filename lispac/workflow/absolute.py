@@ -72,8 +72,8 @@ def check_absolute(
     Parameters
     ----------
     path : Path
-        A static scan (LAS, LAZ, E57, text), or a list of check points: name, x, y, z, and perhaps
-        sigma and the plane that they lie on with others.
+        A static scan (LAS, LAZ, E57, PTS, text), or a list of check points: name, x, y, z, and
+        perhaps sigma and the plane that they lie on with others.
     crs : str
         Coordinate system of the reference, or ``local``; empty: as the file states it, else the
         local frame. Height, datum and epoch as `lispac.survey.crs.coordinate_system`.

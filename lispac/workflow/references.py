@@ -176,7 +176,7 @@ def read_reference(
 
 
 def _is_list(path: Path, found: StaticScan) -> bool:
-    return not found.is_binary and few_rows(path, MOST)
+    return not found.is_cloud and few_rows(path, MOST)
 
 
 def _read_points(

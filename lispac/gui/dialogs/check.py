@@ -82,7 +82,7 @@ class CheckDialog(QDialog):
         )  # fmt: skip
         self.file = QLineEdit()
         self.file.setObjectName("check_file")
-        self.file.setPlaceholderText(say("LAS, LAZ, E57 or text"))
+        self.file.setPlaceholderText(say("LAS, LAZ, E57, PTS or text"))
         browse = widgets.button("Browse…", "check_browse", tip="Choose the reference")
         browse.setAutoDefault(False)
         browse.clicked.connect(self._browse)

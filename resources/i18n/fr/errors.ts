@@ -1349,8 +1349,8 @@
         <translation>{path} : ce fichier ({WHAT}) ne contient aucun point ; exportez-le de nouveau.</translation>
     </message>
     <message>
-        <source>{path:file}: a {WHAT} is read from LAS, LAZ, E57 or text (x, y, z); export it as one of these.</source>
-        <translation>{path} : un {WHAT} se lit en LAS, LAZ, E57 ou texte (x, y, z) ; exportez-le sous l&apos;une de ces formes.</translation>
+        <source>{path:file}: a {WHAT} is read from LAS, LAZ, E57, PTS or text (x, y, z); export it as one of these.</source>
+        <translation>{path} : un {WHAT} se lit en LAS, LAZ, E57, PTS ou texte (x, y, z) ; exportez-le sous l&apos;une de ces formes.</translation>
     </message>
     <message>
         <source>{path:file}: no row of coordinates is in it; give rows of x, y, z.</source>
@@ -2539,6 +2539,30 @@
     <message>
         <source>{path:file}: line {number:n} is no sound face ({text:foreign}); export the mesh again.</source>
         <translation>{path} : la ligne {number} n&apos;est pas une face correcte ({text}) ; exportez le maillage de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the file ends after point {done:n} of the {count:n} that row {head:n} promises, so it is cut short; copy or export it again.</source>
+        <translation>{path} : le fichier finit après le point {done} des {count} que la rangée {head} annonce, il est donc tronqué ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: the points that row {head:n} promises ({count:n}) end above this row, and it is no number of points; copy or export it again.</source>
+        <translation>{path}, rangée {row} : les points que la rangée {head} annonce ({count}) finissent au-dessus de cette rangée, et elle n&apos;est pas un nombre de points ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: a PTS file begins with its number of points, and this is {text:kept}; export it again, or give a text of x, y, z the ending .txt.</source>
+        <translation>{path}, rangée {row} : un fichier PTS commence par son nombre de points, et ceci est {text} ; exportez-le de nouveau, ou donnez à un texte x, y, z l&apos;extension .txt.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: PTS has decimal points, and blanks between its columns; this row has commas or semicolons: export it again.</source>
+        <translation>{path}, rangée {row} : un PTS a des points décimaux, et des blancs entre ses colonnes ; cette rangée a des virgules ou des points-virgules : exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: a new number of points stands here after {k:n} of the {count:n} points that row {head:n} promises; copy or export it again.</source>
+        <translation>{path}, rangée {row} : un nouveau nombre de points se trouve ici après {k} des {count} points que la rangée {head} annonce ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: {columns:n} columns where {width:n} are needed; copy or export it again where it is cut short.</source>
+        <translation>{path}, rangée {row} : {columns} colonnes où il en faut {width} ; copiez-le ou exportez-le de nouveau s&apos;il est tronqué.</translation>
     </message>
 </context>
 <context>

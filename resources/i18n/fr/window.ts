@@ -2457,8 +2457,8 @@
         <translation>Les lignes sont comparées à un balayage statique du site, ou à des points levés : une liste avec nom, trois coordonnées, et éventuellement l&apos;écart-type et le plan que chaque point partage avec d&apos;autres.</translation>
     </message>
     <message>
-        <source>LAS, LAZ, E57 or text</source>
-        <translation>LAS, LAZ, E57 ou texte</translation>
+        <source>LAS, LAZ, E57, PTS or text</source>
+        <translation>LAS, LAZ, E57, PTS ou texte</translation>
     </message>
     <message>
         <source>Choose the reference</source>

@@ -1,0 +1,117 @@
+"""Leica PTS: text of points without time, in blocks that begin with the number of their points.
+
+A row is x, y, z and perhaps intensity and red, green, blue, parted by blanks. Cyclone writes one
+block or several. Intensities (-2048 to 2047, 0 to 255 or 0 to 1) and colours are passed over.
+Nothing in the file says coordinate system or unit: metres, unless a system is stated.
+"""
+
+import re
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.points import CHUNK
+from lispac.io.text_layout import REMARKS
+from lispac.io.text_table import columns_of, lines_of, number
+
+Array = NDArray[np.float64]
+Row = tuple[int, str]
+
+_COUNT = re.compile(r"[0-9]{1,15}")
+_XYZ = tuple((k, number, axis) for k, axis in enumerate("xyz"))
+
+
+def places(path: Path) -> Iterator[Array]:
+    """Coordinates alone, shape (n, 3), in the file's unit, about a million at a time.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, empty or cut short, a number of points does not fit, or a row
+        is not of numbers.
+    """
+    rows = (
+        (row, text) for row, line in lines_of(path, "PTS")
+        if (text := line.strip()) and not text.startswith(REMARKS)
+    )  # fmt: skip
+    head = count = 0
+    for row, text in rows:
+        _require_count(path, row, text, head, count)
+        head, count, done, width = row, int(text), 0, 0
+        while done < count:
+            block = list(islice(rows, min(CHUNK, count - done)))
+            if not block:
+                raise InputError(
+                    f"{path}: the file ends after point {done:,} of the {count:,} that row "
+                    f"{head:,} promises, so it is cut short; copy or export it again."
+                )
+            width = width or max(3, len(block[0][1].split()))
+            _require_rows(path, block, width, head, count, done)
+            yield _xyz(path, block)
+            done += len(block)
+
+
+def _require_count(path: Path, row: int, text: str, head: int, count: int) -> None:
+    """Refuse a row that is no number of points where one is due, after the block of ``head``.
+
+    Raises
+    ------
+    InputError
+    """
+    if _COUNT.fullmatch(text):
+        return
+    if head:
+        raise InputError(
+            f"{path}, row {row:,}: the points that row {head:,} promises ({count:,}) end above "
+            "this row, and it is no number of points; copy or export it again."
+        )
+    raise InputError(
+        f"{path}, row {row:,}: a PTS file begins with its number of points, and this is "
+        f"{text[:40]!r}; export it again, or give a text of x, y, z the ending .txt."
+    )
+
+
+def _require_rows(
+    path: Path, block: list[Row], width: int, head: int, count: int, done: int
+) -> None:
+    """Refuse rows of another width than the first of their block, commas and semicolons.
+
+    Raises
+    ------
+    InputError
+    """
+    for k, (row, text) in enumerate(block, start=done):
+        if "," in text or ";" in text:
+            raise InputError(
+                f"{path}, row {row:,}: PTS has decimal points, and blanks between its columns; "
+                "this row has commas or semicolons: export it again."
+            )
+        columns = len(text.split())
+        if columns == 1 and _COUNT.fullmatch(text):
+            raise InputError(
+                f"{path}, row {row:,}: a new number of points stands here after {k:,} of the "
+                f"{count:,} points that row {head:,} promises; copy or export it again."
+            )
+        if columns != width:
+            raise InputError(
+                f"{path}, row {row:,}: {columns:,} columns where {width:,} are needed; copy or "
+                "export it again where it is cut short."
+            )
+
+
+def _xyz(path: Path, block: list[Row]) -> Array:
+    """The first three columns; `columns_of` names the row where they are not numbers.
+
+    Raises
+    ------
+    InputError
+    """
+    try:
+        return np.loadtxt([text for _, text in block], usecols=(0, 1, 2), comments=None, ndmin=2)
+    except ValueError:
+        fields = ((row, text.split()) for row, text in block)
+        return np.stack(columns_of(path, fields, _XYZ)[0], axis=1)

@@ -1,0 +1,132 @@
+"""PTS: as VTK reads it, as CloudCompare and Open3D write it, block after block, and refusals."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import open3d as o3d
+import pytest
+
+from lispac.errors import InputError
+from lispac.io import pts
+from lispac.io.static_scan import static_scan
+from tests.point_files import RING, XYZ
+from tests.static_scans import write_pts
+
+
+def places(path: Path) -> np.ndarray:
+    return np.concatenate(list(static_scan(path).chunks(local=True)))
+
+
+@pytest.fixture
+def cloudcompare() -> str:
+    """The program's path; the test is skipped where it is not installed."""
+    program = shutil.which("CloudCompare") or shutil.which("cloudcompare.CloudCompare")
+    if program is None:
+        pytest.skip("CloudCompare is not installed")
+    return program
+
+
+def test_what_cloudcompare_writes(cloudcompare: str, tmp_path: Path) -> None:
+    """With intensity and colour, and a row of names that it marks as a remark."""
+    rows = np.column_stack([XYZ, RING, RING, RING, RING])
+    np.savetxt(tmp_path / "scan.asc", rows, fmt="%.9g")
+    subprocess.run(
+        [cloudcompare, "-SILENT", "-AUTO_SAVE", "OFF", "-C_EXPORT_FMT", "ASC", "-PREC", "9",
+         "-ADD_HEADER", "-ADD_PTS_COUNT", "-EXT", "pts", "-O", "scan.asc",
+         "-SAVE_CLOUDS", "FILE", "scan.pts"],
+        cwd=tmp_path,
+        env=os.environ | {"QT_QPA_PLATFORM": "offscreen", "XDG_RUNTIME_DIR": str(tmp_path)},
+        check=True,
+        capture_output=True,
+        timeout=60,
+    )  # fmt: skip
+    head = (tmp_path / "scan.pts").read_text().splitlines()[:3]
+    assert str(len(XYZ)) in head
+    assert len(head[-1].split()) == 7
+    # CloudCompare holds coordinates in single precision.
+    np.testing.assert_allclose(places(tmp_path / "scan.pts"), XYZ, atol=2e-6)
+
+
+def test_what_open3d_writes(tmp_path: Path) -> None:
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(XYZ))
+    assert o3d.io.write_point_cloud(str(tmp_path / "scan.pts"), cloud)
+    np.testing.assert_allclose(places(tmp_path / "scan.pts"), XYZ, atol=1e-9)
+
+
+@pytest.mark.parametrize("more", [0, 1, 4])
+def test_as_vtk_reads_it(tmp_path: Path, more: int) -> None:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOGeometry import vtkPTSReader
+
+    path = write_pts(tmp_path / "scan.pts", [XYZ], more=more)
+    reader = vtkPTSReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    theirs = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
+    assert len(theirs) >= len(XYZ) - 2  # VTK 9 passes the first two points over
+    np.testing.assert_allclose(places(path)[-len(theirs) :], theirs, atol=2e-6)
+    np.testing.assert_allclose(places(path), XYZ, atol=1e-9)
+
+
+def test_blocks_of_any_size_one_after_another(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pts, "CHUNK", 7)
+    path = write_pts(tmp_path / "SCAN.PTS", [XYZ[:14], XYZ[:0], XYZ[14:15], XYZ[15:]])
+    chunks = list(static_scan(path).chunks(local=True))
+    assert max(map(len, chunks)) == 7
+    np.testing.assert_allclose(np.concatenate(chunks), XYZ, atol=1e-9)
+
+
+def test_blanks_tabs_empty_rows_and_windows_line_ends(tmp_path: Path) -> None:
+    path = tmp_path / "scan.pts"
+    path.write_bytes(b"2   \r\n  1.5\t-2 3e1 -2048 \r\n\r\n4 5 6 2047\r\n1\r\n7 8 9\r\n\r\n")
+    np.testing.assert_array_equal(places(path), [[1.5, -2, 30], [4, 5, 6], [7, 8, 9]])
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "this static scan file is empty"),
+        ("\n \n", "holds no points"),
+        ("0\n", "holds no points"),
+        ("2\n1 2 3\n", "ends after point 1 of the 2 that row 1 promises, so it is cut short"),
+        ("1\n1 2 3\n9\n", "ends after point 0 of the 9 that row 3 promises"),
+        ("2\n1 2 3 4\n1 2 3", "row 3: 3 columns where 4 are needed"),
+        ("1\n1 2\n", "row 2: 2 columns where 3 are needed"),
+        ("1\n1 2 3\n4 5 6\n", "row 3: the points that row 1 promises (1) end above this row"),
+        ("3\n1 2 3\n1\n4 5 6\n", "row 3: a new number of points stands here after 1 of the 3"),
+        ("1 2 3\n4 5 6\n", "row 1: a PTS file begins with its number of points, and this is '1 2"),
+        ("1,000\n", "row 1: a PTS file begins with its number of points"),
+        ("-1\n", "row 1: a PTS file begins with its number of points"),
+        ("9" * 5000 + "\n", "row 1: a PTS file begins with its number of points"),
+        ("2\n1 2 3\n1,5 2,5 3,5\n", "row 3: PTS has decimal points"),
+        ("//X;Y;Z\n1\n1.5;2.5;3.5\n", "row 3: PTS has decimal points"),
+        ("2\n1 2 3\n4 y 6\n", "row 3: y is 'y', which is not a usable value"),
+        ("2\n1 2 3\n4 5 nan\n", "point 2 has a coordinate that is not a usable number"),
+        ("2\n1 2 3\n4 1e300 6\n", "point 2 has a coordinate that is not a usable number"),
+        ("\0\1\2\3", "row 1: this is not text"),
+    ],
+)
+def test_refusals(tmp_path: Path, text: str, said: str) -> None:
+    path = tmp_path / "scan.pts"
+    path.write_text(text)
+    with pytest.raises(InputError) as refused:
+        places(path)
+    sentence = str(refused.value)
+    assert said in sentence
+    assert sentence.startswith(str(path))
+    assert sentence.endswith(".")
+
+
+def test_a_cut_within_a_block_is_noticed(tmp_path: Path) -> None:
+    """Anywhere but within the last number of its last row, which is then another number."""
+    path = write_pts(tmp_path / "scan.pts", [XYZ[:5]])
+    whole = path.read_bytes()
+    for size in range(whole.index(b"\n"), whole.rstrip().rindex(b" ")):
+        path.write_bytes(whole[:size])
+        with pytest.raises(InputError):
+            places(path)
