@@ -225,6 +225,11 @@ class Normal:
 
     def solve(self) -> tuple[Array, Array]:
         """Corrections of the unknowns, shape (u,), and of the POS error, shape (knots, 6)."""
+        return self._solution
+
+    @cached_property
+    def _solution(self) -> tuple[Array, Array]:
+        # Every test of a blunder asks for it again.
         correction = self.covariance @ self.reduced_right
         if not len(self.pull):
             return correction, np.zeros((0, 6))
