@@ -52,6 +52,7 @@ def build_parser() -> argparse.ArgumentParser:
     _compare(commands)
     _history(commands)
     _budget(commands)
+    _targetless(commands)
     _georeference(commands)
     _export(commands)
     report_options.add(commands)
@@ -245,6 +246,14 @@ def _history(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="control chart of the system with most calibrations, .png, .svg or .pdf",
     )  # fmt: skip
     json_option(history)
+
+
+def _targetless(commands: "Commands[argparse.ArgumentParser]") -> None:
+    targetless = command(
+        commands, "targetless", "find the boresight from the scene itself, without a target"
+    )
+    targetless.add_argument("project", type=Path, metavar="PROJECT")
+    json_option(targetless)
 
 
 def _budget(commands: "Commands[argparse.ArgumentParser]") -> None:

@@ -5168,4 +5168,31 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{name} a été déplacé : il est lu dans {parent}</translation>
     </message>
 </context>
+<context>
+    <name>targetless</name>
+    <message>
+        <source>The answer rests on {a:n} of {b:n} natural surfaces that lines share; rounds of matching: {c:n}.</source>
+        <translation>La réponse repose sur {a} des {b} surfaces naturelles que les lignes partagent ; tours d&apos;appariement : {c}.</translation>
+    </message>
+    <message>
+        <source>Lines that do not agree with the others: {lines:list}.</source>
+        <translation>Lignes en désaccord avec les autres : {lines}.</translation>
+    </message>
+    <message>
+        <source>{project}: one line meets nothing; add lines in other directions over the same scene.</source>
+        <translation>{project} : une ligne seule ne recoupe rien ; ajoutez des lignes d&apos;autres directions au-dessus de la même scène.</translation>
+    </message>
+    <message>
+        <source>{project}: the lines share only {a:n} flat surfaces, and at least {b:n} are needed; add lines that overlap, or hang targets.</source>
+        <translation>{project} : les lignes ne partagent que {a} surfaces planes, il en faut au moins {b} ; ajoutez des lignes qui se recouvrent, ou posez des cibles.</translation>
+    </message>
+    <message>
+        <source>Aligning the lines</source>
+        <translation>Alignement des lignes</translation>
+    </message>
+    <message>
+        <source>Matching the lines, round {a:n}</source>
+        <translation>Appariement des lignes, tour {a}</translation>
+    </message>
+</context>
 </TS>

@@ -1,0 +1,31 @@
+"""``lispac targetless``: the boresight from the scene itself, and what to think of it."""
+
+from argparse import Namespace
+
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.estimate import numbers, print_result
+from lispac.progress import part
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import load_survey
+from lispac.workflow.targetless import targetless as find
+
+
+def targetless(arguments: Namespace) -> None:
+    """Find the boresight of a project from natural surfaces; the project stays as it is."""
+    with ConsoleProgress() as progress:
+        project = open_project(arguments.project)
+        survey = load_survey(project, progress=part(progress, 0.0, 0.3))
+        found = find(project, survey, progress=part(progress, 0.3, 1.0))
+    if arguments.json:
+        print_json(
+            numbers(found.result, None)
+            | {
+                "rounds": found.rounds,
+                "candidates": found.candidates,
+                "disagreeing_lines": list(found.disagreeing),
+            }
+        )
+        return
+    print_result(found.result, None)
+    for sentence in found.sentences:
+        print(sentence)

@@ -1,0 +1,210 @@
+"""The boresight from the scene alone, without a target.
+
+Patches of natural surfaces become targets of the same adjustment: their points are averaged,
+weighed, tested and cross-checked as those of boards are. With each new boresight the scene is cut
+again, until the angles stay.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+import numpy as np
+
+from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.shown import listed
+from lispac.adjustment.solver import adjust
+from lispac.errors import AdjustmentError
+from lispac.natural.choice import COUNT, Choice, chosen
+from lispac.natural.patches import Patches, patches_of
+from lispac.progress import Progress, no_progress, part
+from lispac.project import PickedSighting, Project, Target
+from lispac.survey.cloud import Cloud, placed_with
+from lispac.workflow.calibration import observations_of
+from lispac.workflow.survey import Survey
+
+THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
+"""Metres that a line may be off its region, from round to round: at first as much as a tenth of a
+degree moves it some tens of metres away."""
+QUICK = 0.3
+"""Metres over which points are averaged between the rounds."""
+SETTLED = 0.1
+"""Share of its sigma by which an angle may move when no further round is worth its time."""
+FEWEST = 4
+"""Patches below which nothing of them can be checked."""
+SURPRISE = 0.05
+"""Chance that any line is named where nothing is wrong with one."""
+TOLD = 0.05
+"""Share of its variance that the adjustment must tell of a POS error."""
+DISAGREES = 0.3
+"""Share of its sightings that do not agree by which a line is named."""
+
+
+@dataclass(frozen=True, eq=False)
+class Targetless:
+    """The answer of the scene.
+
+    Attributes
+    ----------
+    project : Project
+        With the patches as its targets, and the result.
+    rounds : int
+    candidates : int
+        Patches that were found; the chosen ones are targets of the project.
+    disagreeing : tuple of str
+        Lines that share no surface with the others, or do not agree with them as a whole.
+    """
+
+    project: Project
+    rounds: int
+    candidates: int
+    disagreeing: tuple[str, ...]
+
+    @property
+    def result(self) -> AdjustmentResult:
+        """Of the adjustment."""
+        assert self.project.result is not None
+        return self.project.result
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """What the answer rests on, in words."""
+        said = (
+            f"The answer rests on {len(self.project.targets)} of {self.candidates} natural "
+            f"surfaces that lines share; rounds of matching: {self.rounds}."
+        )
+        if not self.disagreeing:
+            return (said,)
+        return (said, f"Lines that do not agree with the others: {listed(self.disagreeing)}.")
+
+
+def targetless(
+    project: Project, survey: Survey, *, count: int = COUNT, progress: Progress = no_progress
+) -> Targetless:
+    """Find the boresight from what all lines see of the scene; targets of the project are not used.
+
+    Parameters
+    ----------
+    count : int
+        Most surfaces that are adjusted.
+
+    Raises
+    ------
+    AdjustmentError
+        Where lines do not overlap, or share too few surfaces.
+    """
+    settings = project.settings
+    settings.require_sound()
+    if len(survey.clouds) < 2:
+        raise AdjustmentError(
+            f"{project.name}: one line meets nothing; add lines in other directions over the same "
+            "scene."
+        )
+    started = perf_counter()
+    progress(0.0, "Aligning the lines")
+    # Wherever the prior is, near or far, the start is the same.
+    mounting = survey.aligned.mounting
+    quick = replace(settings, subsample=max(settings.subsample, QUICK), parameters=())
+    judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
+    picked, found, rounds = project, 0, 0
+    for rounds, threshold in enumerate(THRESHOLDS, 1):
+        step = part(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
+        step(0.0, f"Matching the lines, round {rounds}")
+        clouds = placed_with(survey.clouds, mounting)
+        patches = patches_of(clouds, settings.lidar_sigma, max(threshold, settings.threshold))
+        choice = chosen(patches, clouds, survey.accuracy, count)
+        found = len(patches)
+        if len(choice.rows) < FEWEST:
+            raise AdjustmentError(
+                f"{project.name}: the lines share only {len(choice.rows)} flat surfaces, and at "
+                f"least {FEWEST} are needed; add lines that overlap, or hang targets."
+            )
+        picked = replace(project, targets=_targets(patches, choice, clouds, survey), result=None)
+        observations = observations_of(picked, survey, settings=quick, mounting=mounting)
+        result = adjust(
+            observations, mounting, judged,
+            accept_one_facing=settings.accept_one_facing, diagnostics=False,
+        )  # fmt: skip
+        moved = np.abs(result.boresight - mounting.boresight)
+        mounting = mounting.with_boresight(result.boresight)
+        # The quick model's own sigmas are far too small to be moved less than.
+        if rounds > 1 and (moved < SETTLED * choice.sigma).all():
+            break
+    observations = observations_of(picked, survey, mounting=mounting)
+    result = adjust(
+        observations,
+        project.mounting("prior"),
+        settings.stochastic_model,
+        parameters=settings.parameters,
+        components=settings.variance_components,
+        accept_one_facing=settings.accept_one_facing,
+        progress=part(progress, 0.5, 1.0),
+    )
+    solved = replace(picked, result=replace(result, elapsed=perf_counter() - started))
+    return Targetless(solved, rounds, found, disagreeing(result, survey.clouds))
+
+
+def _targets(
+    patches: Patches, choice: Choice, clouds: Mapping[str, Cloud], survey: Survey
+) -> tuple[Target, ...]:
+    """The patches chosen, with all points that lie on each line's own plane in the region."""
+    planes, names = patches.planes, list(clouds)
+    found = []
+    for k, rows in enumerate(choice.rows):
+        sightings = []
+        for row in rows:
+            line = names[planes.line[row]]
+            numbers, one_in = patches.points_on(row, clouds[line])
+            sightings.append(
+                PickedSighting(
+                    line,
+                    numbers,
+                    float(planes.rough[row]),
+                    fingerprint=survey.scans[line].fingerprint,
+                    one_in=one_in,
+                )
+            )
+        lead = rows[np.argmax(planes.count[rows])]
+        found.append(
+            Target(
+                name=f"N{k + 1:03d}",
+                role="target",
+                seed=tuple(planes.centre[lead].tolist()),
+                threshold=float(planes.far[rows].max()),
+                radius=float(planes.reach[rows].max()),
+                sightings=tuple(sightings),
+            )
+        )
+    return tuple(found)
+
+
+def disagreeing(result: AdjustmentResult, lines: Iterable[str]) -> tuple[str, ...]:
+    """Lines whose POS error is surprisingly large, or of which many sightings had to be let go of.
+
+    A jump of the position that all sightings of a line share is taken up by the line's POS error;
+    what is found of that has the variance before less the variance after the adjustment. A line
+    that is farther off shares no surface at all.
+
+    Parameters
+    ----------
+    lines : iterable of str
+        All that there are.
+    """
+    from scipy.special import chdtrc
+
+    count = Counter(residual.sighting.line for residual in result.sightings)
+    gone = Counter(sighting.line for sighting in result.suspects)
+    found = []
+    for line in lines:
+        own = [item for item in result.reliability if item.sighting.line == line]
+        errors = np.array([item.pos_error for item in own]).reshape(-1, 6)
+        before = np.array([item.pos_sigma for item in own]).reshape(-1, 6)
+        after = np.array([item.pos_sigma_after for item in own]).reshape(-1, 6)
+        told = before**2 - after**2
+        squares = errors**2 / np.maximum(told, TOLD * before**2)
+        size = float(np.median(squares[:, :3].sum(axis=1))) if len(own) else 0.0
+        let_go = gone[line] >= max(2.0, DISAGREES * count[line])
+        if not count[line] or let_go or chdtrc(3, size) < SURPRISE / len(count):
+            found.append(line)
+    return tuple(found)

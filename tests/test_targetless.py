@@ -1,0 +1,177 @@
+"""The boresight from the scene alone, against surveys whose truth others have set."""
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import AdjustmentError
+from lispac.geometry.rotations import rotation_matrix
+from lispac.project import Project
+from lispac.survey.cloud import CloudInMemory
+from lispac.survey.georeferencing import Mounting, place, to_lidar
+from lispac.survey.scan import Scan
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.targetless import Targetless, targetless
+from tests.test_cli import answer
+from tests.test_reference_surveys import angles, make
+
+Opened = tuple[Project, Survey]
+Disturb = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+
+
+FEW = 16
+"""Surfaces that are adjusted: as good as all, and quicker."""
+
+
+@pytest.fixture(scope="module")
+def thinned(demo_project: Project) -> Opened:
+    """The built-in survey with a third of its points, and nothing picked."""
+    assert not demo_project.targets
+    return demo_project, load_survey(demo_project)
+
+
+@pytest.fixture(scope="module")
+def clean(thinned: Opened) -> Targetless:
+    return targetless(*thinned, count=FEW)
+
+
+def error(found: Targetless, project: Project) -> np.ndarray:
+    """Of roll, pitch and yaw, degrees."""
+    return np.degrees(found.result.boresight) - project.truth_deg
+
+
+def with_scans(opened: Opened, change: Callable[[str, Scan], Scan]) -> Opened:
+    project, survey = opened
+    scans = {name: change(name, scan) for name, scan in survey.scans.items()}
+    mounting = project.mounting("prior")
+    clouds = {
+        name: CloudInMemory.of(scan, survey.trajectory, mounting) for name, scan in scans.items()
+    }
+    return project, replace(survey, scans=scans, clouds=clouds)
+
+
+def true_mounting(project: Project) -> Mounting:
+    return project.mounting("prior").with_boresight(np.radians(project.truth_deg))
+
+
+def test_each_angle_is_within_three_sigma_of_the_truth(thinned: Opened, clean: Targetless) -> None:
+    off = np.abs(error(clean, thinned[0])) / np.degrees(clean.result.sigma)
+    assert (off < 3).all(), off
+    assert np.degrees(clean.result.sigma).max() < 0.02
+    assert clean.disagreeing == ()
+    assert len(clean.sentences) == 1
+    assert clean.candidates >= len(clean.project.targets)
+    assert clean.result.observability is not None
+
+
+@pytest.mark.parametrize("off", [(2.0, -2.0, 2.0), (-2.0, 2.0, -2.0)])
+def test_a_prior_two_degrees_off_gives_the_same_answer(
+    thinned: Opened, clean: Targetless, off: tuple[float, float, float]
+) -> None:
+    project, survey = thinned
+    wrong = tuple(float(a + b) for a, b in zip(project.truth_deg, off, strict=True))
+    project = project.with_settings(replace(project.settings, boresight_deg=wrong))
+    found = targetless(project, survey.with_prior(project.mounting("prior")), count=FEW)
+    assert (np.abs(error(found, project)) < 3 * np.degrees(found.result.sigma)).all()
+    # The same scene, cut elsewhere: nothing but the noise of the choice may differ.
+    moved = np.abs(found.result.boresight - clean.result.boresight)
+    assert (moved < found.result.sigma).all(), np.degrees(moved)
+
+
+def leaves_and_waves(opened: Opened) -> Opened:
+    """All that stands north of the middle becomes leaves, and water with waves lies about."""
+    project, survey = opened
+    mounting, rng = true_mounting(project), np.random.default_rng(3)
+    middle = np.median(np.concatenate([c.sample[:, 0] for c in survey.clouds.values()]))
+
+    def change(name: str, scan: Scan) -> Scan:
+        poses = survey.trajectory.at(scan.time)
+        north = place(scan.points_lidar, poses, mounting)[:, 0] > middle
+        stretch = 1 + np.where(north, rng.uniform(-0.06, 0.06, len(north)), 0.0)
+        leaves = scan.points_lidar * stretch[:, None]
+        some = np.sort(rng.choice(len(scan.time), 30_000, replace=False))
+        time, poses = scan.time[some], survey.trajectory.at(scan.time[some])
+        water = poses.position + rng.uniform(-15.0, 15.0, (len(some), 3))
+        water[:, 2] = 0.08 * np.sin(1.2 * water[:, 0] + 0.7 * water[:, 1] - 2.0 * time)
+        water[:, 2] += rng.normal(0.0, 0.01, len(some))
+        points = np.concatenate([leaves, to_lidar(water, poses, mounting)])
+        both = np.concatenate([scan.time, time])
+        order = np.argsort(both, kind="stable")
+        return Scan(np.ascontiguousarray(points[order]), both[order], None, scan.assumptions)
+
+    return with_scans(opened, change)
+
+
+def test_leaves_over_half_the_scene_and_water_do_little(thinned: Opened, clean: Targetless) -> None:
+    found = targetless(*leaves_and_waves(thinned), count=FEW)
+    off, sigma = np.abs(error(found, thinned[0])), np.degrees(found.result.sigma)
+    assert (off < 3 * sigma).all(), (off, sigma)
+    assert (found.result.sigma < 3 * clean.result.sigma).all()
+    planes = np.array([target.plane for target in found.result.targets])
+    heights = np.array([target.seed[2] for target in found.project.targets])
+    assert not ((np.abs(planes[:, 2]) > 0.95) & (heights < 0.5)).any(), "water was taken"
+
+
+def test_a_line_whose_position_jumped_is_named(thinned: Opened, clean: Targetless) -> None:
+    project, survey = thinned
+    mounting, wrong = true_mounting(project), list(survey.scans)[2]
+
+    def change(name: str, scan: Scan) -> Scan:
+        if name != wrong:
+            return scan
+        poses = survey.trajectory.at(scan.time)
+        moved = place(scan.points_lidar, poses, mounting) + [0.03, -0.04, 0.0]
+        return Scan(
+            np.ascontiguousarray(to_lidar(moved, poses, mounting)),
+            scan.time, scan.intensity, scan.assumptions,
+        )  # fmt: skip
+
+    found = targetless(*with_scans(thinned, change), count=FEW)
+    off, sigma = np.abs(error(found, project)), np.degrees(found.result.sigma)
+    assert (off < 3 * sigma).all(), (off, sigma)
+    assert found.disagreeing == (wrong,)
+    assert wrong in found.sentences[-1]
+
+
+def test_one_line_and_lines_that_share_nothing_are_refused(thinned: Opened) -> None:
+    project, survey = thinned
+    name, other = list(survey.scans)[:2]
+    alone = replace(survey, scans={name: survey.scans[name]}, clouds={name: survey.clouds[name]})
+    with pytest.raises(AdjustmentError, match="one line meets nothing"):
+        targetless(project, alone)
+    turn = rotation_matrix(np.pi, 0.0, 0.0)  # one line looks the other way
+
+    def change(each: str, scan: Scan) -> Scan:
+        if each == name:
+            return scan
+        return Scan(scan.points_lidar @ turn.T, scan.time, None, scan.assumptions)
+
+    project, apart = with_scans(thinned, change)
+    pair = replace(
+        apart,
+        scans={k: apart.scans[k] for k in (name, other)},
+        clouds={k: apart.clouds[k] for k in (name, other)},
+    )
+    with pytest.raises(AdjustmentError, match="hang targets"):
+        targetless(project, pair)
+
+
+@pytest.mark.long
+def test_harbour_from_the_command_line(
+    capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path
+) -> None:
+    data, project = shared_data / "harbour", tmp_path / "harbour"
+    truth = json.loads((data / "truth.json").read_text())["boresight_deg"]
+    make(
+        capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out", "--lidar-sigma", 0.003
+    )
+    numbers = answer(capsys, "targetless", project)
+    off = np.abs(angles(numbers, "boresight_deg") - truth)
+    assert (off < 3 * angles(numbers, "sigma_deg")).all(), off
+    assert numbers["disagreeing_lines"] == []
+    assert open_project(project).result is None
