@@ -161,6 +161,20 @@ def test_one_line_and_lines_that_share_nothing_are_refused(thinned: Opened) -> N
         targetless(project, pair)
 
 
+def test_two_lines_alone_are_warned_of(thinned: Opened) -> None:
+    """On the two real surveys of two lines the answer is off by several of its sigmas."""
+    project, survey = thinned
+    pair = list(survey.scans)[::2][:2]
+    two = replace(
+        survey,
+        scans={name: survey.scans[name] for name in pair},
+        clouds={name: survey.clouds[name] for name in pair},
+    )
+    found = targetless(project, two, count=FEW)
+    assert (np.abs(error(found, project)) < 3 * np.degrees(found.result.sigma)).all()
+    assert any(sentence.startswith("Two lines alone") for sentence in found.sentences)
+
+
 @pytest.mark.long
 def test_harbour_from_the_command_line(
     capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path

@@ -5194,5 +5194,9 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <source>Matching the lines, round {a:n}</source>
         <translation>Appariement des lignes, tour {a}</translation>
     </message>
+    <message>
+        <source>Two lines alone: what the scanner itself errs by looks like a boresight, and the sigmas do not hold it. On two real surveys of this kind the angles were off by 0.1 and 0.25 deg; add lines in other directions.</source>
+        <translation>Deux lignes seulement : les erreurs propres du scanner ressemblent à des angles de visée, et les écarts types n&apos;en tiennent pas compte. Sur deux levés réels de ce genre, les angles étaient faux de 0,1 et 0,25° ; ajoutez des lignes d&apos;autres directions.</translation>
+    </message>
 </context>
 </TS>
