@@ -21,6 +21,7 @@ def targetless(arguments: Namespace) -> None:
             numbers(found.result, None)
             | {
                 "rounds": found.rounds,
+                "settled": found.settled,
                 "candidates": found.candidates,
                 "disagreeing_lines": list(found.disagreeing),
             }

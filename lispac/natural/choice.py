@@ -21,8 +21,8 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 COUNT = 30
-"""Patches that are chosen where there are so many: ten more lower the sigmas by a tenth at most, as
-what is left is the POS error, and take half as long again."""
+"""Patches that are chosen where there are so many: ten more lower the sigmas by an eighth at most,
+as what is left is the POS error, and take half as long again."""
 MOST_LINES = 4
 """Sightings of a patch: those on the lines that tell most; a fifth would say again what four do."""
 LOOKED_AT = 2_500

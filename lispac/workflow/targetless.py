@@ -51,6 +51,8 @@ class Targetless:
     project : Project
         With the patches as its targets, and the result.
     rounds : int
+    settled : bool
+        Whether the angles stayed where they were in the last of them.
     candidates : int
         Patches that were found; the chosen ones are targets of the project.
     disagreeing : tuple of str
@@ -59,6 +61,7 @@ class Targetless:
 
     project: Project
     rounds: int
+    settled: bool
     candidates: int
     disagreeing: tuple[str, ...]
 
@@ -78,9 +81,14 @@ class Targetless:
         found = [said]
         if len({each.sighting.line for each in self.result.sightings}) < FEWEST_LINES:
             found.append(
-                "Two lines alone: what the scanner itself errs by looks like a boresight, and the "
-                "sigmas do not hold it. On two real surveys of this kind the angles were off by "
-                "0.1 and 0.25 deg; add lines in other directions."
+                "Two lines alone: the sigmas do not hold. On two real surveys of this kind the "
+                "angles were off by 0.1 and 0.25 deg, several times what the sigmas said; add "
+                "lines in other directions."
+            )
+        if not self.settled:
+            found.append(
+                f"The angles still moved by more than {100 * SETTLED:.0f} % of their sigmas in the "
+                "last round of matching."
             )
         if self.disagreeing:
             found.append(f"Lines that do not agree with the others: {listed(self.disagreeing)}.")
@@ -115,7 +123,7 @@ def targetless(
     mounting = survey.aligned.mounting
     quick = replace(settings, subsample=max(settings.subsample, QUICK), parameters=())
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
-    picked, found, rounds = project, 0, 0
+    picked, found, rounds, settled = project, 0, 0, False
     for rounds, threshold in enumerate(THRESHOLDS, 1):
         step = part(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
         step(0.0, f"Matching the lines, round {rounds}")
@@ -137,7 +145,8 @@ def targetless(
         moved = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
         # The quick model's own sigmas are far too small to be moved less than.
-        if rounds > 1 and (moved < SETTLED * choice.sigma).all():
+        settled = rounds > 1 and bool((moved < SETTLED * choice.sigma).all())
+        if settled:
             break
     observations = observations_of(picked, survey, mounting=mounting)
     result = adjust(
@@ -150,7 +159,7 @@ def targetless(
         progress=part(progress, 0.5, 1.0),
     )
     solved = replace(picked, result=replace(result, elapsed=perf_counter() - started))
-    return Targetless(solved, rounds, found, disagreeing(result, survey.clouds))
+    return Targetless(solved, rounds, settled, found, disagreeing(result, survey.clouds))
 
 
 def _targets(

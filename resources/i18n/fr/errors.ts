@@ -5195,8 +5195,12 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Appariement des lignes, tour {a}</translation>
     </message>
     <message>
-        <source>Two lines alone: what the scanner itself errs by looks like a boresight, and the sigmas do not hold it. On two real surveys of this kind the angles were off by 0.1 and 0.25 deg; add lines in other directions.</source>
-        <translation>Deux lignes seulement : les erreurs propres du scanner ressemblent à des angles de visée, et les écarts types n&apos;en tiennent pas compte. Sur deux levés réels de ce genre, les angles étaient faux de 0,1 et 0,25° ; ajoutez des lignes d&apos;autres directions.</translation>
+        <source>Two lines alone: the sigmas do not hold. On two real surveys of this kind the angles were off by 0.1 and 0.25 deg, several times what the sigmas said; add lines in other directions.</source>
+        <translation>Deux lignes seulement : les écarts-types ne tiennent pas. Sur deux levés réels de ce genre, les angles étaient faux de 0,1 et 0,25°, plusieurs fois ce que disaient les écarts-types ; ajoutez des lignes d&apos;autres directions.</translation>
+    </message>
+    <message>
+        <source>The angles still moved by more than {setting:n} % of their sigmas in the last round of matching.</source>
+        <translation>Au dernier tour d&apos;appariement, les angles bougeaient encore de plus de {setting} % de leurs écarts-types.</translation>
     </message>
 </context>
 </TS>
