@@ -335,7 +335,7 @@ class Hands:
         return sorted(
             path
             for path in self._folder.rglob("*")
-            if path.is_file() and "cache" not in path.parts and "home" not in path.parts
+            if path.is_file() and not {"cache", "home"} & {*path.relative_to(self._folder).parts}
         )
 
     def _name_a_file(self, dialog: QFileDialog) -> Doing:

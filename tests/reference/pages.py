@@ -22,6 +22,7 @@ ROOMS = {
     "simulation": "Simulation",
     "validation": "Validation",
     "adjustment": "Adjustment",
+    "natural": "Natural surfaces",
     "targets": "Targets",
     "survey": "Survey",
     "geometry": "Geometry",
