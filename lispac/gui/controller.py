@@ -244,18 +244,25 @@ class Controller(QObject):
         and shape.
         """
         if self._may_seed():
-            self.seek(self._scene.prior_position(point), wishes, first_line=point.line)
+            self._seek(self._scene.to_prior(point), wishes, first_line=point.line)
 
-    def seek(
-        self, position: Triple, wishes: Wishes, *, name: str = "", first_line: str | None = None
-    ) -> None:
+    def seek(self, position: Triple, wishes: Wishes, *, name: str = "") -> None:
         """Find the target at a place and offer it; with no ``name`` it gets the next free one.
 
         Parameters
         ----------
         position : metres, local frame
-        first_line : the line it was clicked on; None for a place that was typed
         """
+        self._seek(lambda: position, wishes, name=name)
+
+    def _seek(
+        self,
+        position: Callable[[], Triple],
+        wishes: Wishes,
+        *,
+        name: str = "",
+        first_line: str | None = None,
+    ) -> None:
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None or not self._may_seed():
             return
@@ -270,7 +277,7 @@ class Controller(QObject):
 
         def work(progress: Progress) -> Target:
             return picking.find(
-                project, survey, position, name=name, role=role, line=line, first_line=first_line,
+                project, survey, position(), name=name, role=role, line=line, first_line=first_line,
                 progress=progress, **how,
             )  # fmt: skip
 

@@ -1,7 +1,7 @@
 """The report from the window: its details, how it is wanted, and writing it."""
 
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -11,8 +11,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 
 from lispac.errors import InputError
-from lispac.gui import units
-from lispac.gui.scene import Which
+from lispac.gui.photographer import Photographer
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
@@ -34,7 +33,9 @@ class Reporting(QObject):
         super().__init__(window)
         self._document, self._dialogs = window.document, window.dialogs
         self._runner, self._controller = window.runner, window.controller
-        self._scene, self._viewport = window.scene, window.viewport
+        self._photographer = Photographer(
+            self._document, self._runner, self._controller, window.scene, window.viewport, self
+        )
         self._computing = window.computing
         self._panel, self._settings = window.report, window.settings
         self._panel.show_choice(self._settings.report_choice())
@@ -74,7 +75,9 @@ class Reporting(QObject):
         path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
         if path is not None:
             write = partial(self._write, project, survey, options, path)
-            self._computing.with_placed(project, survey, lambda: self._photograph(project, write))
+            self._computing.with_placed(
+                project, survey, lambda: self._photographer.take(project, write)
+            )
 
     def _write(
         self,
@@ -104,7 +107,9 @@ class Reporting(QObject):
         if project is None or project.result is None or survey is None or options is None:
             return
         set_pages = partial(self._set, project, survey, options)
-        self._computing.with_placed(project, survey, lambda: self._photograph(project, set_pages))
+        self._computing.with_placed(
+            project, survey, lambda: self._photographer.take(project, set_pages)
+        )
 
     def _set(
         self,
@@ -164,36 +169,6 @@ class Reporting(QObject):
     @property
     def _survey(self) -> Survey | None:
         return self._document.survey if self._document.survey_is_current else None
-
-    def _photograph(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
-        """Take the view before and after, from one camera and coloured alike; both are at hand.
-
-        Each has a turn of its own, for both at once would hold up the window. An edit meanwhile
-        ends it.
-        """
-        pictures: dict[str, QImage] = {}
-        waiting: list[tuple[Which, str]] = [
-            ("prior", "The lines placed with the prior boresight"),
-            ("estimated", "The lines placed with the estimated boresight"),
-        ]
-
-        def take(_nothing: None) -> None:
-            which, caption = waiting.pop(0)
-            with self._scene.one_scale(), units.standard():
-                self._scene.show(which)
-                pictures[caption] = self._viewport.picture()
-            if self._document.project is not project:
-                return
-            if waiting:
-                take_next()
-            else:
-                then(pictures)
-
-        def take_next() -> None:
-            task = self._runner.run("Taking pictures of the view", lambda _progress: None, take)
-            self._controller.based_on_project(task)
-
-        take_next()
 
 
 @contextmanager

@@ -1,6 +1,6 @@
 """What the viewport shows: the lines before or after, the sightings, the labels."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Literal
 
@@ -79,15 +79,22 @@ class Scene(QObject):
         target = next((target for target in project.targets if target.name == name), None)
         return {} if target is None else self._points_by_line(target, line)
 
-    def prior_position(self, point: PickedPoint) -> Triple:
-        """Where a clicked point lies with the prior boresight, in which targets are sought."""
+    def to_prior(self, point: PickedPoint) -> Callable[[], Triple]:
+        """What finds, in any thread, where a clicked point lies with the prior boresight.
+
+        Targets are sought in those lines.
+        """
         survey = self._document.survey
         if survey is None or self.which == "prior":
-            return point.position
+            return lambda: point.position
         shown, prior = self.clouds[point.line].sample, survey.clouds[point.line].sample
-        nearest, _ = nearest_point(shown, np.array(point.position))
-        north, west, up = (float(v) for v in prior[nearest])
-        return north, west, up
+
+        def find() -> Triple:
+            nearest, _ = nearest_point(shown, np.array(point.position))
+            north, west, up = (float(v) for v in prior[nearest])
+            return north, west, up
+
+        return find
 
     def colour_by(self, colouring: Colouring) -> None:
         """Colour the points.

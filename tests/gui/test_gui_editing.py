@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from lispac.gui.residuals import GREY, apart, residuals
-from tests.gui.support import Driver, Key, press, seed, settle
+from tests.gui.support import Control, Driver, Key, press, seed, settle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -96,6 +96,16 @@ def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
     assert "untick the sighting" in str(picked.dialogs.errors[0])
     assert not window.document.is_modified
     press(picked, Key.Key_Escape)
+
+
+def test_the_status_bar_forgets_what_it_said_of_a_project_that_has_changed(picked: Driver) -> None:
+    bar = picked.window.task_bar
+    seed(picked, "T2")
+    press(picked, Key.Key_Return)
+    assert bar.currentMessage() == "T3: 6 of 6 lines"
+    press(picked, Key.Key_Z, Control)
+    settle(picked)
+    assert bar.currentMessage() == ""
 
 
 def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:

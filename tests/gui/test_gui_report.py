@@ -4,6 +4,8 @@ import re
 from pathlib import Path
 
 import numpy as np
+import pytest
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QLabel,
@@ -258,6 +260,60 @@ def test_an_edit_while_the_pictures_are_taken_ends_the_report(
     assert adjusted.dialogs.errors == []
     assert len([name for name, _ in adjusted.viewport.calls if name == "picture"]) == 1
     assert not (tmp_path / "r.html").exists()
+
+
+@pytest.mark.parametrize("shown", ["prior", "estimated"])
+def test_pictures_that_are_cancelled_leave_the_view_as_it_was(
+    adjusted: Driver, tmp_path: Path, shown: str
+) -> None:
+    open_step(adjusted, REPORT)
+    scene, taken = adjusted.window.scene, adjusted.viewport.picture
+    adjusted.window.computing.show(shown)
+    adjusted.rest()
+    adjusted.window.actions_["colour_residual"].trigger()
+    adjusted.rest()
+    adjusted.dialogs.path = tmp_path / "r.html"
+
+    def cancelled_meanwhile() -> QImage:
+        image = taken()
+        QTimer.singleShot(0, adjusted.window.runner.cancel)
+        return image
+
+    adjusted.viewport.picture = cancelled_meanwhile
+    before = _last_shading(adjusted)
+    click(adjusted, adjusted.window.report.report)
+    adjusted.rest()
+    assert adjusted.dialogs.errors == []
+    assert not (tmp_path / "r.html").exists()
+    assert len([name for name, _ in adjusted.viewport.calls if name == "picture"]) == 1
+    assert scene.which == shown
+    after = _last_shading(adjusted)
+    assert (after.low, after.high) == (before.low, before.high)
+
+
+def _last_shading(adjusted: Driver):
+    calls = adjusted.viewport.calls
+    return next(arguments[2] for name, arguments in reversed(calls) if name == "show_clouds")
+
+
+def test_a_switch_between_the_pictures_does_not_mix_them_up(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    open_step(adjusted, REPORT)
+    scene, taken = adjusted.window.scene, adjusted.viewport.picture
+    adjusted.dialogs.path = tmp_path / "r.html"
+    seen: list[str] = []
+
+    def switched_afterwards() -> QImage:
+        seen.append(scene.which)
+        QTimer.singleShot(0, lambda: scene.show("prior"))
+        return taken()
+
+    adjusted.viewport.picture = switched_afterwards
+    click(adjusted, adjusted.window.report.report)
+    adjusted.rest()
+    assert seen == ["prior", "estimated"]
+    assert (tmp_path / "r.html").exists()
 
 
 def test_colours_mean_the_same_in_both_pictures(adjusted: Driver, tmp_path: Path) -> None:

@@ -1,0 +1,83 @@
+"""Pictures of the view for the report, before and after, taken without holding up the window."""
+
+from collections.abc import Callable
+from contextlib import ExitStack
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QImage
+
+from lispac.gui import units
+from lispac.gui.controller import Controller
+from lispac.gui.document import Document
+from lispac.gui.scene import Scene, Which
+from lispac.gui.tasks import TaskRunner
+from lispac.gui.viewport.base import Viewport
+from lispac.project import Project
+
+CAPTIONS: dict[Which, str] = {
+    "prior": "The lines placed with the prior boresight",
+    "estimated": "The lines placed with the estimated boresight",
+}
+
+
+class Photographer(QObject):
+    """Takes the view with the lines before and after, from one camera and coloured alike."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        scene: Scene,
+        viewport: Viewport,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._runner, self._controller = document, runner, controller
+        self._scene, self._viewport = scene, viewport
+        self._as_it_was = ExitStack()
+        for ended in (runner.stopped, runner.idle):
+            ended.connect(self._restore)
+
+    def take(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
+        """Take both pictures, by caption; both states of the lines are at hand.
+
+        Showing and taking have a turn each, for all at once would hold up the window. An edit
+        meanwhile, or cancelling, ends it.
+        """
+        pictures: dict[str, QImage] = {}
+
+        def take(which: Which) -> None:
+            self._show(which)  # the user may have switched
+            with units.standard():
+                pictures[CAPTIONS[which]] = self._viewport.picture()
+
+        steps: list[tuple[Callable[[Which], None], Which]] = [
+            (act, which) for which in CAPTIONS for act in (self._show, take)
+        ]
+
+        def step(_nothing: None) -> None:
+            act, which = steps.pop(0)
+            act(which)
+            if self._document.project is not project:
+                self._restore()
+            elif steps:
+                self._next(step)
+            else:
+                self._restore()
+                then(pictures)
+
+        self._as_it_was.enter_context(self._scene.one_scale())
+        self._next(step)
+
+    def _next(self, step: Callable[[None], None]) -> None:
+        task = self._runner.run("Taking pictures of the view", lambda _progress: None, step)
+        self._controller.based_on_project(task)
+
+    def _show(self, which: Which) -> None:
+        with units.standard():
+            self._scene.show(which)
+
+    def _restore(self) -> None:
+        """Show again what was shown before."""
+        self._as_it_was.close()
