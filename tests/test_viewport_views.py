@@ -15,14 +15,14 @@ LEFT = Qt.MouseButton.LeftButton
 INKED = (250, 10, 200)
 
 
-def test_the_orthographic_picture_and_the_mathematics_agree(viewport, qtbot, tmp_path):
+def test_the_orthographic_picture_and_the_mathematics_agree(viewport, qtbot):
     clouds, colours = scene()
     dots = {"near": np.array([[2.0, 15.0, 1.0]]), "far": np.array([[-6.0, 30.0, 9.0]])}
     viewport.show_clouds(dots, {"near": RED, "far": BLUE})
     viewport.fit(wall(25.0, (-9.0, 9.0), (-4.0, 14.0)))
     viewport.set_parallel(True)
     viewport.set_point_size(5)
-    image = picture(viewport, tmp_path)
+    image = picture(viewport)
     for line, colour in (("near", RED), ("far", BLUE)):
         rows, columns = np.nonzero(np.abs(image.astype(int) - colour).max(axis=2) <= 2)
         x, y = viewport.to_pixels(dots[line])[0]
@@ -36,7 +36,7 @@ def test_the_orthographic_picture_and_the_mathematics_agree(viewport, qtbot, tmp
     assert widths[0] == pytest.approx(widths[1], rel=1e-6)
     plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
     viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
-    assert count(picture(viewport, tmp_path), YELLOW) > 300, "it lies over its line"
+    assert count(picture(viewport), YELLOW) > 300, "it lies over its line"
     with qtbot.waitSignal(viewport.signals.seed_clicked) as clicked:
         QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, clouds["red"][600]))
     assert clicked.args[0].line == "red"
@@ -92,13 +92,13 @@ def test_while_pointing_a_click_points_and_a_drag_still_rotates(viewport, qtbot)
     assert len(told) == 2
 
 
-def test_sketches_lie_where_their_points_are_and_go_away(viewport, tmp_path):
+def test_sketches_lie_where_their_points_are_and_go_away(viewport):
     viewport.show_clouds(*scene())
     viewport.view("front")
-    without = picture(viewport, tmp_path)
+    without = picture(viewport)
     ends = ((-4.0, 15.0, 1.0), (4.0, 15.0, 1.0))
     viewport.show_sketch("a", Sketch(ends, ((0, 1),), INKED, dots=True, label="8 m", at=ends[0]))
-    drawn = picture(viewport, tmp_path)
+    drawn = picture(viewport)
     rows, columns = np.nonzero(np.abs(drawn.astype(int) - INKED).max(axis=2) <= 2)
     spots = viewport.to_pixels(np.array(ends))
     assert len(rows) > 100
@@ -106,10 +106,10 @@ def test_sketches_lie_where_their_points_are_and_go_away(viewport, tmp_path):
     assert columns.min() == pytest.approx(spots[:, 0].min(), abs=6)
     assert columns.max() == pytest.approx(spots[:, 0].max(), abs=6)
     viewport.show_sketch("a", None)
-    np.testing.assert_array_equal(picture(viewport, tmp_path), without)
+    np.testing.assert_array_equal(picture(viewport), without)
     behind = Sketch(((0.0, -50.0, 0.0), (0.0, 15.0, 1.0)), ((0, 1),), INKED)
     viewport.show_sketch("b", behind)  # half of it is behind the eye: nothing to draw
-    np.testing.assert_array_equal(picture(viewport, tmp_path), without)
+    np.testing.assert_array_equal(picture(viewport), without)
 
 
 @pytest.mark.parametrize("parallel", [False, True])
@@ -135,7 +135,7 @@ def test_a_handle_follows_the_mouse_along_its_axis(viewport, parallel):
     assert viewport.camera is not camera
 
 
-def test_an_outline_is_drawn_with_the_left_button(viewport, tmp_path):
+def test_an_outline_is_drawn_with_the_left_button(viewport):
     viewport.show_clouds(*scene())
     told = []
     viewport.signals.outlined.connect(told.append)
@@ -167,16 +167,16 @@ def test_what_is_under_the_resting_mouse_is_told_while_hovering(viewport, qtbot)
     assert told[1:] == [None]
 
 
-def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot, tmp_path):
+def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
     plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
     viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
-    whole = {c: count(picture(viewport, tmp_path), c) for c in (RED, BLUE, YELLOW)}
+    whole = {c: count(picture(viewport), c) for c in (RED, BLUE, YELLOW)}
     low = clouds["red"][clouds["red"][:, 2] < 1.5]
     viewport.clip(Box.about(low, np.array([0.0, 1.0, 0.0]), 0.01))
-    image = picture(viewport, tmp_path)
+    image = picture(viewport)
     assert count(image, BLUE) == 0
     assert 0.4 * whole[RED] < count(image, RED) < 0.6 * whole[RED]
     assert 0.4 * whole[YELLOW] < count(image, YELLOW) < 0.6 * whole[YELLOW]
@@ -186,20 +186,18 @@ def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot, tmp_path
     scale = np.zeros((2, 3), np.uint8)
     viewport.show_highlights([])
     viewport.show_clouds(clouds, colours, Shading(shades, "", "", "", scale))
-    image = picture(viewport, tmp_path)  # each point keeps its own colour
+    image = picture(viewport)  # each point keeps its own colour
     assert count(image, (0, 90, 20)) == pytest.approx(count(image, INKED), rel=0.25)
     with qtbot.waitSignal(viewport.signals.missed, timeout=2000):
         QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, (5.0, 25.0, 5.0)))
     viewport.clip(None)
     viewport.show_clouds(clouds, colours)
-    assert count(picture(viewport, tmp_path), BLUE) == pytest.approx(whole[BLUE], rel=0.02)
+    assert count(picture(viewport), BLUE) == pytest.approx(whole[BLUE], rel=0.02)
 
 
 @pytest.mark.parametrize("parallel", [False, True])
 @pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (5_040_000.0, -612_000.0, 0.0)])
-def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(
-    viewport, tmp_path, parallel, origin
-):
+def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(viewport, parallel, origin):
     here = wall(25.0, (-9.0, 9.0), (0.0, 9.0), origin=origin)
     viewport.set_station(origin)
     viewport.show_clouds({"blue": here}, {"blue": BLUE})
@@ -208,7 +206,7 @@ def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(
     viewport.show_beside({"blue": here + [0.0, 0.0, 20.0]})
 
     viewport.fit(np.concatenate([here, here + [0.0, 0.0, 20.0]]))
-    image = picture(viewport, tmp_path)
+    image = picture(viewport)
     blue = np.abs(image.astype(int) - BLUE).max(axis=2) <= 2
     upper, lower = blue[:280], blue[320:]
     assert upper[:, :398].sum() > 300
@@ -218,11 +216,11 @@ def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(
     camera = viewport.camera
     drag(viewport, QPoint(400, 300), QPoint(-60, 0))
     assert viewport.camera is camera
-    blue = np.abs(picture(viewport, tmp_path).astype(int) - BLUE).max(axis=2) <= 2
+    blue = np.abs(picture(viewport).astype(int) - BLUE).max(axis=2) <= 2
     assert blue[320:, 345:398].sum() > 50
     assert blue[:280, 345:].sum() == 0
     viewport.show_beside(None)
-    blue = np.abs(picture(viewport, tmp_path).astype(int) - BLUE).max(axis=2) <= 2
+    blue = np.abs(picture(viewport).astype(int) - BLUE).max(axis=2) <= 2
     assert blue[:280].sum() == 0
 
 

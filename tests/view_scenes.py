@@ -32,11 +32,9 @@ def pixel(viewport, point):
     return QPoint(round(x), round(y))
 
 
-def picture(viewport, tmp_path) -> np.ndarray:
+def picture(viewport) -> np.ndarray:
     """What is on the screen as (height, width, 3)."""
-    path = tmp_path / "picture.png"
-    viewport.screenshot(path)
-    return array_of(QImage(str(path)))
+    return array_of(viewport.picture())
 
 
 def array_of(image: QImage) -> np.ndarray:

@@ -47,6 +47,8 @@ class Document(QObject):
 
     changed = Signal()
     """The project is another value."""
+    left = Signal()
+    """What was shown goes; `opened` follows."""
     survey_changed = Signal()
     """Data were loaded or let go."""
     opened = Signal()
@@ -118,6 +120,7 @@ class Document(QObject):
 
     def show_again(self) -> None:
         """Tell of the project as of one that was just opened."""
+        self.left.emit()
         self.survey_changed.emit()
         self.opened.emit()
         self.changed.emit()

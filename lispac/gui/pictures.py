@@ -1,18 +1,22 @@
 """Pictures of the view and of the section: written to a file, or copied to be pasted elsewhere."""
 
 from collections.abc import Callable
+from io import BytesIO
 from pathlib import Path
 
 from PySide6.QtCore import QObject
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QImage
 
-from lispac.errors import InputError, LispacError
+from lispac.errors import InputError
 from lispac.gui import units
 from lispac.gui.actions import Actions
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.panels.section import SectionPanel
+from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Viewport
+from lispac.io.files import written_whole
+from lispac.progress import Progress
 
 NO_SECTION = "There is no section to take a picture of: select a target and press S"
 
@@ -23,16 +27,17 @@ class Pictures(QObject):
     def __init__(
         self,
         document: Document,
+        runner: TaskRunner,
         viewport: Viewport,
         section: SectionPanel,
         actions: Actions,
         dialogs: Dialogs,
         note: Callable[[str], None],
-        refuse: Callable[[LispacError], None],
     ) -> None:
         super().__init__(actions)
-        self._document, self._viewport, self._section = document, viewport, section
-        self._dialogs, self._note, self._refuse = dialogs, note, refuse
+        self._document, self._runner = document, runner
+        self._viewport, self._section = viewport, section
+        self._dialogs, self._note = dialogs, note
         actions["picture"].triggered.connect(lambda _=False: self._save_view())
         actions["copy_picture"].triggered.connect(lambda _=False: self._copy_view())
         actions["section_picture"].triggered.connect(lambda _=False: self._save_section())
@@ -42,9 +47,18 @@ class Pictures(QObject):
 
     def _save_view(self) -> None:
         path = self._dialogs.picture_file(self._start("view"), ("PNG",))
-        if path is not None:
-            with units.standard():
-                self._write(path, self._viewport.screenshot)
+        if path is None:
+            return
+        with units.standard():
+            image = self._viewport.picture()
+
+        def write(part: Path) -> None:
+            if not image.save(str(part), "PNG"):
+                raise InputError(
+                    f"{path}: the picture cannot be written there; choose another folder."
+                )
+
+        self._write(path, write)
 
     def _copy_view(self) -> None:
         QGuiApplication.clipboard().setImage(self._viewport.picture())
@@ -56,23 +70,39 @@ class Pictures(QObject):
             return
         start = self._start(f"section-{self._section.through.text()}")
         path = self._dialogs.picture_file(start, ("PNG", "SVG", "PDF"))
-        if path is not None:
-            self._write(path, self._section.save)
+        if path is None:
+            return
+        with units.standard():
+            printed = self._section.printed()
+        self._write(path, lambda part: printed.savefig(part, format=path.suffix[1:].lower()))
 
     def _copy_section(self) -> None:
         if not self._section.shows:
             self._note(NO_SECTION)
             return
-        QGuiApplication.clipboard().setImage(self._section.picture())
-        self._note("The picture of the section is in the clipboard")
+        printed = self._section.printed()
+
+        def work(_progress: Progress) -> bytes:
+            stream = BytesIO()
+            printed.savefig(stream, format="png")
+            return stream.getvalue()
+
+        def done(picture: bytes) -> None:
+            QGuiApplication.clipboard().setImage(QImage.fromData(picture))
+            self._note("The picture of the section is in the clipboard")
+
+        self._runner.run("Copying the section", work, done)
 
     def _write(self, path: Path, write: Callable[[Path], None]) -> None:
-        try:
-            write(path)
-        except InputError as error:
-            self._refuse(error)
-            return
-        self._note(f"Wrote {path}")
+        """Write in the worker, as it takes a while, to a temporary name first."""
+
+        def work(_progress: Progress) -> None:
+            with written_whole(path) as part:
+                write(part)
+
+        self._runner.run(
+            "Writing the picture", work, lambda _nothing: self._note(f"Wrote {path}"), lasting=True
+        )
 
     def _start(self, what: str) -> Path:
         """A name to begin with, in the project's folder."""

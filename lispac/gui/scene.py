@@ -44,7 +44,7 @@ class Scene(QObject):
         self._drawn: Mapping[str, Cloud] = {}
         self._residuals: Mapping[tuple[str, str], NDArray[np.uint8]] = {}
         self._reach: float | None = None
-        document.opened.connect(self._another)
+        document.left.connect(self._leave)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
 
@@ -171,8 +171,9 @@ class Scene(QObject):
                 self._reach, self._drawn = None, {}
             self.show(shown)
 
-    def _another(self) -> None:
+    def _leave(self) -> None:
         self.candidate = self.selected = None
+        self._viewport.clear()  # nothing of it is drawn once more on the way to another
         self._fit_next = True
 
     def _reload(self) -> None:

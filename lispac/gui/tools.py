@@ -45,15 +45,15 @@ class Tools(QObject):
             window.document, window.runner, view, actions, self._wanted, window.controller
         )
         self.pictures = Pictures(
-            window.document, view, self.sections.panel, actions, window.dialogs, note,
-            window.controller.refused.emit,
+            window.document, window.runner, view, self.sections.panel, actions, window.dialogs,
+            note,
         )  # fmt: skip
         self.roles = Roles(
             window.document, window.scene, actions, note, window.controller.refused.emit
         )
         window.scene.which_changed.connect(lambda _which: self.measuring.restart())
         window.document.opened.connect(self.pointing.end)
-        window.document.opened.connect(self.clipping.reset)
+        window.document.left.connect(self.clipping.reset)
 
     def _wanted(self) -> Wanted:
         targets = self._window.targets

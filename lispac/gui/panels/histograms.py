@@ -1,6 +1,6 @@
 """Each validation plane: distances between the lines before and after."""
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -53,6 +53,9 @@ class HistogramsPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._comparisons: tuple[PlaneComparison, ...] = ()
+        # In a turn of its own: opening a project has enough to show in one.
+        self._drawing = QTimer(self, singleShot=True, interval=0)
+        self._drawing.timeout.connect(self._selected_again)
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.column(empty)
@@ -153,7 +156,10 @@ class HistogramsPanel(QWidget):
         self.table.clearSelection()
         self.table.blockSignals(False)
         if comparisons:
-            self.select(comparisons[0].name)
+            self.table.blockSignals(True)
+            self.table.selectRow(0)
+            self.table.blockSignals(False)
+            self._drawing.start()
 
     def select(self, name: str) -> None:
         """Draw one plane's histograms, without telling anyone."""

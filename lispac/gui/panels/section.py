@@ -1,19 +1,14 @@
 """A section of all lines: what is cut, how thick and how large, and its picture."""
 
 from collections.abc import Mapping, Sequence
-from io import BytesIO
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
-from lispac.gui import units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
-from lispac.io.files import written_whole
 from lispac.workflow.sections import Cut
 
 if TYPE_CHECKING:
@@ -111,33 +106,20 @@ class SectionPanel(QWidget):
         """Whether there is a section."""
         return bool(self.through.text())
 
-    def save(self, path: Path) -> None:
-        """Write the section as it is shown, but in metres; the ending says as what.
+    def printed(self) -> "Figure":
+        """The section as it is shown, under what it cuts, on paper of its own.
 
-        Raises
-        ------
-        InputError
-            Where the file cannot be written.
+        Drawn from it is nothing that another thread may not draw.
         """
-        with units.standard(), written_whole(path) as part:
-            self._print(part, path.suffix[1:].lower())
-
-    def picture(self) -> QImage:
-        """The section as it is shown, under what it cuts."""
-        stream = BytesIO()
-        self._print(stream, "png")
-        return QImage.fromData(stream.getvalue())
-
-    def _print(self, target: Path | BytesIO, kind: str) -> None:
         from matplotlib.figure import Figure
 
         shown = self.canvas.figure
-        printed = Figure(figsize=shown.get_size_inches(), layout="constrained")
+        printed = Figure(figsize=shown.get_size_inches(), dpi=PRINT_DPI, layout="constrained")
         self._draw(printed)
         for axes, like in zip(printed.axes, shown.axes, strict=True):
             axes.set(xlim=like.get_xlim(), ylim=like.get_ylim())
         printed.suptitle(self.through.text(), fontsize=11, parse_math=False)
-        printed.savefig(target, format=kind, dpi=PRINT_DPI)
+        return printed
 
     def _allow_pictures(self, allowed: bool) -> None:
         self.save_picture.allow(allowed)

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Literal, Protocol
 
 import numpy as np
@@ -241,9 +240,6 @@ class Viewport(Protocol):
 
     def picture(self) -> QImage:
         """What is shown, with all its detail and what is written over it but the mouse's help."""
-
-    def screenshot(self, path: Path) -> None:
-        """Write what is shown as PNG."""
 
     def clear(self) -> None:
         """Show nothing."""

@@ -15,7 +15,7 @@ from lispac.gui.viewport.base import Array, Colour, Shading, Viewport, ViewportS
 
 PER_WHAT = {"set_line_visible", "show_sketch"}
 """The first argument says of which line or sketch it is; of others the last call is what holds."""
-ANSWERED = {"hides", "drawn_near", "to_pixels", "picture", "screenshot"}
+ANSWERED = {"hides", "drawn_near", "to_pixels", "picture"}
 
 
 class LateViewport:

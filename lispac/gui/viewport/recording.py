@@ -1,13 +1,11 @@
 """A viewport without graphics that remembers what it was asked; for tests of the window."""
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 
 import numpy as np
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
-from lispac.errors import InputError
 from lispac.gui.viewport.base import (
     Array,
     Colour,
@@ -190,12 +188,6 @@ class RecordingViewport:
         """Show the plain widget."""
         self._record("picture")
         return self._widget.grab().toImage()
-
-    def screenshot(self, path: Path) -> None:
-        """Write the plain widget as PNG."""
-        self._record("screenshot", path)
-        if not self._widget.grab().save(str(path), "PNG"):
-            raise InputError(f"{path}: the picture cannot be written there; choose another folder.")
 
     def clear(self) -> None:
         """Forget what is shown."""

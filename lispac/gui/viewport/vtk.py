@@ -6,14 +6,12 @@ requests, and paints in its own time.
 
 import time
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
-from lispac.errors import InputError
 from lispac.geometry.neighbours import points_within
 from lispac.gui import theme
 from lispac.gui.viewport.actors import aim, half_space, place_half
@@ -249,17 +247,6 @@ class VtkViewport:
         painter.end()
         self._rest.start()  # with as many points as can be drawn again and again
         return image
-
-    def screenshot(self, path: Path) -> None:
-        """Write what is shown as PNG, with all its detail.
-
-        Raises
-        ------
-        InputError
-            Where the file cannot be written.
-        """
-        if not self.picture().save(str(path), "PNG"):
-            raise InputError(f"{path}: the picture cannot be written there; choose another folder.")
 
     def clear(self) -> None:
         """Show nothing."""

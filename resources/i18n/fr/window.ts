@@ -1985,6 +1985,14 @@
         <source>Colours of the points by height, intensity, range or time; residuals have their own</source>
         <translation>Couleurs des points par hauteur, intensité, distance ou temps ; les résidus ont les leurs</translation>
     </message>
+    <message>
+        <source>Copying the section</source>
+        <translation>Copie de la coupe</translation>
+    </message>
+    <message>
+        <source>Writing the picture</source>
+        <translation>Écriture de l’image</translation>
+    </message>
 </context>
 <context>
     <name>steps</name>
