@@ -59,6 +59,8 @@ class Document(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.opening = False
+        """Whether `changed` is still to follow, so that nobody need show all there is twice."""
         self._state: _State | None = None
         self._folder: Path | None = None
         self.survey: Survey | None = None
@@ -121,8 +123,10 @@ class Document(QObject):
     def show_again(self) -> None:
         """Tell of the project as of one that was just opened."""
         self.left.emit()
+        self.opening = True
         self.survey_changed.emit()
         self.opened.emit()
+        self.opening = False
         self.changed.emit()
 
     def set_survey(self, project: Project | None, survey: Survey | None) -> None:

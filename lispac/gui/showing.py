@@ -36,6 +36,8 @@ class Showing(QObject):
     def refresh(self) -> None:
         """Show the document as it stands, everywhere."""
         window = self._window
+        if window.document.opening:
+            return
         project, survey, statuses = self._state()
         leave_alone(project)
         waiting = window.document.awaits_result

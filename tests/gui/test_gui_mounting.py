@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QScrollArea
 
 from lispac.gui import theme, units
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.panels.mounting_sketch import VIEWS, MountingSketch, length_words
+from lispac.gui.panels.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_words
 from lispac.survey.georeferencing import Mounting, place
 from lispac.survey.trajectory import Poses
 from tests.gui.support import Driver, open_step, type_into
@@ -61,7 +61,9 @@ def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketc
     for field, text in zip((*data.lever_arm.fields, *data.boresight.fields),
                            (*lever_arm, *boresight), strict=True):  # fmt: skip
         type_into(driver, field, text)
-    return data.mounting.sketch
+    sketch = data.mounting.sketch
+    driver.bot.waitUntil(lambda: sketch.isVisible() and sketch.height() == HEIGHT)  # laid out
+    return sketch
 
 
 @pytest.mark.parametrize(
@@ -71,7 +73,6 @@ def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketc
 )  # fmt: skip
 def test_what_is_typed_is_drawn_where_georeferencing_puts_it(opened: Driver, lever_arm) -> None:
     sketch = typed(opened, lever_arm)
-    opened.bot.waitUntil(sketch.isVisible)
     north, west, up = placed([float(each) for each in lever_arm], (0.0, 0.0, 0.0))[0]
     for view in VIEWS:
         right, above = (axis(north, west, up) for axis in RIGHT_UP[view])

@@ -13,7 +13,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QMainWindow
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.tidying import OLD, REST_S, YOUNG, GivingBack, Tidying
+from lispac.gui.tidying import ALL_S, REST_S, YOUNG, GivingBack, Tidying
 from tests.gui.support import WAIT_MS
 from tests.leavings import left_behind
 
@@ -57,16 +57,21 @@ def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: 
 
 
 def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> None:
+    now, collected = [100.0], []
+    monkeypatch.setattr(time, "monotonic", lambda: now[0])
     tidying = Tidying()
-    collected = []
     monkeypatch.setattr(gc, "collect", collected.append)
     try:
-        for counts in ((YOUNG, 99, 999), (YOUNG + 1, 3, 999), (800, 11, OLD), (800, 0, OLD + 1)):
+        for later, counts in (
+            (ALL_S, (YOUNG, 99, 999)), (0.0, (YOUNG + 1, 3, 999)), (0.1, (800, 11, 0)),
+            (0.1, (800, 0, 0)), (ALL_S, (800, 0, 0)),
+        ):  # fmt: skip
+            now[0] += later
             monkeypatch.setattr(gc, "get_count", lambda counts=counts: counts)
             tidying.tidy()
     finally:
         tidying.end()
-    assert collected == [2, 1, 2]
+    assert collected == [0, 2, 0, 2]
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux' C library")
