@@ -17,6 +17,7 @@ from lispac.adjustment.robust import LOSSES, LossName
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, Identity
+from lispac.opinions import METHODS, Method, Opinion
 from lispac.picks import ROLES as ROLES
 from lispac.picks import SHAPES as SHAPES
 from lispac.picks import PickedSighting as PickedSighting
@@ -190,6 +191,8 @@ class Project:
     identity: Identity = BLANK
     absolute: AbsoluteCheck | None = None
     """The lines against a static scan or surveyed points, where that has been checked."""
+    opinions: tuple[Opinion, ...] = ()
+    """What other methods say of the same lines, one of each method at most."""
 
     @property
     def name(self) -> str:
@@ -282,7 +285,7 @@ class Project:
         """Change the settings; what follows from them has to be computed again."""
         return replace(
             self, settings=settings, result=None, cross_checks=None, validation=(),
-            not_compared={}, absolute=None,
+            not_compared={}, absolute=None, opinions=(),
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
@@ -305,6 +308,16 @@ class Project:
         """Keep the comparison with a reference."""
         return replace(self, absolute=absolute)
 
+    def opinion(self, method: Method) -> Opinion | None:
+        """What a method says; None where it has not been asked."""
+        return next((each for each in self.opinions if each.method == method), None)
+
+    def with_opinion(self, opinion: Opinion) -> "Project":
+        """Keep what a method says, in place of what it said before."""
+        others = [each for each in self.opinions if each.method != opinion.method]
+        kept = sorted([*others, opinion], key=lambda each: METHODS.index(each.method))
+        return replace(self, opinions=tuple(kept))
+
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
         # A validation plane takes no part in the adjustment, so its edit keeps the angles.
         kept = "target" not in roles
@@ -316,4 +329,9 @@ class Project:
             validation=(),
             not_compared={},
             absolute=self.absolute if kept else None,
+            opinions=tuple(
+                each
+                for each in self.opinions
+                if each.method != "natural planes" or "validation" not in roles
+            ),
         )

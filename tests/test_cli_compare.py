@@ -108,7 +108,6 @@ def test_copies_of_lines_are_the_same_lines(tmp_path: Path) -> None:
 
 def test_what_cannot_be_compared(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     project = surveyed_again(tmp_path / "a", (0.0, 0.0, 0.0))
-    assert "at least two calibrations" in refused(capsys, "compare", project.folder)
     assert "given twice" in refused(capsys, "compare", project.folder, project.folder)
     write_project(replace(project, folder=tmp_path / "bare", result=None, validation=()))
     assert "bare: there is no answer yet; estimate first" in refused(

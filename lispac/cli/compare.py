@@ -1,4 +1,4 @@
-"""``lispac compare``: whether calibrations of one mounting agree."""
+"""``lispac compare``: whether calibrations of one mounting agree, or methods of one survey."""
 
 import sys
 from argparse import Namespace
@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.result import ANGLES
-from lispac.cli.console import print_json
+from lispac.cli.compare_methods import compare_methods
+from lispac.cli.console import UsageError, print_json
 from lispac.validation.repeatability import (
     Calibration,
     Difference,
@@ -23,7 +24,18 @@ DISTANCES_M = (10.0, 50.0, 100.0)
 
 
 def compare(arguments: Namespace) -> None:
-    """Compare each calibration with the first, and put all together."""
+    """Compare each calibration with the first, and put all together; of one, its methods.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
+    if len(arguments.projects) == 1:
+        compare_methods(arguments)
+        return
+    if arguments.compute:
+        raise UsageError("compare: --compute asks other methods of one project; give one project.")
     compared = calibrations_of(arguments.projects)
     found, counted = compared.each, compared.counted
     only = len(found) > len(counted) == 1

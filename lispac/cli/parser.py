@@ -226,9 +226,13 @@ def _check(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _compare(commands: "Commands[argparse.ArgumentParser]") -> None:
-    compare = command(commands, "compare", "say whether calibrations of one mounting agree")
+    compare = command(commands, "compare", "say whether calibrations, or methods, agree")
     compare.add_argument(
-        "projects", type=Path, nargs="+", metavar="PROJECT", help="two or more, the earliest first"
+        "projects", type=Path, nargs="+", metavar="PROJECT",
+        help="calibrations of one mounting, the earliest first; of a single one its methods",
+    )  # fmt: skip
+    compare.add_argument(
+        "--compute", action="store_true", help="of a single one: ask other methods, and keep it"
     )
     json_option(compare)
 
@@ -253,6 +257,9 @@ def _targetless(commands: "Commands[argparse.ArgumentParser]") -> None:
         commands, "targetless", "find the boresight from the scene itself, without a target"
     )
     targetless.add_argument("project", type=Path, metavar="PROJECT")
+    targetless.add_argument(
+        "--keep", action="store_true", help="keep the answer beside that of the targets"
+    )
     json_option(targetless)
 
 

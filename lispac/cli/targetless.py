@@ -5,17 +5,20 @@ from argparse import Namespace
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.estimate import numbers, print_result
 from lispac.progress import part
-from lispac.workflow.projects import open_project
+from lispac.workflow.opinions import of_the_scene
+from lispac.workflow.projects import open_project, save_project
 from lispac.workflow.survey import load_survey
 from lispac.workflow.targetless import targetless as find
 
 
 def targetless(arguments: Namespace) -> None:
-    """Find the boresight of a project from natural surfaces; the project stays as it is."""
+    """Find the boresight of a project from natural surfaces; with ``--keep`` it is kept."""
     with ConsoleProgress() as progress:
         project = open_project(arguments.project)
         survey = load_survey(project, progress=part(progress, 0.0, 0.3))
         found = find(project, survey, progress=part(progress, 0.3, 1.0))
+    if arguments.keep:
+        save_project(project.with_opinion(of_the_scene(found)))
     if arguments.json:
         print_json(
             numbers(found.result, None)

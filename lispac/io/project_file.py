@@ -30,6 +30,7 @@ from lispac.identity import Identity
 from lispac.io.files import remove_abandoned, written_whole
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
 from lispac.io.values import Unfit, decoded, encoded, in_one_line
+from lispac.opinions import Opinion
 from lispac.project import (
     ROLES,
     SHAPES,
@@ -197,6 +198,9 @@ def _require_consistent(project: Project) -> None:
                 raise Unfit(f"{target.name} is on a line {sighting.line} that is not listed")
     if project.result is not None and project.result.model.pos_errors not in POS_ERRORS:
         raise Unfit(f"model {project.result.model.pos_errors!r}")
+    for opinion in project.opinions:
+        if not opinion.is_sound():
+            raise Unfit(f"the answer of {opinion.method}")
 
 
 def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
@@ -251,6 +255,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
         "validation": [comparison.to_dict() for comparison in project.validation],
         "not_compared": dict(project.not_compared),
         "absolute": encoded(project.absolute),
+        "opinions": [encoded(each) for each in project.opinions],
         "truth_deg": project.truth_deg,
     }
 
@@ -284,6 +289,7 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         absolute=decoded(absolute, AbsoluteCheck)
         if (absolute := content.get("absolute"))
         else None,
+        opinions=tuple(decoded(each, Opinion) for each in content["opinions"]),
     )
 
 

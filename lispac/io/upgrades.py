@@ -5,7 +5,7 @@ from typing import Any
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 7
+SCHEMA_VERSION = 8
 
 
 def upgraded(content: Content) -> Content:
@@ -86,6 +86,11 @@ def _from_6(content: Content) -> Content:
     return content | {"schema_version": 7, "absolute": absolute}
 
 
+def _from_7(content: Content) -> Content:
+    """Version 8 keeps what other methods say; an older one had not asked them."""
+    return content | {"schema_version": 8, "opinions": []}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _from_1,
     2: _from_2,
@@ -93,4 +98,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     4: _from_4,
     5: _from_5,
     6: _from_6,
+    7: _from_7,
 }

@@ -203,6 +203,7 @@ def with_lines_added(
     edited = replace(
         project,
         lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),
+        opinions=(),
     )
     _require_names(edited)
     with taken_back(edited):

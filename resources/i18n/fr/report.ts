@@ -3947,4 +3947,51 @@ trou (s)</translation>
         <translation>Une estimation demandée après celle-ci a été refusée : {reason} Les angles sont ceux de l&apos;estimation précédente.</translation>
     </message>
 </context>
+<context>
+    <name>second opinions</name>
+    <message>
+        <source>natural planes</source>
+        <translation>plans naturels</translation>
+    </message>
+    <message>
+        <source>targetless</source>
+        <translation>sans cible</translation>
+    </message>
+    <message>
+        <source>patch test</source>
+        <translation>patch test</translation>
+    </message>
+    <message>
+        <source>the same adjustment on the validation planes instead of the targets</source>
+        <translation>la même compensation sur les plans de validation à la place des cibles</translation>
+    </message>
+    <message>
+        <source>surfaces of the scene that no one picked</source>
+        <translation>surfaces de la scène que personne n’a choisies</translation>
+    </message>
+    <message>
+        <source>lines turned until they meet on objects</source>
+        <translation>lignes tournées jusqu’à ce qu’elles coïncident sur des objets</translation>
+    </message>
+    <message>
+        <source>{a} and {b} agree: a point {n:n} m away moves by {d:n} cm.</source>
+        <translation>{a} et {b} concordent : un point à {n} m se déplace de {d} cm.</translation>
+    </message>
+    <message>
+        <source>{a} and {b} differ by more than their sigmas explain, in {angles:list}: a point {n:n} m away moves by {d:n} cm.</source>
+        <translation>{a} et {b} diffèrent de plus que leurs sigmas n’expliquent, en {angles} : un point à {n} m se déplace de {d} cm.</translation>
+    </message>
+    <message>
+        <source>{a} and {b} differ by more than their sigmas explain, all angles together: a point {n:n} m away moves by {d:n} cm.</source>
+        <translation>{a} et {b} diffèrent de plus que leurs sigmas n’expliquent, tous angles ensemble : un point à {n} m se déplace de {d} cm.</translation>
+    </message>
+    <message>
+        <source>All methods rest on the same lines. What an error of the trajectory does to all of them alike no comparison shows, and as they share it, their difference is judged by more than its own sigma: where they differ, something is wrong; that they agree is no proof.</source>
+        <translation>Toutes les méthodes reposent sur les mêmes lignes. Ce qu’une erreur de trajectoire fait à toutes de la même façon, aucune comparaison ne le montre ; et comme elles la partagent, leur écart est jugé sur plus que son propre sigma : là où elles diffèrent, quelque chose ne va pas ; qu’elles concordent ne prouve rien.</translation>
+    </message>
+    <message>
+        <source>{project:name}: at least two validation planes that two lines see are needed; pick more of them, facing different ways.</source>
+        <translation>{project} : il faut au moins deux plans de validation vus par deux lignes ; en choisir d’autres, d’orientations différentes.</translation>
+    </message>
+</context>
 </TS>

@@ -1,0 +1,113 @@
+"""``lispac compare PROJECT``: what other methods say of the same lines."""
+
+import sys
+from argparse import Namespace
+from typing import Any
+
+import numpy as np
+
+from lispac.adjustment.result import ANGLES
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.errors import AdjustmentError, ProjectError
+from lispac.methods import WANTED, Answer, answers, missing, sentences
+from lispac.progress import part
+from lispac.project import Project
+from lispac.workflow.opinions import COMPUTED, ask
+from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.survey import load_survey
+
+
+def compare_methods(arguments: Namespace) -> None:
+    """Show the answers side by side; with ``--compute`` ask for those that are missing.
+
+    Raises
+    ------
+    ProjectError
+        Where there is no answer at all.
+    """
+    project = open_project(arguments.projects[0])
+    refused: dict[str, str] = {}
+    if arguments.compute:
+        project, refused = _asked(project)
+    found = answers(project)
+    if not found:
+        raise ProjectError(
+            f"{project.name}: there is no answer yet; estimate first, or let --compute ask other "
+            "methods."
+        )
+    if arguments.json:
+        print_json(
+            {
+                "methods": [_numbers(each) for each in found],
+                "in_words": list(sentences(found)),
+                "missing": list(missing(project)),
+                "refused": refused,
+            }
+        )
+        return
+    _print(found)
+    sys.stdout.flush()
+    for method, why in refused.items():
+        print(f"note: {method}: {why}", file=sys.stderr)
+    for method in missing(project):
+        if method not in refused:
+            print(f"note: {method} has not been asked ({WANTED[method]})", file=sys.stderr)
+
+
+def _asked(project: Project) -> tuple[Project, dict[str, str]]:
+    """The project with all answers that can be had, and why some cannot."""
+    refused: dict[str, str] = {}
+    wanted = [method for method in COMPUTED if project.opinion(method) is None]
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=part(progress, 0.0, 0.2))
+        for k, method in enumerate(wanted):
+            step = part(progress, 0.2 + 0.8 * k / len(wanted), 0.2 + 0.8 * (k + 1) / len(wanted))
+            try:
+                project = project.with_opinion(ask(project, survey, method, progress=step))
+            except AdjustmentError as error:
+                refused[method] = str(error)
+    save_project(project)
+    return project, refused
+
+
+def _print(found: tuple[Answer, ...]) -> None:
+    width = max(len(each.method) for each in found) + 2
+    heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
+    print(f"{'method':{width}s}{'lines':>6s}{'surfaces':>10s}{heads}  deg")
+    for each in found:
+        said = each.calibration
+        cells = "".join(
+            f"{angle:+12.4f} {sigma:7.4f}"
+            for angle, sigma in zip(np.degrees(said.boresight), np.degrees(said.sigma), strict=True)
+        )
+        print(f"{each.method:{width}s}{each.lines:6d}{each.surfaces:10d}{cells}")
+    if len(found) > 1:
+        print(f"\nless {found[0].method}, and over its sigma")
+    for each in found:
+        if each.against is not None:
+            cells = "".join(
+                f"{np.degrees(angle):+12.4f} {f'({over:+.1f})':>7s}"
+                for angle, over in zip(each.against.angles, each.against.significance, strict=True)
+            )
+            print(f"{each.method:{width + 16}s}{cells}")
+    for sentence in sentences(found):
+        print(sentence)
+    for each in found:
+        for remark in each.remarks:
+            print(f"{each.method}: {remark}")
+
+
+def _numbers(each: Answer) -> dict[str, Any]:
+    said, against = each.calibration, each.against
+    return {
+        "method": each.method,
+        "boresight_deg": np.degrees(said.boresight).tolist(),
+        "sigma_deg": np.degrees(said.sigma).tolist(),
+        "lines": each.lines,
+        "surfaces": each.surfaces,
+        "remarks": list(each.remarks),
+        "less_first_deg": None if against is None else np.degrees(against.angles).tolist(),
+        "over_sigma": None if against is None else against.significance.tolist(),
+        "probability": None if against is None else against.probability,
+        "differ": None if against is None else against.differ,
+    }

@@ -1,0 +1,52 @@
+"""Second opinions: what other methods say of the boresight that the targets were adjusted for."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+Method = Literal["natural planes", "targetless", "patch test"]
+METHODS: tuple[Method, ...] = ("natural planes", "targetless", "patch test")
+"""In the order they are shown in."""
+
+
+@dataclass(frozen=True, eq=False)
+class Opinion:
+    """The answer of a method that the project's targets take no part in.
+
+    Attributes
+    ----------
+    method : Method
+    boresight : ndarray of shape (3,), radians; roll, pitch, yaw
+    covariance : ndarray of shape (3, 3), radians^2
+        Each variance is positive.
+    lines : tuple of str
+        That the answer rests on.
+    surfaces : int
+        Planes, natural surfaces or objects that it rests on.
+    remarks : tuple of str
+        What is to be known of it, in sentences.
+    """
+
+    method: Method
+    boresight: Array
+    covariance: Array
+    lines: tuple[str, ...]
+    surfaces: int
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def sigma(self) -> Array:
+        """Standard deviations of roll, pitch, yaw, shape (3,), radians."""
+        return np.asarray(np.sqrt(np.diag(self.covariance)))
+
+    def is_sound(self) -> bool:
+        """Whether it is three angles with a covariance that can be one."""
+        shapes = self.boresight.shape, self.covariance.shape
+        if shapes != ((3,), (3, 3)) or not np.isfinite(self.boresight).all():
+            return False
+        finite = np.isfinite(self.covariance).all()
+        return bool(finite and np.linalg.eigvalsh(self.covariance)[0] > 0.0)

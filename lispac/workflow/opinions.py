@@ -1,0 +1,79 @@
+"""Asking other methods: the answers that a project's targets take no part in."""
+
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+
+from lispac.errors import AdjustmentError
+from lispac.opinions import Opinion
+from lispac.progress import Progress, no_progress
+from lispac.project import Project
+from lispac.workflow.calibration import estimate
+from lispac.workflow.survey import Survey
+from lispac.workflow.targetless import Targetless, targetless
+
+Computed = Literal["natural planes", "targetless"]
+COMPUTED: tuple[Computed, ...] = ("natural planes", "targetless")
+"""Methods that need no one to choose objects."""
+
+
+def natural_planes(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> Opinion:
+    """Adjust the validation planes as if they were the targets.
+
+    Raises
+    ------
+    AdjustmentError
+        Where there are too few of them, or they face too few ways.
+    """
+    planes = tuple(
+        replace(plane, role="target")
+        for plane in project.of_role("validation")
+        if plane.used and len(plane.used_sightings) > 1
+    )
+    if len(planes) < 2:
+        raise AdjustmentError(
+            f"{project.name}: at least two validation planes that two lines see are needed; pick "
+            "more of them, facing different ways."
+        )
+    solved = estimate(
+        replace(project, targets=planes, result=None), survey, cross_check=False, progress=progress
+    )
+    assert solved.result is not None
+    return _opinion("natural planes", solved)
+
+
+def of_the_scene(found: Targetless) -> Opinion:
+    """What a targetless adjustment says, without its surfaces."""
+    return _opinion("targetless", found.project, found.sentences)
+
+
+def ask(
+    project: Project, survey: Survey, method: Computed, *, progress: Progress = no_progress
+) -> Opinion:
+    """Ask one of the `COMPUTED` methods.
+
+    Raises
+    ------
+    AdjustmentError
+        Where the survey gives it no answer.
+    """
+    if method == "natural planes":
+        return natural_planes(project, survey, progress=progress)
+    return of_the_scene(targetless(project, survey, progress=progress))
+
+
+def _opinion(method: Computed, solved: Project, remarks: tuple[str, ...] = ()) -> Opinion:
+    assert solved.result is not None
+    seen = [each.sighting for each in solved.result.sightings]
+    on = {each.line for each in seen}
+    return Opinion(
+        method,
+        solved.result.boresight,
+        np.array(solved.result.covariance),
+        tuple(line.name for line in solved.lines if line.name in on),
+        len({each.target for each in seen}),
+        remarks,
+    )

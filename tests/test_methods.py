@@ -1,0 +1,168 @@
+"""Second opinions: kept, dropped with what they rest on, held against the targets."""
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import AdjustmentError, ProjectError
+from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.methods import SHARED, answers, missing, sentences
+from lispac.opinions import Method, Opinion
+from lispac.project import Project, Settings
+from lispac.workflow.opinions import natural_planes
+from lispac.workflow.survey import Survey
+from tests.report_sample import sample_project
+from tests.test_cli import answer, refused, run
+
+
+def opinion(project: Project, method: Method, off_deg: tuple[float, float, float]) -> Opinion:
+    """Off the targets' answer by so much, and as certain."""
+    assert project.result is not None
+    return Opinion(
+        method,
+        project.result.boresight + np.radians(off_deg),
+        np.array(project.result.covariance),
+        ("L1", "L2"),
+        30,
+        ("It rests on two lines.",),
+    )
+
+
+def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    assert project.result is not None
+    project = project.with_opinion(opinion(project, "targetless", (0.3, 0.0, 0.0)))
+    project = project.with_opinion(opinion(project, "natural planes", (0.0, 0.001, 0.0)))
+    found = answers(project)
+    assert [each.method for each in found] == ["targets", "natural planes", "targetless"]
+    assert (found[0].lines, found[0].surfaces, found[0].against) == (6, 2, None)
+    assert (found[2].lines, found[2].surfaces) == (2, 30)
+    far = found[2].against
+    assert far is not None
+    assert np.degrees(far.angles) == pytest.approx([0.3, 0.0, 0.0])
+    sigma = np.degrees(project.result.sigma[0])
+    assert far.significance[0] == pytest.approx(0.3 / (np.sqrt(2) * sigma))
+    near, differs, shared = sentences(found)
+    assert near.startswith("natural planes and targets agree: ")
+    assert differs == (
+        "targetless and targets differ by more than their sigmas explain, in roll: a point "
+        "50 m away moves by 26.2 cm."
+    )
+    assert shared == SHARED
+    assert missing(project) == ("patch test",)
+    assert sentences(found[:1]) == ()
+    # Without targets the first of the others takes their place.
+    alone = answers(replace(project, result=None))
+    assert [each.method for each in alone] == ["natural planes", "targetless"]
+    assert alone[0].against is None
+
+
+def test_one_of_each_method_is_kept_and_dropped_with_what_it_rests_on(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    for method, off in (("targetless", 1.0), ("natural planes", 0.0), ("targetless", 0.0)):
+        project = project.with_opinion(opinion(project, method, (off, 0.0, 0.0)))  # type: ignore[arg-type]
+    assert [each.method for each in project.opinions] == ["natural planes", "targetless"]
+    assert project.result is not None
+    kept = project.opinion("targetless")
+    assert kept is not None
+    np.testing.assert_array_equal(kept.boresight, project.result.boresight)
+    without = project.without_target("V1")
+    assert [each.method for each in without.opinions] == ["targetless"]
+    assert len(project.without_target("T1").opinions) == 2
+    assert project.with_settings(Settings((0.0, 0.0, 1.0))).opinions == ()
+
+
+def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    project = project.with_opinion(opinion(project, "patch test", (0.01, 0.02, 0.03)))
+    write_project(project)
+    (again,) = read_project(tmp_path).opinions
+    (kept,) = project.opinions
+    np.testing.assert_array_equal(again.covariance, kept.covariance)
+    np.testing.assert_array_equal(again.boresight, kept.boresight)
+    assert (again.method, again.lines, again.surfaces, again.remarks) == (
+        kept.method, kept.lines, kept.surfaces, kept.remarks,
+    )  # fmt: skip
+    np.testing.assert_array_equal(again.sigma, np.sqrt(np.diag(kept.covariance)))
+    path = tmp_path / FILE_NAME
+    sound = json.loads(path.read_text())
+
+    def spoilt(change: Callable[[dict[str, object]], None]) -> str:
+        content = json.loads(json.dumps(sound))
+        change(content["opinions"][0])
+        path.write_text(json.dumps(content))
+        with pytest.raises(ProjectError) as caught:
+            read_project(tmp_path)
+        return str(caught.value)
+
+    assert "the answer of patch test" in spoilt(lambda one: one.update(covariance=[[0.0] * 3] * 3))
+    assert "the answer of patch test" in spoilt(lambda one: one.update(boresight=[0.0, 1.0]))
+    assert "damaged" in spoilt(lambda one: one.update(method="guess"))
+
+
+def test_natural_planes_are_the_validation_planes(calibrated: tuple[Project, Survey]) -> None:
+    """An answer without any target, as near the truth as it says."""
+    project, survey = calibrated
+    assert project.truth_deg is not None
+    found = natural_planes(project, survey)
+    assert found.surfaces == len(project.of_role("validation"))
+    assert found.lines == tuple(survey.scans)
+    off = np.degrees(found.boresight) - project.truth_deg
+    assert (np.abs(off) < 3 * np.degrees(found.sigma)).all(), off
+    assert np.degrees(found.sigma).max() < 0.02
+    few = project
+    for plane in project.of_role("validation")[1:]:
+        few = few.without_target(plane.name)
+    with pytest.raises(AdjustmentError, match="at least two validation planes"):
+        natural_planes(few, survey)
+
+
+def test_the_command_shows_them_side_by_side(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    project = sample_project(tmp_path / "p")
+    write_project(project)
+    code, out, err = run(capsys, "compare", tmp_path / "p")
+    assert code == 0
+    assert out.count("\n") == 2, "the targets alone"
+    assert err.count("has not been asked") == 3
+    project = project.with_opinion(opinion(project, "targetless", (0.3, 0.0, 0.0)))
+    write_project(project)
+    found = answer(capsys, "compare", tmp_path / "p")
+    assert [each["method"] for each in found["methods"]] == ["targets", "targetless"]
+    assert found["methods"][0]["less_first_deg"] is None
+    assert found["methods"][1]["less_first_deg"] == pytest.approx([0.3, 0.0, 0.0])
+    assert found["methods"][1]["differ"]
+    assert found["missing"] == ["natural planes", "patch test"]
+    _, out, _ = run(capsys, "compare", tmp_path / "p")
+    assert "+0.3000" in out
+    assert "targetless: It rests on two lines." in out
+    write_project(replace(project, result=None, opinions=(), validation=(), absolute=None))
+    assert "estimate first" in refused(capsys, "compare", tmp_path / "p")
+
+
+def test_compute_asks_keeps_and_says_what_cannot_be_asked(
+    capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    from lispac.workflow import targetless
+
+    project = replace(demo_project, folder=tmp_path / "p")
+    project.folder.mkdir()
+    write_project(project)
+    monkeypatch.setattr(targetless.targetless, "__kwdefaults__", {
+        **(targetless.targetless.__kwdefaults__ or {}), "count": 12,
+    })  # fmt: skip
+    found = answer(capsys, "compare", project.folder, "--compute")
+    assert [each["method"] for each in found["methods"]] == ["targetless"]
+    assert "at least two validation planes" in found["refused"]["natural planes"]
+    (kept,) = read_project(project.folder).opinions
+    assert kept.method == "targetless"
+    assert np.degrees(kept.boresight) == pytest.approx(found["methods"][0]["boresight_deg"])
+    code, out, err = run(capsys, "compare", project.folder, project.folder, "--compute")
+    assert (code, out) == (2, "")
+    assert "give one project" in err
