@@ -17,7 +17,7 @@ from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
 
 CHECKOUT = Path(__file__).resolve().parents[1]
-MANUAL = CHECKOUT / "resources" / "manual" / "en" / "scripts.md"
+MANUAL = CHECKOUT / "resources" / "manual"
 TRUTH = (0.27, -1.14, 0.36)
 
 
@@ -82,13 +82,23 @@ def test_the_steps_are_those_of_the_command_line(
     assert (np.abs(np.array(quay.boresight_deg) - TRUTH) < 3 * np.array(quay.sigma_deg)).all()
 
 
-def test_the_example_of_the_manual_runs(tmp_path: Path) -> None:
-    example, other = re.findall(r"```python\n(.*?)```", MANUAL.read_text(encoding="utf-8"), re.S)
+@pytest.mark.parametrize(
+    ("language", "told_as"),
+    [
+        ("en", r"(?:roll|pitch|yaw) +(\S+) deg, 1 sigma (\S+)"),
+        ("fr", r"(?:roulis|tangage|lacet) +(\S+)°, écart-type (\S+)"),
+    ],
+    ids=["en", "fr"],
+)
+def test_the_example_of_the_manual_runs(language: str, told_as: str, tmp_path: Path) -> None:
+    text = (MANUAL / language / "scripts.md").read_text(encoding="utf-8")
+    example, other = re.findall(r"```python\n(.*?)```", text, re.S)
     ast.parse(other)
     done = subprocess.run(
-        [sys.executable, "-c", example], cwd=tmp_path, capture_output=True, text=True, check=False,
+        [sys.executable, "-c", example], cwd=tmp_path, capture_output=True, encoding="utf-8",
+        check=False,
         env={
-            "PYTHONPATH": str(CHECKOUT), "HOME": str(tmp_path),
+            "PYTHONPATH": str(CHECKOUT), "HOME": str(tmp_path), "PYTHONUTF8": "1",
             # What has been compiled for the other tests
             **{name: os.environ[name] for name in ("NUMBA_CACHE_DIR",) if name in os.environ},
         },
@@ -96,7 +106,7 @@ def test_the_example_of_the_manual_runs(tmp_path: Path) -> None:
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("points") == 6
-    told = re.findall(r"(?:roll|pitch|yaw) +(\S+) deg, 1 sigma (\S+)", done.stdout)
+    told = re.findall(told_as, done.stdout)
     for (value, sigma), truth in zip(told, TRUTH, strict=True):
         assert abs(float(value) - truth) < 3 * float(sigma) + 1e-4
     report = json.loads((tmp_path / "quay.json").read_text(encoding="utf-8"))
