@@ -84,9 +84,10 @@ def test_a_template_holds_what_a_company_wants(template: Path) -> None:
     assert report_options() == USUAL
 
 
-def test_the_template_of_the_manual_is_one(tmp_path: Path) -> None:
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> None:
     checkout = Path(__file__).resolve().parents[1]
-    manual = checkout / "resources" / "manual" / "en" / "report.md"
+    manual = checkout / "resources" / "manual" / language / "report.md"
     blocks = re.findall(r"(?:^ {4}.*\n)+", manual.read_text(encoding="utf-8"), re.MULTILINE)
     (text,) = (textwrap.dedent(block) for block in blocks if "logo" in block)
     (tmp_path / "logo.svg").write_bytes(LOGO)
