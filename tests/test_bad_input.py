@@ -8,10 +8,12 @@ from pathlib import Path
 import pytest
 
 from lispac.cli.main import main
+from lispac.language.catalogue import catalogue_of
+from lispac.language.translation import Translator
 from tests.bad_files import DOUBTED, REFUSED, Scene
 from tests.bad_places import REMEDIES
 
-MANUAL = Path(__file__).resolve().parents[1] / "resources" / "manual" / "en" / "bad-input.md"
+MANUAL = Path(__file__).resolve().parents[1] / "resources" / "manual"
 REMEDY = (
     r"copy|export|choose|check|give|leave|state|clean|make room|say which|sort|bring|move|add|name"
 )
@@ -33,12 +35,13 @@ def held(scene: Scene) -> dict[str, bytes | None]:
     }
 
 
-def rows() -> dict[str, tuple[str, str, str]]:
+def rows(language: str = "en") -> dict[str, tuple[str, str, str]]:
     """Rows of the table: what is wrong to what is said, what to do and what is kept."""
     found: dict[str, tuple[str, str, str]] = {}
-    for line in MANUAL.read_text(encoding="utf-8").splitlines():
+    heads = ("What is wrong", "Ce qui ne va pas")
+    for line in (MANUAL / language / "bad-input.md").read_text(encoding="utf-8").splitlines():
         cells = [cell.strip().replace(r"\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
-        if len(cells) == 4 and not set(cells[0]) <= set("-: ") and cells[0] != "What is wrong":
+        if len(cells) == 4 and not set(cells[0]) <= set("-: ") and cells[0] not in heads:
             assert cells[0] not in found, cells[0]
             found[cells[0]] = (cells[1], cells[2], cells[3])
     return found
@@ -48,6 +51,16 @@ def test_the_table_has_a_row_for_every_case_and_no_other() -> None:
     assert set(rows()) == {*REFUSED, *DOUBTED}
     assert not set(REFUSED) & set(DOUBTED)
     assert all(all(cells) for cells in rows().values())
+
+
+def test_the_french_table_says_what_a_french_window_says() -> None:
+    french = Translator(catalogue_of("fr"))
+    english = list(rows().values())
+    page = list(rows("fr").values())
+    assert [said for said, _, _ in page] == [french(said) for said, _, _ in english]
+    for (_, do, _), (_, remedy, _) in zip(page, english, strict=True):
+        typed = re.findall("`[^`]+`", remedy.replace("FILE", "FICHIER"))
+        assert re.findall("`[^`]+`", do) == typed
 
 
 @pytest.mark.parametrize("name", REFUSED)
