@@ -7,6 +7,7 @@ from lispac import __version__
 from lispac.cli import (
     design_options,
     estimate_options,
+    patch_test_options,
     pick_options,
     report_options,
     script_options,
@@ -53,6 +54,7 @@ def build_parser() -> argparse.ArgumentParser:
     _history(commands)
     _budget(commands)
     _targetless(commands)
+    patch_test_options.add(commands)
     _georeference(commands)
     _export(commands)
     report_options.add(commands)

@@ -5203,4 +5203,91 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Au dernier tour d&apos;appariement, les angles bougeaient encore de plus de {setting} % de leurs écarts-types.</translation>
     </message>
 </context>
+<context>
+    <name>patchtest</name>
+    <message>
+        <source>The answer rests on {a:n} objects and {b:n} lines.</source>
+        <translation>La réponse repose sur {a} objets et {b} lignes.</translation>
+    </message>
+    <message>
+        <source>The mismatch (robust RMS distance between lines, at most {a:n} mm) is {b:n} mm; with the prior boresight the lines do not meet there.</source>
+        <translation>L&apos;écart (distance EMQ robuste entre lignes, {a} mm au plus) est de {b} mm ; avec les angles de visée a priori, les lignes ne s&apos;y recoupent pas.</translation>
+    </message>
+    <message>
+        <source>The mismatch (robust RMS distance between lines, at most {a:n} mm) falls from {b:n} mm with the prior boresight to {c:n} mm.</source>
+        <translation>L&apos;écart (distance EMQ robuste entre lignes, {a} mm au plus) passe de {b} mm avec les angles de visée a priori à {c} mm.</translation>
+    </message>
+    <message>
+        <source>A sigma cannot be stated: {a:n} objects are too few to tell how far the answer would move with others; at least {b:n} are needed.</source>
+        <translation>Aucun écart type ne peut être donné : {a} objets ne suffisent pas pour dire de combien la réponse changerait avec d&apos;autres ; il en faut au moins {b}.</translation>
+    </message>
+    <message>
+        <source>The angles still moved when the search ended.</source>
+        <translation>Les angles bougeaient encore à la fin de la recherche.</translation>
+    </message>
+    <message>
+        <source>Turned one after another, the angles end elsewhere: the {angle} by {a:n} deg.</source>
+        <translation>Tournés l&apos;un après l&apos;autre, les angles aboutissent ailleurs : le {angle} de {a}°.</translation>
+    </message>
+    <message>
+        <source>{object:name} does not agree: its own minimum of the {angle} is off by {a:n} deg, and {b:n} deg would be usual.</source>
+        <translation>{object} est en désaccord : son propre minimum du {angle} est décalé de {a}°, alors que {b}° serait habituel.</translation>
+    </message>
+    <message>
+        <source>No two of the lines meet at: {names:list}.</source>
+        <translation>Aucune paire de lignes ne se recoupe à : {names}.</translation>
+    </message>
+    <message>
+        <source>{object:name}: the box&apos;s centre or turn is not a number; correct it.</source>
+        <translation>{object} : le centre ou l&apos;orientation de la boîte n&apos;est pas un nombre ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>{object:name}: a side of the box is not between {a:n} and {b:n} m; correct it.</source>
+        <translation>{object} : un côté de la boîte n&apos;est pas compris entre {a} et {b} m ; corrigez-le.</translation>
+    </message>
+    <message>
+        <source>Turning the angles</source>
+        <translation>Rotation des angles</translation>
+    </message>
+    <message>
+        <source>Turning the {angle}</source>
+        <translation>Rotation du {angle}</translation>
+    </message>
+    <message>
+        <source>No two of the chosen lines meet at any of the objects; tick objects that both lines of a pair see.</source>
+        <translation>Aucune paire des lignes choisies ne se recoupe à l&apos;un des objets ; cochez des objets que voient les deux lignes d&apos;une paire.</translation>
+    </message>
+    <message>
+        <source>The ticked objects and pairs leave the {angle} open; add objects that face other ways, or lines in other directions.</source>
+        <translation>Les objets et les paires cochés laissent le {angle} indéterminé ; ajoutez des objets orientés autrement, ou des lignes d&apos;autres directions.</translation>
+    </message>
+    <message>
+        <source>same direction</source>
+        <translation>même sens</translation>
+    </message>
+    <message>
+        <source>reciprocal</source>
+        <translation>réciproques</translation>
+    </message>
+    <message>
+        <source>crossing</source>
+        <translation>croisées</translation>
+    </message>
+    <message>
+        <source>oblique</source>
+        <translation>obliques</translation>
+    </message>
+    <message>
+        <source>Looking for objects that lines share</source>
+        <translation>Recherche d&apos;objets communs aux lignes</translation>
+    </message>
+    <message>
+        <source>Taking the points about the objects</source>
+        <translation>Extraction des points autour des objets</translation>
+    </message>
+    <message>
+        <source>{project}: the lines share no flat surface; lay boxes about objects that two lines see.</source>
+        <translation>{project} : les lignes ne partagent aucune surface plane ; placez des boîtes autour d&apos;objets que voient deux lignes.</translation>
+    </message>
+</context>
 </TS>

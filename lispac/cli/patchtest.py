@@ -1,0 +1,140 @@
+"""``lispac patchtest``: lines laid onto each other about objects, and what to think of it."""
+
+from argparse import Namespace
+from collections.abc import Iterable
+from typing import Any, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.patchtest.answer import PatchTest
+from lispac.patchtest.boxes import Box, PatchObject, checked
+from lispac.patchtest.objects import COUNT
+from lispac.patchtest.optimise import ANGLES
+from lispac.patchtest.pairs import Kind, LinePair
+from lispac.progress import part
+from lispac.workflow import patch_test as workflow
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import Survey, load_survey
+
+Array = NDArray[np.float64]
+
+NUMBERS = (6, 7)
+"""That a box is given by: without and with its turn."""
+
+
+def patchtest(arguments: Namespace) -> None:
+    """Do the patch test of a project; the project stays as it is.
+
+    Raises
+    ------
+    UsageError
+        Where a box or a line is not one.
+    """
+    given = [_object(name, text) for name, text in arguments.object or ()]
+    if len({each.name for each in given}) < len(given):
+        raise UsageError("patchtest: two objects have the same name.")
+    count = arguments.count if arguments.count is not None else 0 if given else COUNT
+    if not given and not count:
+        raise UsageError("patchtest: give objects with --object, or look for some with --count.")
+    with ConsoleProgress() as progress:
+        project = open_project(arguments.project)
+        survey = load_survey(project, progress=part(progress, 0.0, 0.3))
+        pairs = _pairs(survey, arguments.pairs or (), arguments.lines)
+        if count:
+            step = part(progress, 0.3, 0.6)
+            laid = workflow.propose(project, survey, count=count, progress=step)
+            if given:
+                objects = (*given, *laid.objects)
+                laid = workflow.lay(project, survey, objects, laid.boresight)
+        else:
+            laid = workflow.lay(project, survey, given, survey.aligned.mounting.boresight)
+        found = workflow.find(project, survey, laid, pairs=pairs, progress=part(progress, 0.6, 1.0))
+    if arguments.json:
+        print_json(numbers(found))
+    else:
+        print_answer(found)
+
+
+def print_answer(found: PatchTest) -> None:
+    """Angles with their sigmas, objects, and what to think of them."""
+    print("LiDAR patch test (deg)      found   sigma  one by one   mm per 0.01 deg")
+    for k, angle in enumerate(ANGLES):
+        sigma = "none" if found.sigma is None else f"{np.degrees(found.sigma[k]):.4f}"
+        print(
+            f"  {angle:<18}{np.degrees(found.boresight[k]):>+13.4f}  {sigma:>6}"
+            f"{np.degrees(found.one_by_one[k]):>+12.4f}"
+            f"{1000 * np.radians(0.01) * found.curvature[k]:>18.1f}"
+        )
+    print("Object            pairs  apart (mm)  own minimum off (deg)  usual (deg)")
+    for each in found.objects:
+        mark = "  DIFFERS" if each.disagrees else ""
+        print(
+            f"  {each.name:<16}{len(each.pairs):>5}{1000 * each.mismatch:>12.1f}"
+            f"  {ANGLES[each.angle]:>10}{np.degrees(each.off):>+11.4f}"
+            f"{np.degrees(each.allowed):>13.4f}{mark}"
+        )
+    for sentence in found.sentences:
+        print(sentence)
+
+
+def numbers(found: PatchTest) -> dict[str, Any]:
+    """Everything as plain values, angles in degrees."""
+    sigma = found.sigma
+    return {
+        "boresight_deg": _by_angle(np.degrees(found.boresight)),
+        "sigma_deg": None if sigma is None else _by_angle(np.degrees(sigma)),
+        "covariance_deg2": None
+        if found.covariance is None
+        else (np.degrees(1.0) ** 2 * found.covariance).tolist(),
+        "one_by_one_deg": _by_angle(np.degrees(found.one_by_one)),
+        "curvature_m_per_deg": _by_angle(np.radians(1.0) * found.curvature),
+        "mismatch_before_m": found.mismatch_before if np.isfinite(found.mismatch_before) else None,
+        "mismatch_m": found.mismatch,
+        "rounds": found.rounds,
+        "settled": found.settled,
+        "lines": list(found.lines),
+        "objects": [
+            {
+                "name": each.name,
+                "pairs": list(each.pairs),
+                "mismatch_m": each.mismatch,
+                "angle": ANGLES[each.angle],
+                "off_deg": float(np.degrees(each.off)),
+                "allowed_deg": float(np.degrees(each.allowed)),
+                "disagrees": each.disagrees,
+            }
+            for each in found.objects
+        ],
+        "unmet": list(found.unmet),
+        "remarks": list(found.sentences),
+    }
+
+
+def _by_angle(values: Array) -> dict[str, float]:
+    return {angle: float(value) for angle, value in zip(ANGLES, values, strict=True)}
+
+
+def _object(name: str, text: str) -> PatchObject:
+    try:
+        values = [float(word) for word in text.split(",")]
+    except ValueError:
+        values = []
+    if len(values) not in NUMBERS:
+        raise UsageError(
+            f"patchtest: {name}={text} is not NAME=N,W,U,A,L,H or NAME=N,W,U,A,L,H,TURN."
+        )
+    turn = np.radians(values[6]) if len(values) == NUMBERS[1] else 0.0
+    return checked(name, Box(np.array(values[:3]), np.array(values[3:6]), float(turn)))
+
+
+def _pairs(survey: Survey, kinds: Iterable[str], lines: list[str] | None) -> tuple[LinePair, ...]:
+    for line in lines or ():
+        if line not in survey.clouds:
+            raise UsageError(
+                f"patchtest: there is no line {line}; there are {', '.join(survey.lines)}."
+            )
+    wanted = {kind for kind in get_args(Kind) if kind.split()[0] in kinds}
+    found = workflow.line_pairs(survey, wanted)
+    return tuple(pair for pair in found if lines is None or set(pair.lines) <= set(lines))

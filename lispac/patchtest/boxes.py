@@ -1,0 +1,81 @@
+"""Boxes about objects: a pole, a pillar, the leg of a crane, the edge of a wall."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+UP = np.array([0.0, 0.0, 1.0])
+SMALLEST, LARGEST = 0.1, 200.0
+"""Sides of a box, metres."""
+
+
+@dataclass(frozen=True, eq=False)
+class Box:
+    """An upright box, turned about the vertical.
+
+    Attributes
+    ----------
+    centre : ndarray of shape (3,), metres, local frame
+    size : ndarray of shape (3,), metres
+        Ahead, to the left, upwards.
+    turn : float, radians
+        Where ahead is, clockwise from north.
+    """
+
+    centre: Array
+    size: Array
+    turn: float = 0.0
+
+    @property
+    def axes(self) -> Array:
+        """Ahead, left and up as rows, shape (3, 3), unit vectors, local frame."""
+        ahead = np.array([np.cos(self.turn), -np.sin(self.turn), 0.0])
+        return np.array([ahead, np.cross(UP, ahead), UP])
+
+    @property
+    def reach(self) -> float:
+        """Distance of a corner from the centre, metres."""
+        return 0.5 * float(np.linalg.norm(self.size))
+
+    def inside(self, points: Array, margin: float = 0.0) -> Flags:
+        """Which points lie in it, shape (n,).
+
+        Parameters
+        ----------
+        points : ndarray of shape (n, 3), metres, local frame
+        margin : float, metres
+            By which the box is larger on every side.
+        """
+        seen = np.abs((points - self.centre) @ self.axes.T)
+        return np.asarray((seen <= 0.5 * self.size + margin).all(axis=1))
+
+
+@dataclass(frozen=True, eq=False)
+class PatchObject:
+    """An object that lines are laid onto each other about."""
+
+    name: str
+    box: Box
+
+
+def checked(name: str, box: Box) -> PatchObject:
+    """An object from a box given by hand.
+
+    Raises
+    ------
+    InputError
+        A side that is no length, or a centre that is no place.
+    """
+    if not (np.isfinite(box.centre).all() and np.isfinite(box.turn)):
+        raise InputError(f"{name}: the box's centre or turn is not a number; correct it.")
+    if not ((box.size >= SMALLEST) & (box.size <= LARGEST)).all():
+        raise InputError(
+            f"{name}: a side of the box is not between {SMALLEST:g} and {LARGEST:g} m; correct it."
+        )
+    return PatchObject(name, box)

@@ -1,0 +1,159 @@
+"""Angles that make the mismatch smallest, one after another or all three together.
+
+One after another they are turned in the classical order: roll, pitch, yaw. Reciprocal lines are
+turned against each other by a roll and by a pitch. A roll moves what is beside the vessel up and
+down, and what is high up to and fro, which level and upright surfaces show whatever the two others
+are. A pitch moves what is high up along the course, a pole or an edge, by which time the roll has
+to be right. A yaw turns all that is seen about the vertical, on reciprocal lines the same way and
+by as much, so that they hardly show it; lines that cross, pass at another distance or on the other
+side do, and what they differ by is the yaw's own only once the two others are right. What is left
+of later angles in the earlier ones goes with further rounds.
+
+Each stage squares distances up to a smaller scale than the one before: at first lines may be half
+a metre apart, in the end a stray point is not to draw them.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import AdjustmentError
+from lispac.patchtest.mismatch import SCALE, Block, Mismatch
+from lispac.patchtest.sample import Sample
+from lispac.patchtest.steps import equations
+from lispac.progress import Progress, no_progress
+
+Array = NDArray[np.float64]
+
+ANGLES = ("roll", "pitch", "yaw")
+SCALES = (0.5, 0.2, SCALE)
+"""Metres, from stage to stage."""
+STEPS, ROUNDS = 6, 12
+"""Most steps of a stage, and most rounds of one angle after another."""
+SETTLED = np.radians(2e-4)
+"""Radians that the last step moves at most."""
+LONGEST = np.radians(1.0)
+"""Longest step, radians."""
+LEVERAGE = 2.0
+"""Metres that surfaces move along their normals for a radian, in the root mean square, below which
+an angle counts as open, as `lispac.targets.alignment` has it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Minimum:
+    """Where the mismatch is smallest.
+
+    Attributes
+    ----------
+    boresight : ndarray of shape (3,), radians
+    rounds : int
+        Of one angle after another; 1 of what was found together.
+    settled : bool
+        Whether nothing moved in the last step.
+    """
+
+    boresight: Array
+    rounds: int
+    settled: bool
+
+
+def minimise(
+    sample: Sample,
+    blocks: Sequence[Block],
+    start: Array,
+    angles: Sequence[int] = (0, 1, 2),
+    *,
+    progress: Progress = no_progress,
+) -> Minimum:
+    """Turn some angles together until the mismatch is smallest; the others stay.
+
+    Parameters
+    ----------
+    start : ndarray of shape (3,), radians
+    angles : sequence of int
+        0 roll, 1 pitch, 2 yaw.
+
+    Raises
+    ------
+    AdjustmentError
+        Where nothing overlaps, or the objects leave an angle open.
+    """
+    boresight = np.array(start, dtype=float)
+    turned = list(angles)
+    settled = False
+    whole = Mismatch(sample, blocks)
+    for stage, scale in enumerate(SCALES):
+        mismatch = whole.with_scale(scale)
+        for number in range(STEPS):
+            progress((stage + number / STEPS) / len(SCALES), "Turning the angles")
+            step = _step(mismatch, boresight, turned)
+            boresight[turned] += step
+            settled = bool(np.abs(step).max() <= SETTLED)
+            if settled:
+                break
+    return Minimum(boresight, 1, settled)
+
+
+def one_after_another(
+    sample: Sample,
+    blocks: Sequence[Block],
+    start: Array,
+    *,
+    progress: Progress = no_progress,
+) -> Minimum:
+    """Roll, then pitch, then yaw, again and again until none moves; see the module.
+
+    Parameters
+    ----------
+    start : ndarray of shape (3,), radians
+
+    Raises
+    ------
+    AdjustmentError
+        As `minimise`.
+    """
+    boresight, whole = np.array(start, dtype=float), Mismatch(sample, blocks)
+    for rounds in range(1, ROUNDS + 1):
+        mismatch = whole.with_scale(SCALES[min(rounds - 1, len(SCALES) - 1)])
+        before = boresight.copy()
+        for angle in range(3):
+            progress((rounds - 1 + angle / 3) / ROUNDS, f"Turning the {ANGLES[angle]}")
+            boresight[angle] += _step(mismatch, boresight, [angle])[0]
+        moved = float(np.abs(boresight - before).max())
+        if rounds >= len(SCALES) and moved <= SETTLED:
+            return Minimum(boresight, rounds, True)
+    return Minimum(boresight, ROUNDS, False)
+
+
+def _step(mismatch: Mismatch, boresight: Array, turned: Sequence[int]) -> Array:
+    """By how much the angles ``turned`` go at once, shape (k,), radians."""
+    found = equations(mismatch, boresight)
+    weight = mismatch.weights
+    some = np.ix_(list(turned), list(turned))
+    normal = np.einsum("b,bij->ij", weight, found.normal)[some]
+    require_told(normal, float(weight[found.meets].sum()), turned)
+    step = -np.linalg.solve(normal, (weight @ found.gradient)[list(turned)])
+    return np.asarray(np.clip(step, -LONGEST, LONGEST))
+
+
+def require_told(normal: Array, weight: float, turned: Sequence[int]) -> None:
+    """Refuse to turn an angle that no object tells.
+
+    Raises
+    ------
+    AdjustmentError
+    """
+    if weight <= 0:
+        raise AdjustmentError(
+            "No two of the chosen lines meet at any of the objects; tick objects that both lines "
+            "of a pair see."
+        )
+    values, axes = np.linalg.eigh(normal / weight)
+    if values[0] < LEVERAGE**2:
+        angle = ANGLES[turned[int(np.abs(axes[:, 0]).argmax())]]
+        raise AdjustmentError(
+            f"The ticked objects and pairs leave the {angle} open; add objects that face other "
+            "ways, or lines in other directions."
+        )

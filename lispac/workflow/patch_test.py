@@ -1,0 +1,194 @@
+"""The LiDAR patch test of a project: objects and pairs proposed, angles turned, the answer judged.
+
+It is a second opinion beside the adjustment of targets: other objects, another measure, the same
+georeferencing and the same POS errors. The project's targets take no part.
+"""
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import AdjustmentError
+from lispac.patchtest.answer import PatchTest
+from lispac.patchtest.boxes import PatchObject
+from lispac.patchtest.mismatch import Block, Mismatch, blocks_of
+from lispac.patchtest.objects import COUNT, proposed
+from lispac.patchtest.optimise import Minimum, minimise, one_after_another
+from lispac.patchtest.pairs import Kind, LinePair, pairs_of
+from lispac.patchtest.sample import MARGIN, Sample
+from lispac.patchtest.sigmas import known
+from lispac.progress import Progress, no_progress, part
+from lispac.project import Project
+from lispac.survey.cloud import Cloud, placed_with
+from lispac.workflow.survey import Survey
+
+Array = NDArray[np.float64]
+
+MOVED = np.radians(0.05)
+"""Where an angle has moved by more, radians, the objects' points are taken again: lines were apart
+when they were taken, and boxes did not hold the same of each."""
+
+
+@dataclass(frozen=True, eq=False)
+class Laid:
+    """Objects laid out in a survey, and the points that lines have there.
+
+    Attributes
+    ----------
+    objects : tuple of PatchObject
+    boresight : ndarray of shape (3,), radians
+        With which the lines were placed when the objects' points were taken.
+    sample : Sample
+    """
+
+    objects: tuple[PatchObject, ...]
+    boresight: Array
+    sample: Sample = field(repr=False)
+
+    def blocks(self, objects: Collection[str], pairs: Sequence[LinePair]) -> list[Block]:
+        """What some objects and pairs of lines compare."""
+        return [b for b in blocks_of(self.sample, pairs) if b.first.object.name in objects]
+
+
+def line_pairs(survey: Survey, kinds: Collection[Kind] = ()) -> tuple[LinePair, ...]:
+    """All pairs of lines, reciprocal ones first; those of some kinds where kinds are given."""
+    return tuple(p for p in pairs_of(survey.heading) if not kinds or p.kind in kinds)
+
+
+def placed(project: Project, survey: Survey, boresight: Array) -> dict[str, Cloud]:
+    """All lines with a boresight, shape (3,), radians."""
+    return placed_with(survey.clouds, project.mounting("prior").with_boresight(boresight))
+
+
+def propose(
+    project: Project, survey: Survey, *, count: int = COUNT, progress: Progress = no_progress
+) -> Laid:
+    """Find objects that lines share, wherever the prior boresight is.
+
+    Raises
+    ------
+    AdjustmentError
+        Where the lines share none.
+    """
+    if len(survey.clouds) < 2:
+        raise AdjustmentError(
+            f"{project.name}: one line meets nothing; add lines in other directions over the same "
+            "scene."
+        )
+    progress(0.0, "Aligning the lines")
+    boresight = survey.aligned.mounting.boresight
+    clouds = placed(project, survey, boresight)
+    progress(0.4, "Looking for objects that lines share")
+    objects = proposed(clouds, survey.accuracy, project.settings.lidar_sigma, count=count)
+    if not objects:
+        raise AdjustmentError(
+            f"{project.name}: the lines share no flat surface; lay boxes about objects that two "
+            "lines see."
+        )
+    return lay(project, survey, objects, boresight, progress=part(progress, 0.6, 1.0))
+
+
+def lay(
+    project: Project,
+    survey: Survey,
+    objects: Sequence[PatchObject],
+    boresight: Array,
+    *,
+    margin: float = MARGIN,
+    progress: Progress = no_progress,
+) -> Laid:
+    """Take the points that lines have in the objects' boxes.
+
+    Parameters
+    ----------
+    boresight : ndarray of shape (3,), radians
+        With which the lines are placed; the boxes are to hold what is meant then.
+    """
+    progress(0.0, "Taking the points about the objects")
+    clouds = placed(project, survey, boresight)
+    sample = Sample.of(objects, clouds, survey.scans, margin=margin)
+    return Laid(tuple(objects), np.asarray(boresight, dtype=float), sample)
+
+
+def find(
+    project: Project,
+    survey: Survey,
+    laid: Laid,
+    *,
+    pairs: Sequence[LinePair] | None = None,
+    start: Array | None = None,
+    progress: Progress = no_progress,
+) -> PatchTest:
+    """Turn all three angles until the mismatch is smallest, and judge the answer.
+
+    Parameters
+    ----------
+    pairs : sequence of LinePair, optional
+        All there are where it is not given.
+    start : ndarray of shape (3,), radians, optional
+        That with which the objects were laid out where it is not given.
+
+    Raises
+    ------
+    AdjustmentError
+        Where lines do not meet at the objects, or leave an angle open.
+    """
+    project.settings.require_sound()
+    chosen = line_pairs(survey) if pairs is None else tuple(pairs)
+    names = {each.name for each in laid.objects}
+    at = np.asarray(laid.boresight if start is None else start, dtype=float)
+    together = minimise(
+        laid.sample, laid.blocks(names, chosen), at, progress=part(progress, 0.0, 0.4)
+    )
+    if np.abs(together.boresight - laid.boresight).max() > MOVED:
+        laid = lay(project, survey, laid.objects, together.boresight)
+        step = part(progress, 0.5, 0.7)
+        together = minimise(
+            laid.sample, laid.blocks(names, chosen), together.boresight, progress=step
+        )
+    blocks = laid.blocks(names, chosen)
+    turned = one_after_another(laid.sample, blocks, at, progress=part(progress, 0.7, 1.0))
+    return _judged(project, survey, laid, blocks, together, turned)
+
+
+def find_angle(
+    laid: Laid, blocks: Sequence[Block], start: Array, angle: int,
+    *, progress: Progress = no_progress,
+) -> Minimum:  # fmt: skip
+    """Turn one angle alone: 0 roll, 1 pitch, 2 yaw.
+
+    Raises
+    ------
+    AdjustmentError
+        Where lines do not meet at the objects, or leave the angle open.
+    """
+    return minimise(laid.sample, blocks, start, (angle,), progress=progress)
+
+
+def _judged(
+    project: Project, survey: Survey, laid: Laid, blocks: Sequence[Block], together: Minimum,
+    turned: Minimum,
+) -> PatchTest:  # fmt: skip
+    model, mismatch = project.settings.stochastic_model, Mismatch(laid.sample, blocks)
+    judged = known(
+        mismatch, together.boresight, survey.accuracy, model.position_time, model.attitude_time
+    )
+    met = {each.name for each in judged.objects}
+    used = [b for b in blocks if b.first.object.name in met]
+    return PatchTest(
+        boresight=together.boresight,
+        one_by_one=turned.boresight,
+        covariance=judged.covariance,
+        curvature=judged.curvature,
+        mismatch_before=mismatch(project.mounting("prior").boresight),
+        mismatch=mismatch(together.boresight),
+        lines=tuple(
+            line for line in survey.lines if any(line in block.pair.lines for block in used)
+        ),
+        objects=judged.objects,
+        rounds=turned.rounds,
+        settled=together.settled and turned.settled,
+        unmet=tuple(each.name for each in laid.objects if each.name not in met),
+    )

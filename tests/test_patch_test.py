@@ -1,0 +1,314 @@
+"""The LiDAR patch test, against surveys whose truth others have set."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.errors import AdjustmentError, InputError
+from lispac.patchtest.answer import PatchTest
+from lispac.patchtest.boxes import Box, PatchObject, checked
+from lispac.patchtest.mismatch import Mismatch, blocks_of
+from lispac.patchtest.optimise import minimise
+from lispac.patchtest.pairs import kind_of, pairs_of
+from lispac.patchtest.sample import Sample
+from lispac.patchtest.steps import equations
+from lispac.project import Project
+from lispac.simulation.survey import port_survey
+from lispac.survey.cloud import CloudInMemory
+from lispac.survey.georeferencing import place, to_lidar
+from lispac.survey.scan import Scan
+from lispac.survey.trajectory import Poses
+from lispac.workflow.patch_test import Laid, find, find_angle, lay, line_pairs, propose
+from lispac.workflow.projects import create_project, open_project
+from lispac.workflow.simulate import RAW, triple, write_lines, write_trajectory
+from lispac.workflow.survey import Survey, load_survey
+from tests.test_cli import answer
+from tests.test_reference_surveys import angles, make
+
+Opened = tuple[Project, Survey]
+
+MAST = PatchObject("mast", Box(np.array([9.0, -17.0, 15.5]), np.array([1.6, 1.6, 10.0])))
+"""Of the built-in scene: a pole 12 cm thick that stands on the pier."""
+
+
+@pytest.fixture(scope="module")
+def thinned(demo_project: Project) -> Opened:
+    """The built-in survey with a third of its points, and nothing picked."""
+    return demo_project, load_survey(demo_project)
+
+
+@pytest.fixture(scope="module")
+def laid(thinned: Opened) -> Laid:
+    return propose(*thinned)
+
+
+@pytest.fixture(scope="module")
+def clean(thinned: Opened, laid: Laid) -> PatchTest:
+    return find(*thinned, laid)
+
+
+def truth(project: Project) -> np.ndarray:
+    return np.radians(project.truth_deg)
+
+
+def error(found: PatchTest, project: Project) -> np.ndarray:
+    """Over the stated sigma."""
+    assert found.sigma is not None
+    return np.abs(found.boresight - truth(project)) / found.sigma
+
+
+def test_each_angle_is_within_three_sigma_of_the_truth(thinned: Opened, clean: PatchTest) -> None:
+    assert (error(clean, thinned[0]) < 3).all()
+    assert clean.sigma is not None
+    assert np.degrees(clean.sigma).max() < 0.03
+    assert clean.settled
+    assert clean.disagreeing == ()
+    assert clean.lines == thinned[1].lines
+    assert clean.mismatch < 0.5 * clean.mismatch_before
+    # Both ways go down the same valley: they end at its bottom.
+    assert np.degrees(np.abs(clean.one_by_one - clean.boresight)).max() < 1e-3
+
+
+def test_a_prior_two_degrees_off_gives_the_same_answer(thinned: Opened, clean: PatchTest) -> None:
+    project, survey = thinned
+    wrong = tuple(float(v) for v in np.array(project.truth_deg) + [2.0, -2.0, 2.0])
+    project = project.with_settings(replace(project.settings, boresight_deg=wrong))
+    survey = survey.with_prior(project.mounting("prior"))
+    found = find(project, survey, propose(project, survey))
+    assert (error(found, project) < 3).all()
+    assert clean.sigma is not None
+    assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
+
+
+def test_objects_laid_with_lines_apart_are_cut_again(
+    thinned: Opened, laid: Laid, clean: PatchTest
+) -> None:
+    off = laid.boresight + np.radians([0.3, -0.3, 0.3])
+    found = find(*thinned, lay(*thinned, laid.objects, off))
+    assert clean.sigma is not None
+    assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
+
+
+def test_one_pole_tells_the_pitch_of_reciprocal_lines(thinned: Opened) -> None:
+    project, survey = thinned
+    start = truth(project) + np.radians([0.0, 0.4, 0.0])
+    pole = lay(project, survey, [MAST], start)
+    pairs = line_pairs(survey, {"reciprocal"})
+    found = find_angle(pole, pole.blocks({"mast"}, pairs), start, 1)
+    # Three pairs of lines of 12 mm each, 14 m below what they see of the mast
+    sigma = np.degrees(0.012 / np.sqrt(2 * 3) / 14.0)
+    assert abs(np.degrees(found.boresight[1] - truth(project)[1])) < 3 * sigma
+    assert (found.boresight[[0, 2]] == start[[0, 2]]).all()
+
+
+def test_reciprocal_lines_do_not_show_the_yaw_of_a_pole(thinned: Opened) -> None:
+    """Both see it on the same side from as far off: a yaw turns it the same way for both."""
+    project, survey = thinned
+    pole = lay(project, survey, [MAST], truth(project))
+    pairs = line_pairs(survey, {"reciprocal"})
+    with pytest.raises(AdjustmentError, match="leave the yaw open"):
+        find_angle(pole, pole.blocks({"mast"}, pairs), truth(project), 2)
+
+
+def flat(tilt: np.ndarray, off: float, place_: np.ndarray) -> np.ndarray:
+    """A plane through a grid of points, moved along its normal."""
+    u, v = np.meshgrid(np.linspace(-1, 1, 21), np.linspace(-1, 1, 21))
+    normal = tilt / np.linalg.norm(tilt)
+    first = np.cross(normal, [0.3, 0.5, 0.8])
+    first /= np.linalg.norm(first)
+    along = np.outer(u.ravel(), first) + np.outer(v.ravel(), np.cross(normal, first))
+    return place_ + along + off * normal
+
+
+def sample_of(thinned: Opened, groups: dict[str, np.ndarray], box: Box) -> Sample:
+    """Points given in the local frame, as if lines had scanned them with the true boresight."""
+    project, survey = thinned
+    mounting = project.mounting("prior").with_boresight(truth(project))
+    scans, clouds = {}, {}
+    for name, points in groups.items():
+        time = np.linspace(survey.scans[name].first_time, survey.scans[name].last_time, len(points))
+        time = 0.5 * (time[0] + time[-1]) + 0.02 * (time - time[0])
+        lidar = to_lidar(points, survey.trajectory.at(time), mounting)
+        scans[name] = Scan(np.ascontiguousarray(lidar), time, None, ())
+        clouds[name] = CloudInMemory.of(scans[name], survey.trajectory, mounting)
+    return Sample.of([PatchObject("plane", box)], clouds, scans)
+
+
+LEANING = np.array([0.2, 1.0, 0.3])
+
+
+def two_planes(thinned: Opened, off: float, tilt: np.ndarray = LEANING) -> Mismatch:
+    names = list(thinned[1].scans)[:2]
+    middle = np.array([5.0, -16.0, 6.0])
+    groups = {n: flat(tilt, k * off, middle) for k, n in enumerate(names)}
+    sample = sample_of(thinned, groups, Box(middle, np.array([3.0, 3.0, 3.0])))
+    return Mismatch(sample, blocks_of(sample, pairs_of({n: 0.0 for n in names})), scale=100.0)
+
+
+@pytest.mark.parametrize("off", [0.0, 0.004, 0.05])
+def test_two_planes_are_as_far_apart_as_they_were_put(thinned: Opened, off: float) -> None:
+    assert two_planes(thinned, off)(truth(thinned[0])) == pytest.approx(off, abs=1e-6)
+
+
+def test_far_apart_counts_as_much_as_the_scale(thinned: Opened) -> None:
+    mismatch = two_planes(thinned, 0.05).with_scale(0.05)
+    assert mismatch(truth(thinned[0])) == pytest.approx(0.05 / np.sqrt(2), rel=1e-3)
+
+
+def test_the_gradient_is_that_of_the_mean_square(thinned: Opened) -> None:
+    mismatch = two_planes(thinned, 0.02).with_scale(0.05)
+    at, step = truth(thinned[0]), 1e-5
+    found = equations(mismatch, at)
+    for k, axis in enumerate(np.eye(3)):
+        ends = [0.5 * mismatch.squares(at + sign * step * axis)[0] for sign in (1, -1)]
+        central = (ends[0] - ends[1]) / (2 * step)
+        assert found.gradient[0, k] == pytest.approx(central, rel=0.02, abs=1e-6)
+
+
+def test_pos_errors_change_the_gradient_as_foretold(thinned: Opened) -> None:
+    mismatch = two_planes(thinned, 0.02).with_scale(100.0)
+    at, sample = truth(thinned[0]), mismatch.sample
+    found = equations(mismatch, at, pos_errors=True)
+    error = np.array([0.003, -0.002, 0.004, 2e-4, -1e-4, 1e-4])
+    rows = mismatch.blocks[0].second.points
+    position, attitude = sample.poses.position.copy(), sample.poses.attitude.copy()
+    position[rows] += error[:3]
+    attitude[rows] += error[3:]
+    moved = replace(sample, poses=Poses(position, attitude))
+    other = Mismatch(moved, mismatch.blocks, 100.0)
+    change = equations(other, at).gradient[0] - found.gradient[0]
+    # Beyond first order, the derivatives turn with the attitude a little.
+    np.testing.assert_allclose(change, found.sways[0, 1] @ error, rtol=0.05, atol=2e-4)
+
+
+def test_an_object_that_one_line_sees_elsewhere_is_named(
+    thinned: Opened, laid: Laid, clean: PatchTest
+) -> None:
+    project, survey = thinned
+    sample = laid.sample
+    moved = max(sample.seen, key=lambda each: each.end - each.begin)
+    mounting = project.mounting("prior").with_boresight(truth(project))
+    rows = moved.points
+    poses = Poses(sample.poses.position[rows], sample.poses.attitude[rows])
+    points = sample.points_lidar.copy()
+    shifted = place(points[rows], poses, mounting) + [0.2, 0.2, 0.2]
+    points[rows] = to_lidar(shifted, poses, mounting)
+    found = find(project, survey, replace(laid, sample=replace(sample, points_lidar=points)))
+    assert [each.name for each in found.disagreeing] == [moved.object.name]
+    assert any(said.startswith(f"{moved.object.name} does not") for said in found.sentences)
+    assert (error(found, project) < 3).all()
+
+
+def test_few_objects_have_no_sigma(thinned: Opened, laid: Laid) -> None:
+    few = lay(*thinned, laid.objects[:4], laid.boresight)
+    found = find(*thinned, few)
+    assert found.sigma is None
+    assert any(said.startswith("A sigma cannot be stated: ") for said in found.sentences)
+
+
+def test_level_ground_alone_leaves_the_yaw_open(thinned: Opened) -> None:
+    ground = two_planes(thinned, 0.02, np.array([0.0, 0.0, 1.0]))
+    with pytest.raises(AdjustmentError, match="leave the yaw open"):
+        minimise(ground.sample, ground.blocks, truth(thinned[0]), (2,))
+
+
+def test_lines_that_do_not_meet_are_refused(thinned: Opened) -> None:
+    nowhere = PatchObject("air", Box(np.array([0.0, 0.0, 100.0]), np.array([2.0, 2.0, 2.0])))
+    with pytest.raises(AdjustmentError, match="No two of the chosen lines meet"):
+        find(*thinned, lay(*thinned, [nowhere], truth(thinned[0])))
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "kind"),
+    [
+        (0, 180, "reciprocal"), (350, 160, "reciprocal"), (0, 201, "oblique"),
+        (45, 135, "crossing"),
+        (10, 355, "same direction"), (0, 40, "oblique"), (315, 45, "crossing"),
+    ],
+)  # fmt: skip
+def test_kinds_of_pairs(first: float, second: float, kind: str) -> None:
+    assert kind_of(np.radians(first), np.radians(second)) == kind
+    assert kind_of(np.radians(second), np.radians(first)) == kind
+
+
+def test_a_box_turns_clockwise() -> None:
+    box = Box(np.zeros(3), np.array([4.0, 1.0, 2.0]), np.radians(30.0))
+    ahead = np.array([np.cos(np.radians(30.0)), -np.sin(np.radians(30.0)), 0.0])  # east is -west
+    points = np.array([1.9 * ahead, 1.9 * ahead * [1, -1, 1], [0, 0, 1.1], 2.1 * ahead])
+    assert box.inside(points).tolist() == [True, False, False, False]
+    assert box.inside(points, 0.2)[2:].all()
+
+
+def test_a_box_without_a_size_is_refused() -> None:
+    with pytest.raises(InputError, match="side of the box"):
+        checked("pole", Box(np.zeros(3), np.array([1.0, 0.0, 1.0])))
+    with pytest.raises(InputError, match="not a number"):
+        checked("pole", Box(np.array([np.nan, 0, 0]), np.ones(3)))
+
+
+def test_the_command_line_says_the_same(
+    capsys: pytest.CaptureFixture[str], thinned: Opened, clean: PatchTest
+) -> None:
+    folder = thinned[0].folder
+    numbers = answer(capsys, "patchtest", folder)
+    np.testing.assert_allclose(
+        angles(numbers, "boresight_deg"), np.degrees(clean.boresight), atol=1e-9
+    )
+    assert numbers["remarks"] == list(clean.sentences)
+    assert open_project(folder).result is None
+    # One more object, of five numbers: no box.
+    assert main(["patchtest", str(folder), "--object", "pole=1,2,3,4,5"]) == 2
+    assert "is not NAME=N,W,U,A,L,H" in capsys.readouterr().err
+    assert main(["patchtest", str(folder), "--lines", "nobody"]) == 2
+    assert "there is no line nobody" in capsys.readouterr().err
+    assert main(["patchtest", str(folder), "--object", "pole=9,-17,15,1,1,0"]) == 1
+    assert "a side of the box" in capsys.readouterr().err
+
+
+@pytest.mark.long
+def test_sigmas_hold_over_simulated_surveys(tmp_path: Path) -> None:
+    """Of sixty surveys the root mean square of error over sigma was 1.0 to 1.1."""
+    found = []
+    for seed in range(201, 217):
+        simulated = port_survey(points_per_second=20_000.0, seed=seed)
+        folder = tmp_path / str(seed)
+        trajectory, accuracy = write_trajectory(simulated, folder / RAW)
+        lines = write_lines(simulated, folder / RAW)
+        latitude, longitude, height = simulated.origin
+        base = port_settings(simulated.lever_arm, latitude, longitude, height)
+        project = create_project(
+            folder, trajectory=trajectory, lines=lines, accuracy=accuracy, settings=base,
+            truth_deg=triple(np.degrees(simulated.boresight)),
+        )  # fmt: skip
+        survey = load_survey(project)
+        result = find(project, survey, propose(project, survey))
+        found.append((result.boresight - truth(project)) / result.sigma)
+    rms = np.sqrt((np.array(found) ** 2).mean(axis=0))
+    # 48 numbers of unit variance, in the square mean: the interval of 99.9 % for 16 of them
+    assert ((rms > 0.5) & (rms < 1.6)).all(), rms
+
+
+def port_settings(lever_arm: np.ndarray, latitude: float, longitude: float, height: float):
+    from lispac.project import Settings
+
+    origin = (float(np.degrees(latitude)), float(np.degrees(longitude)), height)
+    return Settings(lever_arm=triple(lever_arm), origin_deg_m=origin, lidar_sigma=0.0019)
+
+
+@pytest.mark.long
+def test_harbour_from_the_command_line(
+    capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path
+) -> None:
+    data, project = shared_data / "harbour", tmp_path / "harbour"
+    known = json.loads((data / "truth.json").read_text())["boresight_deg"]
+    make(
+        capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out", "--lidar-sigma", 0.003
+    )
+    numbers = answer(capsys, "patchtest", project)
+    off = np.abs(angles(numbers, "boresight_deg") - known)
+    assert (off < 3 * angles(numbers, "sigma_deg")).all(), off
+    assert numbers["sigma_deg"]["pitch"] < 0.03
