@@ -90,7 +90,7 @@ def sentences(found: tuple[Answer, ...]) -> tuple[str, ...]:
 
 
 def _verdict(against: Difference) -> str:
-    one, other = against.second, against.first
+    one, other = against.second.capitalize(), against.first
     moved = f"{100 * against.displacement(FAR):.1f}"
     if not against.differ:
         return f"{one} and {other} agree: a point {FAR:.0f} m away moves by {moved} cm."

@@ -47,9 +47,9 @@ def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
     sigma = np.degrees(project.result.sigma[0])
     assert far.significance[0] == pytest.approx(0.3 / (np.sqrt(2) * sigma))
     near, differs, shared = sentences(found)
-    assert near.startswith("natural planes and targets agree: ")
+    assert near.startswith("Natural planes and targets agree: ")
     assert differs == (
-        "targetless and targets differ by more than their sigmas explain, in roll: a point "
+        "Targetless and targets differ by more than their sigmas explain, in roll: a point "
         "50 m away moves by 26.2 cm."
     )
     assert shared == SHARED

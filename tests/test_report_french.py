@@ -16,6 +16,7 @@ from lispac.adjustment.error_budget import error_budget
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.language.catalogue import catalogue_of
 from lispac.language.translation import Translator
+from lispac.opinions import METHODS, Opinion
 from lispac.project import Project
 from lispac.report.blocks import Paragraph, Signature
 from lispac.report.budget_values import Budget
@@ -154,6 +155,24 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
         points=() if kind == "scan" else (PointCheck("yes", 2, 0.002, -0.08, mean, 0.004),),
         others=None if mean < 0 else (OtherSurface("L1", 10, 0.62),) if mean else (),
     )  # fmt: skip
+
+
+def test_second_opinions_are_told_in_french(project: Project) -> None:
+    assert project.result is not None
+    for k, (method, off) in enumerate(zip(METHODS, (0.0, 0.3, 0.004), strict=True)):
+        angles = project.result.boresight + np.radians([off, off, 0.0])
+        remarks = (
+            "The answer rests on 30 of 99 natural surfaces that lines share; rounds of "
+            "matching: 3.",
+        ) * (k == 1)
+        said = Opinion(
+            method, angles, np.array(project.result.covariance), ("L1", "L2"), 30, remarks
+        )
+        project = project.with_opinion(said)
+    content = content_of_sample(project)
+    assert [each.method for each in content.methods[1:]] == list(METHODS)
+    assert "methods_differ" in {each.code for each in content.cautions}
+    assert _english_left(content) == ()
 
 
 @pytest.mark.parametrize("kind", ["scan", "points"])

@@ -53,6 +53,7 @@ def told_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Told, ...]
         *_sightings(content),
         *_validation(content),
         *_absolute(content),
+        *_methods(content),
         *_files(content),
     ]
     return tuple(sorted(found, key=lambda told: told[0].severity != "serious"))
@@ -247,6 +248,13 @@ def _absolute(content: ReportContent) -> Iterator[Told]:
             farthest = max(content.absolute.lines, key=lambda each: abs(each.after.signed.mean_m))
             cause = Cause.of_line(farthest.line)
         yield caution, cause
+
+
+def _methods(content: ReportContent) -> Iterator[Told]:
+    """Of the first sentences one is on each method but the first."""
+    for each, words in zip(content.methods[1:], content.methods_in_words, strict=False):
+        if each.differ:
+            yield mild("methods_differ", words), ADJUST
 
 
 def _worse(plane: ValidationPlane) -> Caution:

@@ -16,6 +16,7 @@ from lispac.adjustment.observability import one_facing
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubts_of
+from lispac.methods import answers, sentences
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
 from lispac.report.absolute_values import Absolute
@@ -31,6 +32,7 @@ from lispac.report.diagnostics import (
     seen,
 )
 from lispac.report.displacement import EFFECT_DISTANCES_M, effects, in_words_of_s44
+from lispac.report.opinion_values import MethodAnswer
 from lispac.report.settings_used import CONVENTION, settings_used
 from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_values import ValidationPlane, swath_overlap
@@ -111,6 +113,7 @@ def report_content(
         for line in project.lines
     )
     edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
+    said = answers(project) if project.opinions else ()
     content = ReportContent(
         program=f"LISPAC {lispac.__version__}",
         generated=stamp.isoformat(timespec="seconds"),
@@ -138,6 +141,8 @@ def report_content(
         absolute=None if project.absolute is None else Absolute.of(project.absolute),
         budget=None if budget is None else Budget.of(budget),
         trajectory=tuple(trajectory),
+        methods=tuple(MethodAnswer.of(each) for each in said),
+        methods_in_words=sentences(said),
     )
     also = (refused_since(refused),) if refused else ()
     return replace(content, cautions=cautions_of(content, doubts_of(project, also)))

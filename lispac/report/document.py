@@ -20,6 +20,7 @@ from lispac.report.boresight_section import boresight
 from lispac.report.checks_section import cross_checks, reliability
 from lispac.report.convention_section import other_programs
 from lispac.report.identity_section import identity, signature
+from lispac.report.opinion_section import second_opinions
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
@@ -68,6 +69,7 @@ def in_english(
         _section("Reliability of the sightings", reliability(content)),
         _section("Cross-checks", cross_checks(content)),
         _section("Validation", validation(content)),
+        _section("Second opinions", second_opinions(content)),
         _section("Absolute check", absolute(content)),
         _section("Site and lines", sections.site(content)),
         _section("Settings and input files", settings(content)),

@@ -12,6 +12,7 @@ from lispac.identity import Identity
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
 from lispac.report.convention_values import InConvention, ScannerToBody
+from lispac.report.opinion_values import MethodAnswer
 from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_values import SwathDifference, ValidationPlane
 
@@ -370,3 +371,5 @@ class ReportContent:
     absolute: Absolute | None = None
     budget: Budget | None = None
     trajectory: tuple[TrajectoryOnLine, ...] = ()
+    methods: tuple[MethodAnswer, ...] = ()
+    methods_in_words: tuple[str, ...] = ()

@@ -3993,5 +3993,63 @@ trou (s)</translation>
         <source>{project:name}: at least two validation planes that two lines see are needed; pick more of them, facing different ways.</source>
         <translation>{project} : il faut au moins deux plans de validation vus par deux lignes ; en choisir d’autres, d’orientations différentes.</translation>
     </message>
+    <message>
+        <source>Natural planes</source>
+        <translation>Plans naturels</translation>
+    </message>
+    <message>
+        <source>Targetless</source>
+        <translation>Sans cible</translation>
+    </message>
+    <message>
+        <source>Patch test</source>
+        <translation>Patch test</translation>
+    </message>
+    <message>
+        <source>Second opinions</source>
+        <translation>Autres avis</translation>
+    </message>
+    <message>
+        <source>What other methods say of the same lines: the validation planes adjusted as if they were targets (natural planes), surfaces of the scene that no one picked (targetless), lines turned until they meet on objects (patch test). The targets take part in none of them.</source>
+        <translation>Ce que d’autres méthodes disent des mêmes lignes : les plans de validation compensés comme s’ils étaient des cibles (plans naturels), des surfaces de la scène que personne n’a choisies (sans cible), les lignes tournées jusqu’à ce qu’elles coïncident sur des objets (patch test). Les cibles n’ont part à aucune.</translation>
+    </message>
+    <message>
+        <source>Natural planes: {remark}</source>
+        <translation>Plans naturels : {remark}</translation>
+    </message>
+    <message>
+        <source>Targetless: {remark}</source>
+        <translation>Sans cible : {remark}</translation>
+    </message>
+    <message>
+        <source>Patch test: {remark}</source>
+        <translation>Patch test : {remark}</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Surfaces</translation>
+    </message>
+    <message>
+        <source>The boresight by each method (deg)</source>
+        <translation>Les angles de visée selon chaque méthode (deg)</translation>
+    </message>
+    <message>
+        <source>Differences from the {what} (deg)</source>
+        <translation>Écarts par rapport à : {what} (deg)</translation>
+    </message>
+    <message>
+        <source>over its
+sigma</source>
+        <translation>sur son
+sigma</translation>
+    </message>
+    <message>
+        <source>Differs</source>
+        <translation>Diffère</translation>
+    </message>
 </context>
 </TS>

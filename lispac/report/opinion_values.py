@@ -1,0 +1,55 @@
+"""The values of a report that come from other methods."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.methods import Answer
+
+Three = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class MethodAnswer:
+    """What a method says; the differences are from the first one, and of that one there are none.
+
+    Attributes
+    ----------
+    boresight_deg, sigma_deg, difference_deg : roll, pitch, yaw
+    over_sigma : differences over their sigmas
+    probability : chance of differences as large where both are right
+    """
+
+    method: str
+    lines: int
+    surfaces: int
+    boresight_deg: Three
+    sigma_deg: Three
+    difference_deg: Three | None
+    over_sigma: Three | None
+    probability: float | None
+    differ: bool | None
+    remarks: tuple[str, ...]
+
+    @classmethod
+    def of(cls, answer: Answer) -> "MethodAnswer":
+        """The same figures."""
+        said, against = answer.calibration, answer.against
+        return cls(
+            answer.method,
+            answer.lines,
+            answer.surfaces,
+            _three(np.degrees(said.boresight)),
+            _three(np.degrees(said.sigma)),
+            None if against is None else _three(np.degrees(against.angles)),
+            None if against is None else _three(against.significance),
+            None if against is None else against.probability,
+            None if against is None else against.differ,
+            answer.remarks,
+        )
+
+
+def _three(values: NDArray[np.float64]) -> Three:
+    roll, pitch, yaw = (float(value) for value in values)
+    return roll, pitch, yaw
