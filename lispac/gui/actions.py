@@ -75,6 +75,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                 "All calibrations of a vessel's system: has its mounting moved?"),
     "subsampling": ("&Subsampling study…", "Subsampling", "", "Shift+F9",
                     "Adjust with points nearer together and farther apart, and compare"),
+    "methods": ("Compare with other &methods…", "Methods", "", "Ctrl+F9",
+                "What the validation planes and the scene itself say of the boresight"),
     "visibility": ("&Visibility of errors…", "Visibility", "", "",
                    "Which board and which lines show which systematic error"),
     "design": ("&Design a site…", "Design", "", "Ctrl+Shift+D",
@@ -152,7 +154,7 @@ _MENUS: dict[str, Menu] = {
         "lasso_add",
         "lasso_remove",
     ),
-    "&Adjust": ("estimate", "", "subsampling", "visibility", "design", "", "cancel"),
+    "&Adjust": ("estimate", "", "methods", "subsampling", "visibility", "design", "", "cancel"),
     "Va&lidate": ("validate", "check", "", "budget", "history"),
     "&Help": ("tour", "manual", "manual_step", "keys", "", "log_file", "about"),
 }

@@ -46,6 +46,7 @@ from lispac.gui.reporting import Reporting
 from lispac.gui.safekeeping import Safekeeping
 from lispac.gui.scene import Scene
 from lispac.gui.scripting import Scripting
+from lispac.gui.second_opinions import SecondOpinions
 from lispac.gui.seeding import Seeding
 from lispac.gui.settings import AppSettings
 from lispac.gui.showing import Showing
@@ -122,6 +123,7 @@ class MainWindow(QMainWindow):
         Seeding(self)
         Reporting(self)
         Studies(self)
+        SecondOpinions(self)
         Scripting(self)
         Preferring(self)
         Manual(self)

@@ -3,7 +3,7 @@
 The window gets such an object; a test gives it one that answers by itself.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -18,6 +18,7 @@ from lispac.gui.dialogs.history import HistoryDialog
 from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.methods import MethodsDialog
 from lispac.gui.dialogs.preview import PreviewDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.gui.dialogs.questions import Questions
@@ -33,6 +34,8 @@ from lispac.gui.preferences import Preferences
 from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
+from lispac.methods import Answer
+from lispac.opinions import Method
 from lispac.project import LineSource, Project, Target, Triple
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
@@ -157,6 +160,15 @@ class Dialogs(Questions):
         dialog = SubsamplingDialog(found, used, self.parent)
         dialog.exec()
         dialog.deleteLater()
+
+    def methods(
+        self, found: Sequence[Answer], absent: Sequence[Method], refused: Mapping[str, str]
+    ) -> bool:
+        """Show the answers of all methods; whether those that are missing are to be asked."""
+        dialog = MethodsDialog(found, absent, refused, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+        return dialog.asks
 
     def visibility(self, found: Sequence[Visibility]) -> None:
         """Show which boards and lines show which error, on each site."""

@@ -1188,10 +1188,6 @@
         <translation>terminer la mesure ou le lasso</translation>
     </message>
     <message>
-        <source>Targets</source>
-        <translation>Cibles</translation>
-    </message>
-    <message>
         <source>Ctrl + click</source>
         <translation>Ctrl + clic</translation>
     </message>
@@ -9015,6 +9011,93 @@ m/s</translation>
     <message>
         <source>{typed:kept} is not between {low:kept} and {high:kept}: {text:kept} is kept</source>
         <translation>{typed} n’est pas entre {low} et {high} : {text} est gardé</translation>
+    </message>
+</context>
+<context>
+    <name>methods dialog</name>
+    <message>
+        <source>Compare with other &amp;methods…</source>
+        <translation>Comparer à d’autres &amp;méthodes…</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Méthodes</translation>
+    </message>
+    <message>
+        <source>What the validation planes and the scene itself say of the boresight</source>
+        <translation>Ce que les plans de validation et la scène elle-même disent des angles de visée</translation>
+    </message>
+    <message>
+        <source>What the boresight was found with</source>
+        <translation>Ce avec quoi les angles de visée ont été trouvés</translation>
+    </message>
+    <message>
+        <source>That the answer rests on</source>
+        <translation>Sur lesquelles repose la réponse</translation>
+    </message>
+    <message>
+        <source>Targets, planes, natural surfaces or objects that it rests on</source>
+        <translation>Cibles, plans, surfaces naturelles ou objets sur lesquels elle repose</translation>
+    </message>
+    <message>
+        <source>Roll off (sigma)</source>
+        <translation>Écart de roulis (sigma)</translation>
+    </message>
+    <message>
+        <source>Pitch off (sigma)</source>
+        <translation>Écart de tangage (sigma)</translation>
+    </message>
+    <message>
+        <source>Yaw off (sigma)</source>
+        <translation>Écart de lacet (sigma)</translation>
+    </message>
+    <message>
+        <source>Difference of roll from the first row, over its sigma</source>
+        <translation>Écart de roulis par rapport à la première ligne du tableau, sur son sigma</translation>
+    </message>
+    <message>
+        <source>Difference of pitch from the first row, over its sigma</source>
+        <translation>Écart de tangage par rapport à la première ligne du tableau, sur son sigma</translation>
+    </message>
+    <message>
+        <source>Difference of yaw from the first row, over its sigma</source>
+        <translation>Écart de lacet par rapport à la première ligne du tableau, sur son sigma</translation>
+    </message>
+    <message>
+        <source>Answers of other methods</source>
+        <translation>Réponses des autres méthodes</translation>
+    </message>
+    <message>
+        <source>Comparison with other methods</source>
+        <translation>Comparaison avec d’autres méthodes</translation>
+    </message>
+    <message>
+        <source>What other methods say of the same lines; the targets take part in none of them. An answer that two methods give can be trusted more. The answers are kept with the project and stand in the report.</source>
+        <translation>Ce que d’autres méthodes disent des mêmes lignes ; les cibles n’ont part à aucune. Une réponse que donnent deux méthodes est plus digne de confiance. Les réponses sont gardées avec le projet et figurent dans le rapport.</translation>
+    </message>
+    <message>
+        <source>Ask the others</source>
+        <translation>Interroger les autres</translation>
+    </message>
+    <message>
+        <source>Adjust the validation planes, and the surfaces of the scene; one undo step</source>
+        <translation>Compenser les plans de validation, puis les surfaces de la scène ; une seule étape à annuler</translation>
+    </message>
+    <message>
+        <source>Not asked yet: {what}</source>
+        <translation>Pas encore interrogée : {what}</translation>
+    </message>
+    <message>
+        <source>Asking other methods</source>
+        <translation>Interrogation d’autres méthodes</translation>
+    </message>
+    <message>
+        <source>second opinions</source>
+        <translation>autres avis</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Cibles</translation>
     </message>
 </context>
 </TS>

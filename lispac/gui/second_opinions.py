@@ -1,0 +1,72 @@
+"""Other methods beside the targets: what they said, and asking them."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from lispac.errors import AdjustmentError
+from lispac.methods import answers, missing
+from lispac.progress import Progress, part
+from lispac.project import Project
+from lispac.workflow.opinions import COMPUTED, ask
+from lispac.workflow.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+Asked = tuple[Project, Mapping[str, str]]
+
+
+class SecondOpinions(QObject):
+    """Joined to the window's parts."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._document, self._runner = window.document, window.runner
+        self._controller, self._dialogs = window.controller, window.dialogs
+        self._action = window.actions_["methods"]
+        self._action.triggered.connect(lambda _=False: self.compare())
+        for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
+            moved.connect(self._enable)
+        self._enable()
+
+    def compare(self, refused: Mapping[str, str] | None = None) -> None:
+        """Show all answers that there are, and ask the others where that is wanted.
+
+        Parameters
+        ----------
+        refused : why a method that was asked has no answer, by its name
+        """
+        project, survey = self._document.project, self._document.survey
+        if project is None or survey is None or not self._document.survey_is_current:
+            return
+        asks = self._dialogs.methods(answers(project), missing(project), refused or {})
+        if asks and self._document.project is project:
+            self._ask(project, survey)
+
+    def _ask(self, project: Project, survey: Survey) -> None:
+        wanted = [method for method in COMPUTED if project.opinion(method) is None]
+
+        def work(progress: Progress) -> Asked:
+            found, refused = project, {}
+            for k, method in enumerate(wanted):
+                step = part(progress, k / len(wanted), (k + 1) / len(wanted))
+                try:
+                    found = found.with_opinion(ask(project, survey, method, progress=step))
+                except AdjustmentError as error:
+                    refused[method] = str(error)
+            return found, refused
+
+        def done(asked: Asked) -> None:
+            found, refused = asked
+            if found is not project:
+                self._document.edit("second opinions", found)
+            self.compare(refused)
+
+        task = self._runner.run("Asking other methods", work, done, shows=True)
+        self._controller.based_on_project(task)
+
+    def _enable(self) -> None:
+        ready = self._document.survey_is_current and not self._runner.busy
+        self._action.setEnabled(self._document.project is not None and ready)

@@ -1,0 +1,102 @@
+"""Other methods beside the targets, in the window."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QTimer
+
+from lispac.errors import AdjustmentError
+from lispac.gui import second_opinions
+from lispac.gui.dialogs.methods import MethodsDialog
+from lispac.opinions import Opinion
+from lispac.workflow import opinions
+from tests.gui.support import Driver, Left, settle
+from tests.gui.test_gui_studies import answered
+from tests.gui.test_gui_warnings import listed
+
+
+def said_by_the_scene(project, _survey, *, progress) -> Opinion:
+    """Nearly what the targets say; how it is found is tested elsewhere and takes a while."""
+    progress(0.5, "Matching the lines, round 1")
+    result = project.result
+    turned = result.boresight + np.radians([0.5, 0.0, 0.0])
+    lines = tuple(line.name for line in project.lines)
+    return Opinion("targetless", turned, np.array(result.covariance), lines, 30, ("Thirty.",))
+
+
+def test_the_missing_ones_are_asked_and_kept_as_one_step(
+    adjusted: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+
+    def ask(project, survey, method, *, progress):
+        asked.append(method)
+        if method == "targetless":
+            return said_by_the_scene(project, survey, progress=progress)
+        return opinions.ask(project, survey, method, progress=progress)
+
+    monkeypatch.setattr(second_opinions, "ask", ask)
+    action, before = adjusted.window.actions_["methods"], adjusted.project
+    assert action.isEnabled()
+    assert before.opinions == ()
+
+    def first(dialog: MethodsDialog) -> None:
+        assert isinstance(dialog, MethodsDialog)
+        names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
+        assert names == ["Targets", "Natural planes", "Targetless", "Patch test"]
+        assert dialog.table.item(2, 3).text() == "\N{EN DASH}"
+        assert not dialog.said.isVisible()
+        assert dialog.ask.isEnabled()
+        adjusted.bot.mouseClick(dialog.ask, Left)
+
+    compare(adjusted)
+    answered(adjusted, first)
+
+    def second(dialog: MethodsDialog) -> None:
+        assert isinstance(dialog, MethodsDialog)
+        names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
+        assert names == ["Targets", "Targetless", "Natural planes", "Patch test"]
+        assert float(dialog.table.item(1, 5).text()) > 3
+        words = dialog.said.text()
+        assert "Natural planes: " in words, "too few of them"
+        assert "Targetless and targets differ by more than their sigmas explain, in roll" in words
+        assert "Targetless: Thirty." in words
+        assert not dialog.ask.isEnabled()
+
+    answered(adjusted, second)
+    settle(adjusted)
+    assert asked == ["natural planes", "targetless"]
+    assert "targetless" in [each.method for each in adjusted.project.opinions]
+    assert adjusted.window.document.undo_stack.undoText() == "second opinions"
+    assert adjusted.project.result is before.result
+    # It is told among the warnings, and taken back in one step.
+    assert any("Targetless and targets differ" in each.text for each in listed(adjusted))
+    adjusted.window.document.undo_stack.undo()
+    assert adjusted.project.opinions == ()
+
+
+def compare(driver: Driver) -> None:
+    """The dialogue comes up within the click, which would wait for it."""
+    QTimer.singleShot(0, driver.window.actions_["methods"].trigger)
+
+
+def test_what_a_method_cannot_answer_is_told(
+    adjusted: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(_project, _survey, method, *, progress):
+        raise AdjustmentError(f"the lines share too little for {method}")
+
+    monkeypatch.setattr(second_opinions, "ask", refuse)
+    before = adjusted.project
+    compare(adjusted)
+    answered(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.ask, Left))
+
+    def told(dialog: MethodsDialog) -> None:
+        assert "Natural planes: the lines share too little for natural planes" in dialog.said.text()
+        assert not dialog.ask.isEnabled()
+
+    answered(adjusted, told)
+    assert adjusted.project is before
+
+
+def test_without_lines_there_is_nothing_to_compare(driver: Driver) -> None:
+    assert not driver.window.actions_["methods"].isEnabled()
