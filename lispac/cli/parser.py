@@ -9,6 +9,7 @@ from lispac.cli import (
     estimate_options,
     patch_test_options,
     pick_options,
+    quality_options,
     report_options,
     script_options,
     sensor_options,
@@ -55,6 +56,7 @@ def build_parser() -> argparse.ArgumentParser:
     _budget(commands)
     _targetless(commands)
     patch_test_options.add(commands)
+    quality_options.add(commands)
     _georeference(commands)
     _export(commands)
     report_options.add(commands)

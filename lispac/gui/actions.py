@@ -69,6 +69,8 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                  "Compare the lines on the validation planes"),
     "check": ("Check against a &reference…", "Check", "", "Shift+F10",
               "Compare the lines with a static scan or surveyed points"),
+    "line_quality": ("&Differences between lines…", "Differences", "", "Ctrl+F10",
+                     "How far every two lines are apart where the scene is flat, as shown"),
     "budget": ("Error &budget…", "Budget", "", "",
                "What each source of error does to a point at a distance"),
     "history": ("Calibrations over the &years…", "History", "", "F11",
@@ -155,7 +157,7 @@ _MENUS: dict[str, Menu] = {
         "lasso_remove",
     ),
     "&Adjust": ("estimate", "", "methods", "subsampling", "visibility", "design", "", "cancel"),
-    "Va&lidate": ("validate", "check", "", "budget", "history"),
+    "Va&lidate": ("validate", "check", "line_quality", "", "budget", "history"),
     "&Help": ("tour", "manual", "manual_step", "keys", "", "log_file", "about"),
 }
 _TOOLBAR = (

@@ -1,7 +1,7 @@
 """Studies of an answer, and of boards before there is one.
 
-Of an answer: against a reference, over the years, with other distances between points, and what
-each source of error does.
+Of an answer: against a reference, over the years, with other distances between points, what each
+source of error does, and how well the lines fit each other.
 """
 
 from pathlib import Path
@@ -19,6 +19,7 @@ from lispac.simulation.visibility_study import Visibility, visibility
 from lispac.workflow.absolute import check_absolute
 from lispac.workflow.budget import budget_of
 from lispac.workflow.history import History, histories
+from lispac.workflow.line_quality import LineQuality, line_quality
 from lispac.workflow.subsampling import USUAL, Subsampled, subsampling_study
 from lispac.workflow.survey import Survey
 
@@ -33,12 +34,13 @@ class Studies(QObject):
         super().__init__(window)
         self._document, self._runner = window.document, window.runner
         self._controller, self._dialogs = window.controller, window.dialogs
-        self._actions = window.actions_
+        self._actions, self._scene = window.actions_, window.scene
         for name, study in {
             "check": self.check,
             "history": self.history,
             "subsampling": self.subsampling,
             "budget": self.budget,
+            "line_quality": self.line_quality,
             "visibility": self.visibility,
         }.items():
             self._actions[name].triggered.connect(lambda _=False, study=study: study())
@@ -107,6 +109,22 @@ class Studies(QObject):
         )
         self._controller.based_on_project(task)
 
+    def line_quality(self) -> None:
+        """Show how far the lines are apart as they are shown."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        which = self._scene.which
+
+        def work(progress: Progress) -> LineQuality:
+            preload()
+            return line_quality(project, survey, which=which, progress=progress)
+
+        task = self._runner.run(
+            "Comparing the lines", work, self._dialogs.line_quality, shows=True
+        )  # fmt: skip
+        self._controller.based_on_project(task)
+
     def subsampling(self) -> None:
         """Adjust with points nearer together and farther apart."""
         project, survey = self._ready()
@@ -148,5 +166,6 @@ class Studies(QObject):
         for name in ("history", "visibility"):
             self._actions[name].setEnabled(not busy)
         self._actions["subsampling"].setEnabled(picked and ready)
+        self._actions["line_quality"].setEnabled(ready)
         for name in ("check", "budget"):
             self._actions[name].setEnabled(estimated and ready)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication, QDialog
 from lispac.gui.dialogs.budget import BudgetDialog
 from lispac.gui.dialogs.check import CheckDialog, CheckedDialog
 from lispac.gui.dialogs.history import HistoryDialog
+from lispac.gui.dialogs.line_quality import LineQualityDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.identity import Identity
@@ -251,3 +252,29 @@ def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:
     assert not opened.window.actions_["budget"].isEnabled()
     assert not opened.window.actions_["subsampling"].isEnabled()
     assert opened.window.actions_["history"].isEnabled()
+
+
+def test_differences_between_lines_as_they_are_shown(adjusted: Driver) -> None:
+    adjusted.window.computing.show("estimated")
+    adjusted.rest()
+    project = adjusted.project
+
+    def look(dialog: LineQualityDialog) -> None:
+        assert isinstance(dialog, LineQualityDialog)
+        rows = [
+            [dialog.table.item(row, column).text() for column in range(9)]
+            for row in range(dialog.table.rowCount())
+        ]
+        pairs = {tuple(row[:2]) for row in rows}
+        assert len(pairs) == 15 + 1, "six lines, and all together"
+        (together,) = (row for row in rows if row[0] == "all" == row[2])
+        assert float(together[5]) < 40, "what the simulated trajectory leaves, mm"
+        assert dialog.figure().axes[0].collections[0].get_offsets().shape[0] == int(
+            together[3].replace(",", "")
+        )
+
+    action = adjusted.window.actions_["line_quality"]
+    assert action.isEnabled()
+    action.trigger()
+    answered(adjusted, look)
+    assert adjusted.project is project

@@ -18,6 +18,7 @@ from lispac.gui.dialogs.history import HistoryDialog
 from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.line_quality import LineQualityDialog
 from lispac.gui.dialogs.methods import MethodsDialog
 from lispac.gui.dialogs.preview import PreviewDialog
 from lispac.gui.dialogs.proposal import ProposalDialog
@@ -46,6 +47,7 @@ from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.history import History
 from lispac.workflow.intake import ImportRequest
+from lispac.workflow.line_quality import LineQuality
 from lispac.workflow.proposing import Proposal
 from lispac.workflow.seed_lists import ListedSeed, Outcome
 from lispac.workflow.subsampling import Subsampled
@@ -158,6 +160,12 @@ class Dialogs(Questions):
     def subsampling(self, found: Sequence[Subsampled], used: float) -> None:
         """Show the answers with other distances between the points; ``used`` is the project's."""
         dialog = SubsamplingDialog(found, used, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def line_quality(self, found: LineQuality) -> None:
+        """Show how far the lines are apart."""
+        dialog = LineQualityDialog(found, self.parent)
         dialog.exec()
         dialog.deleteLater()
 

@@ -5290,4 +5290,35 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{project} : les lignes ne partagent aucune surface plane ; placez des boîtes autour d&apos;objets que voient deux lignes.</translation>
     </message>
 </context>
+<context>
+    <name>line differences</name>
+    <message>
+        <source>{a:name} and {b:name} have no place in common within {n:n} m.</source>
+        <translation>{a} et {b} n’ont aucun endroit commun à moins de {n} m.</translation>
+    </message>
+    <message>
+        <source>{a:name} and {b:name} share no flat place.</source>
+        <translation>{a} et {b} n’ont en commun aucun endroit plan.</translation>
+    </message>
+    <message>
+        <source>The reach must be more than 0 and at most 10 m, and it is {n:n} m.</source>
+        <translation>La portée doit être supérieure à 0 et d’au plus 10 m ; elle est de {n} m.</translation>
+    </message>
+    <message>
+        <source>{project:name}: no two lines share a flat place within {n:n} m of each other; widen the reach, or add lines over the same scene.</source>
+        <translation>{project} : aucune paire de lignes n’a d’endroit plan commun à moins de {n} m ; élargir la portée, ou ajouter des lignes sur la même scène.</translation>
+    </message>
+    <message>
+        <source>Comparing {a:name} with {b:name}</source>
+        <translation>Comparaison de {a} avec {b}</translation>
+    </message>
+    <message>
+        <source>Compared {n:n} pairs of lines</source>
+        <translation>{n} paires de lignes comparées</translation>
+    </message>
+    <message>
+        <source>Distance between two lines (mm)</source>
+        <translation>Distance entre deux lignes (mm)</translation>
+    </message>
+</context>
 </TS>

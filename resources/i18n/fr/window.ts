@@ -9100,4 +9100,123 @@ m/s</translation>
         <translation>Cibles</translation>
     </message>
 </context>
+<context>
+    <name>line quality dialog</name>
+    <message>
+        <source>&amp;Differences between lines…</source>
+        <translation>Éca&amp;rts entre lignes…</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Écarts</translation>
+    </message>
+    <message>
+        <source>How far every two lines are apart where the scene is flat, as shown</source>
+        <translation>De combien les lignes s’écartent deux à deux là où la scène est plane, telles que montrées</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Première</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Seconde</translation>
+    </message>
+    <message>
+        <source>The line whose normals are taken</source>
+        <translation>La ligne dont on prend les normales</translation>
+    </message>
+    <message>
+        <source>The line that is compared with it</source>
+        <translation>La ligne qu’on lui compare</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>Orientation</translation>
+    </message>
+    <message>
+        <source>Level: within 10 deg of the horizontal; upright: of the vertical</source>
+        <translation>De niveau : à 10 deg près de l’horizontale ; vertical : à 10 deg près de la verticale</translation>
+    </message>
+    <message>
+        <source>Flat places that both lines saw</source>
+        <translation>Endroits plans que les deux lignes ont vus</translation>
+    </message>
+    <message>
+        <source>Median (mm)</source>
+        <translation>Médiane (mm)</translation>
+    </message>
+    <message>
+        <source>Along the normal, positive where the second is nearer to the vessel</source>
+        <translation>Le long de la normale, positif où la seconde est plus près du navire</translation>
+    </message>
+    <message>
+        <source>RMSD (mm)</source>
+        <translation>EMQ (mm)</translation>
+    </message>
+    <message>
+        <source>Root mean square of the differences</source>
+        <translation>Écart quadratique moyen</translation>
+    </message>
+    <message>
+        <source>Robust (mm)</source>
+        <translation>Robuste (mm)</translation>
+    </message>
+    <message>
+        <source>1.4826 times the median absolute deviation from the median</source>
+        <translation>1,4826 fois l’écart absolu médian à la médiane</translation>
+    </message>
+    <message>
+        <source>95 % (mm)</source>
+        <translation>95 % (mm)</translation>
+    </message>
+    <message>
+        <source>Largest (mm)</source>
+        <translation>Plus grand (mm)</translation>
+    </message>
+    <message>
+        <source>Of the differences without their signs</source>
+        <translation>Des écarts sans leurs signes</translation>
+    </message>
+    <message>
+        <source>the prior boresight</source>
+        <translation>les angles de visée a priori</translation>
+    </message>
+    <message>
+        <source>the estimated boresight</source>
+        <translation>les angles de visée estimés</translation>
+    </message>
+    <message>
+        <source>Differences between lines</source>
+        <translation>Écarts entre lignes</translation>
+    </message>
+    <message>
+        <source>How far every two lines are apart where the scene is flat, measured along the normal, with the lines placed by {which}. Nothing is changed by it.</source>
+        <translation>De combien les lignes s’écartent deux à deux là où la scène est plane, mesuré le long de la normale, les lignes étant placées avec {which}. Rien n’en est changé.</translation>
+    </message>
+    <message>
+        <source>Places where lines are apart, from above</source>
+        <translation>Endroits où les lignes s’écartent, vus d’en haut</translation>
+    </message>
+    <message>
+        <source>Comparing the lines</source>
+        <translation>Comparaison des lignes</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>toutes</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>de niveau</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>vertical</translation>
+    </message>
+    <message>
+        <source>sloped</source>
+        <translation>incliné</translation>
+    </message>
+</context>
 </TS>

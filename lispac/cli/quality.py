@@ -1,0 +1,87 @@
+"""``lispac quality``: how well the lines of a survey fit each other, without any calibration."""
+
+import sys
+from argparse import Namespace
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.io.files import written_whole
+from lispac.progress import part
+from lispac.workflow.line_quality import Figures, LineQuality, line_quality
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import load_survey
+
+HEADS = ("places", "median", "RMSD", "robust", "95 %", "largest")
+
+
+def quality(arguments: Namespace) -> None:
+    """Print the differences of each two lines, by how the surface faces; draw and list them."""
+    with ConsoleProgress() as progress:
+        project = open_project(arguments.project)
+        survey = load_survey(project, progress=part(progress, 0.0, 0.3))
+        found = line_quality(
+            project, survey, which=arguments.which, reach=arguments.reach,
+            progress=part(progress, 0.3, 1.0),
+        )  # fmt: skip
+    if arguments.map is not None:
+        _draw(found, arguments.map)
+    if arguments.csv is not None:
+        _list(found, arguments.csv)
+    if arguments.json:
+        print_json(
+            {
+                "boresight": found.which,
+                "differences": [
+                    {"first": one, "second": other, "facing": facing} | _metres(figures)
+                    for one, other, facing, figures in found.rows()
+                ],
+                "not_compared": list(found.not_compared),
+            }
+        )
+        return
+    _print(found)
+    sys.stdout.flush()
+    for reason in found.not_compared:
+        print(f"note: {reason}", file=sys.stderr)
+
+
+def _metres(figures: Figures) -> dict[str, float]:
+    shared = {"places", "significant"}
+    return {k if k in shared else f"{k}_m": v for k, v in asdict(figures).items()}
+
+
+def _print(found: LineQuality) -> None:
+    rows = found.rows()
+    width = max(10, *(len(name) for row in rows for name in row[:2])) + 2
+    print(f"Lines placed with the {found.which} boresight; along the normal of flat places, mm")
+    heads = "".join(f"{head:>9s}" for head in HEADS)
+    print(f"{'first':{width}s}{'second':{width}s}{'facing':9s}{heads}")
+    for one, other, facing, each in rows:
+        cells = f"{each.places:9d}{1000 * each.median:+9.1f}" + "".join(
+            f"{1000 * value:9.1f}"
+            for value in (each.rmsd, each.robust_sigma, each.p95, each.largest)
+        )
+        print(f"{one:{width}s}{other:{width}s}{facing:9s}{cells}")
+
+
+def _draw(found: LineQuality, path: Path) -> None:
+    from lispac.report.line_map import line_map
+
+    figure = line_map(found.pairs)
+    with written_whole(path) as temporary:
+        figure.savefig(temporary, format=path.suffix[1:].lower(), dpi=200)
+
+
+def _list(found: LineQuality, path: Path) -> None:
+    with written_whole(path) as temporary, temporary.open("w", encoding="utf-8") as file:
+        file.write("first,second,north_m,west_m,up_m,difference_m,interval_95_m,upward\n")
+        for pair in found.pairs:
+            table = np.column_stack(
+                [pair.place, pair.distance, pair.half_width, np.abs(pair.normal[:, 2])]
+            )
+            for row in table:
+                values = ",".join(f"{value:.4f}" for value in row)
+                file.write(f"{pair.first},{pair.second},{values}\n")

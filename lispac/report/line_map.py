@@ -1,0 +1,47 @@
+"""The map of what lies between the lines: every place that two lines share, from above."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from lispac.language.translation import Say, unchanged
+from lispac.report.figures import INK, SMALL, TEXT, blank, dress
+from lispac.validation.line_differences import LineDifference
+
+COLOURS = "viridis_r"
+"""Light where lines meet, dark where they are far apart; told apart by everyone."""
+OUTER = 95.0
+"""Percentile of the differences that ends the colours."""
+
+
+def line_map(
+    pairs: Sequence[LineDifference], figure: Figure | None = None, say: Say = unchanged
+) -> Figure:
+    """Places of some pairs of lines, coloured by how far the lines are apart there.
+
+    Where several lie above each other, on a wall say, the largest difference is seen.
+
+    Parameters
+    ----------
+    pairs : one at least, with a place at least
+    """
+    figure = blank(figure, (6.3, 5.6))
+    axes = figure.subplots()
+    place = np.concatenate([pair.place for pair in pairs])
+    size = 1000 * np.abs(np.concatenate([pair.distance for pair in pairs]))
+    order = np.argsort(size)
+    end = max(float(np.percentile(size, OUTER)), 0.1)
+    drawn = axes.scatter(
+        -place[order, 1], place[order, 0], c=size[order], s=5, cmap=COLOURS, vmin=0.0, vmax=end,
+        linewidths=0, rasterized=True,
+    )  # fmt: skip
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.xaxis.set_major_formatter(
+        lambda value, _: f"{0.0 - value:g}".replace("-", "\N{MINUS SIGN}")
+    )
+    dress(axes, say("West (m)"), say("North (m)"))
+    bar = figure.colorbar(drawn, ax=axes, extend="max", shrink=0.8)
+    bar.set_label(say("Distance between two lines (mm)"), fontsize=TEXT, color=INK)
+    bar.ax.tick_params(labelsize=SMALL, colors=INK)
+    return figure

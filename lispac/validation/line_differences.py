@@ -1,0 +1,120 @@
+"""What lies between two lines where the scene is flat, without any calibration.
+
+As the relative accuracy of airborne surveys is judged where swaths overlap (USGS, Lidar Base
+Specification: "interswath accuracy, smooth surface"), but along the normal instead of upwards, so
+that walls count as well as ground: cylinders along the first line's own normal (M3C2: Lague et al.
+2013), at the second line's surface that is nearest.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import NotComparable
+from lispac.geometry.knn import build_tree
+from lispac.validation.place_widths import (
+    WIDE,
+    WIDEST,
+    candidates,
+    diameters_at,
+    spacing,
+    spread_out,
+)
+from lispac.validation.reference_places import SMOOTH, flat_places, on_surface
+
+Array = NDArray[np.float64]
+
+Facing = Literal["all", "level", "upright", "sloped"]
+FACINGS: tuple[Facing, ...] = ("all", "level", "upright", "sloped")
+LEVEL, UPRIGHT = np.cos(np.radians(10.0)), np.sin(np.radians(10.0))
+"""Upward part of the normal: within 10 deg of it the USGS looks at ground, within 10 deg of the
+horizon a wall stands."""
+MOST_READ = 300_000
+"""Points of a line that are looked at: spread evenly over it."""
+
+
+@dataclass(frozen=True, eq=False)
+class LineDifference:
+    """Places that two lines share, and how far the second lies from the first there.
+
+    Attributes
+    ----------
+    first, second : str
+    place : ndarray of shape (n, 3), metres, local frame
+    distance : ndarray of shape (n,), metres
+        Along the normal, positive where the second line lies nearer to the vessel.
+    half_width : ndarray of shape (n,), metres
+        Half the 95 % interval by the noise of the points.
+    normal : ndarray of shape (n, 3), unit vectors, local frame
+    """
+
+    first: str
+    second: str
+    place: Array
+    distance: Array
+    half_width: Array
+    normal: Array
+
+    def facing(self, facing: Facing) -> "LineDifference":
+        """Its places that face one way."""
+        up = np.abs(self.normal[:, 2])
+        own = {
+            "all": np.ones(len(up), dtype=bool),
+            "level": up >= LEVEL,
+            "upright": up <= UPRIGHT,
+            "sloped": (up < LEVEL) & (up > UPRIGHT),
+        }[facing]
+        return LineDifference(
+            self.first, self.second, self.place[own], self.distance[own], self.half_width[own],
+            self.normal[own],
+        )  # fmt: skip
+
+
+def line_difference(
+    first: tuple[str, Array],
+    second: tuple[str, Array],
+    vessel: Array,
+    *,
+    noise: float,
+    reach: float,
+) -> LineDifference:
+    """Compare two lines wherever the first is flat and the second is near.
+
+    Parameters
+    ----------
+    first, second : name, and ndarray of shape (n, 3), metres, local frame
+        Finite points.
+    vessel : ndarray of shape (3,), metres, local frame
+        On the side from which surfaces are seen.
+    noise : float, metres
+        Sigma of the LiDAR.
+    reach : float, metres
+        The farthest that the lines may be apart.
+
+    Raises
+    ------
+    NotComparable
+        Where they share no flat place.
+    """
+    (one, surface), (other, points) = first, second
+    surface, points = (each[:: -(-len(each) // MOST_READ) or 1] for each in (surface, points))
+    places = candidates(surface)
+    wanted = diameters_at(build_tree(points), places, reach)
+    near = np.flatnonzero(np.isfinite(wanted))
+    if not len(near):
+        raise NotComparable(f"{one} and {other} have no place in common within {reach:g} m.")
+    own = np.minimum(WIDE * spacing(build_tree(surface), places[near]), WIDEST)
+    chosen, wide = spread_out(places[near], np.maximum(wanted[near], own))
+    cores = places[near][chosen]
+    roughest = 3 * noise
+    flat = flat_places(surface, cores, SMOOTH * wide, roughest)
+    if not flat.any():
+        raise NotComparable(f"{one} and {other} share no flat place.")
+    cores, wide = cores[flat], wide[flat]
+    found = on_surface(
+        points, points, surface, cores, facing=vessel - cores, diameters=wide, reach=reach,
+        roughest=roughest,
+    ).before  # fmt: skip
+    return LineDifference(one, other, found.cores, found.distance, found.half_width, found.normals)

@@ -1,0 +1,181 @@
+"""How well the lines of a survey fit each other, as they are placed now."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, NotComparable
+from lispac.progress import Progress, no_progress
+from lispac.project import Project
+from lispac.survey.cloud import Cloud
+from lispac.validation.line_differences import (
+    FACINGS,
+    Facing,
+    LineDifference,
+    line_difference,
+)
+from lispac.validation.normal_distance import NMAD
+from lispac.workflow.georeferencing import Which
+from lispac.workflow.survey import Survey
+
+Array = NDArray[np.float64]
+
+REACH = 1.0
+"""Metres that lines may be apart: a prior boresight that is half a degree off moves a wall at 60 m
+by half a metre."""
+FEWEST = 10
+"""Places below which a figure says nothing."""
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What is said of some places; metres.
+
+    Attributes
+    ----------
+    places : int
+    median : along the normal, positive where the second line lies nearer to the vessel
+    rmsd : root mean square of the differences
+    robust_sigma : 1.4826 times the median absolute deviation from the median
+    p95, largest : of the differences without their signs
+    significant : share of the places whose difference is more than the noise of the points
+    """
+
+    places: int
+    median: float
+    rmsd: float
+    robust_sigma: float
+    p95: float
+    largest: float
+    significant: float
+
+    @classmethod
+    def of(cls, distance: Array, half_width: Array) -> "Figures":
+        """Summarise differences, shape (n,), with half their 95 % intervals, metres."""
+        size, median = np.abs(distance), float(np.median(distance))
+        return cls(
+            len(distance),
+            median,
+            float(np.sqrt(np.mean(distance**2))),
+            NMAD * float(np.median(np.abs(distance - median))),
+            float(np.percentile(size, 95.0)),
+            float(size.max()),
+            float(np.mean(size > half_width)),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class LineQuality:
+    """Differences between the lines of a survey.
+
+    Attributes
+    ----------
+    which : placed with the prior or with the estimated boresight
+    pairs : of all lines that share a flat place
+    not_compared : why two lines were not
+    """
+
+    which: Which
+    pairs: tuple[LineDifference, ...]
+    not_compared: tuple[str, ...]
+
+    def figures(self, pair: LineDifference, facing: Facing = "all") -> Figures | None:
+        """Of a pair; None where too few places face that way."""
+        own = pair.facing(facing)
+        return _figures([own])
+
+    def together(self, facing: Facing = "all") -> Figures | None:
+        """Of all pairs, each place alike."""
+        return _figures([pair.facing(facing) for pair in self.pairs])
+
+    def rows(self) -> list[tuple[str, str, Facing, Figures]]:
+        """All figures there are: of each pair, then of all together."""
+        found: list[tuple[str, str, Facing, Figures]] = []
+
+        def add(one: str, other: str, of: Callable[[Facing], Figures | None]) -> None:
+            for facing in FACINGS:
+                figures = of(facing)
+                if figures is not None:
+                    found.append((one, other, facing, figures))
+
+        for pair in self.pairs:
+            add(pair.first, pair.second, lambda facing, pair=pair: self.figures(pair, facing))  # type: ignore[misc]
+        if len(self.pairs) > 1:
+            add("all", "all", self.together)
+        return found
+
+
+def _figures(parts: list[LineDifference]) -> Figures | None:
+    distance = np.concatenate([each.distance for each in parts])
+    if len(distance) < FEWEST:
+        return None
+    return Figures.of(distance, np.concatenate([each.half_width for each in parts]))
+
+
+def line_quality(
+    project: Project,
+    survey: Survey,
+    *,
+    which: Which = "prior",
+    reach: float = REACH,
+    progress: Progress = no_progress,
+) -> LineQuality:
+    """Compare every two lines of a survey on what is flat; nothing need be calibrated.
+
+    Parameters
+    ----------
+    which : lines as the prior boresight places them, or the estimated one
+    reach : float, metres
+        The farthest that two lines may be apart.
+
+    Raises
+    ------
+    InputError
+        A reach out of range.
+    NotComparable
+        Where no two lines share a flat place.
+    ProjectError
+        Where nothing has been estimated and that is wanted.
+    """
+    if not 0.0 < reach <= 10.0:
+        raise InputError(f"The reach must be more than 0 and at most 10 m, and it is {reach:g} m.")
+    clouds = survey.placed(project, which)
+    points = {name: _finite(cloud) for name, cloud in clouds.items()}
+    pairs = list(combinations(points, 2))
+    found, missed = [], []
+    for k, (one, other) in enumerate(pairs):
+        progress(k / len(pairs), f"Comparing {one} with {other}")
+        vessel = _between(survey, one, other)
+        try:
+            found.append(
+                line_difference(
+                    (one, points[one]), (other, points[other]), vessel,
+                    noise=project.settings.lidar_sigma, reach=reach,
+                )
+            )  # fmt: skip
+        except NotComparable as error:
+            missed.append(str(error))
+    if not found:
+        raise NotComparable(
+            f"{project.name}: no two lines share a flat place within {reach:g} m of each other; "
+            "widen the reach, or add lines over the same scene."
+        )
+    progress(1.0, f"Compared {len(found)} pairs of lines")
+    return LineQuality(which, tuple(found), tuple(missed))
+
+
+def _finite(cloud: Cloud) -> Array:
+    sample = cloud.sample
+    return np.ascontiguousarray(sample[np.isfinite(sample).all(axis=1)])
+
+
+def _between(survey: Survey, *lines: str) -> Array:
+    """Where the vessel was, on the whole, while it scanned some lines, shape (3,), metres."""
+    times = np.concatenate(
+        [np.linspace(survey.scans[n].first_time, survey.scans[n].last_time, 21) for n in lines]
+    )
+    middle: Array = survey.trajectory.at(times).position.mean(axis=0)
+    return middle

@@ -1,0 +1,123 @@
+"""Differences between lines on what is flat: a shift put in comes out, along the normal."""
+
+import csv
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError, NotComparable, ProjectError
+from lispac.io.project_file import write_project
+from lispac.project import Project
+from lispac.validation.line_differences import line_difference
+from lispac.workflow.line_quality import Figures, line_quality
+from lispac.workflow.survey import Survey
+from tests.test_cli import answer, refused, run
+
+VESSEL = np.array([0.0, 0.0, 3.0])
+
+
+def scene(rng: np.random.Generator, shift: np.ndarray) -> np.ndarray:
+    """A wall 20 m north of the vessel, the ground before it and a ramp, with 3 mm of noise."""
+    west, up = rng.uniform(-10, 10, 60_000), rng.uniform(0, 8, 60_000)
+    wall = np.stack([np.full_like(west, 20.0), west, up], axis=1)
+    ground = np.stack([rng.uniform(12, 20, 60_000), west, np.zeros_like(west)], axis=1)
+    along = rng.uniform(6, 11, 30_000)
+    ramp = np.stack([along, rng.uniform(-10, 10, 30_000), 0.5 * (along - 6)], axis=1)
+    everything = np.concatenate([wall, ground, ramp])
+    return everything + shift + rng.normal(0.0, 0.003, everything.shape)
+
+
+def test_a_shift_is_seen_along_each_normal() -> None:
+    rng = np.random.default_rng(5)
+    still, moved = scene(rng, np.zeros(3)), scene(rng, np.array([-0.05, 0.0, 0.03]))
+    found = line_difference(("L1", still), ("L2", moved), VESSEL, noise=0.003, reach=0.5)
+    wall, ground, ramp = (found.facing(way) for way in ("upright", "level", "sloped"))
+    assert len(wall.distance) + len(ground.distance) + len(ramp.distance) == len(found.distance)
+    # Nearer to the vessel: 5 cm to the south, and 3 cm up.
+    assert np.median(wall.distance) == pytest.approx(0.05, abs=5e-4)
+    assert np.median(ground.distance) == pytest.approx(0.03, abs=5e-4)
+    normal = np.array([-0.5, 0.0, 1.0]) / np.hypot(0.5, 1.0)  # the ramp rises to the north
+    assert np.median(ramp.distance) == pytest.approx(normal @ [-0.05, 0.0, 0.03], abs=5e-4)
+    assert np.median(np.abs(wall.normal[:, 2])) < 0.01
+    same = line_difference(("L1", still), ("L2", scene(rng, np.zeros(3))), VESSEL,
+                           noise=0.003, reach=0.5)  # fmt: skip
+    figures = Figures.of(same.distance, same.half_width)
+    assert abs(figures.median) < 3e-4
+    assert figures.rmsd < 0.0015
+    assert 0.02 < figures.significant < 0.10, "95 % intervals, where nothing differs"
+
+
+def test_the_figures_are_those_of_the_differences() -> None:
+    distance = np.array([-0.01, 0.0, 0.01, 0.02, 0.08])
+    found = Figures.of(distance, np.full(5, 0.015))
+    assert found.places == 5
+    assert found.median == 0.01
+    assert found.rmsd == pytest.approx(np.sqrt(np.mean(distance**2)))
+    assert found.robust_sigma == pytest.approx(1.4826 * 0.01)
+    assert (found.largest, found.significant) == (0.08, 0.4)
+    assert found.p95 == pytest.approx(np.percentile(np.abs(distance), 95))
+
+
+def test_the_demo_before_and_after(calibrated: tuple[Project, Survey]) -> None:
+    """What the calibration mends is seen, and what the trajectory leaves too."""
+    project, survey = calibrated
+    three = dict(list(survey.clouds.items())[:3])
+    survey = replace(survey, clouds=three)
+    found = line_quality(project, survey)
+    assert len(found.pairs) == 3
+    before = found.together()
+    after = line_quality(project, survey, which="estimated").together()
+    assert before is not None
+    assert after is not None
+    assert before.rmsd > 0.1
+    assert after.rmsd < 0.03, "the simulated POS errors: 2 cm of position"
+    assert after.places > 0.9 * before.places
+
+
+def test_lines_that_share_nothing_are_told() -> None:
+    rng = np.random.default_rng(6)
+    one = scene(rng, np.zeros(3))
+    with pytest.raises(NotComparable, match=r"no place in common within 0\.5 m"):
+        line_difference(("A", one), ("B", one + 100.0), VESSEL, noise=0.003, reach=0.5)
+    rubble = rng.uniform(0, 5, (50_000, 3))
+    with pytest.raises(NotComparable, match="no flat place"):
+        line_difference(("A", rubble), ("B", rubble), VESSEL, noise=0.003, reach=0.5)
+
+
+def test_the_command_prints_draws_and_lists(
+    capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
+) -> None:
+    project = replace(
+        demo_project, folder=tmp_path / "p", lines=demo_project.lines[:2], targets=()
+    )  # fmt: skip
+    project.folder.mkdir()
+    write_project(project)
+    picture, table = tmp_path / "map.png", tmp_path / "places.csv"
+    found = answer(capsys, "quality", project.folder, "--map", picture, "--csv", table)
+    assert found["boresight"] == "prior"
+    rows = {each["facing"]: each for each in found["differences"]}
+    assert rows["all"]["first"], rows["all"]["second"] == [line.name for line in project.lines]
+    assert rows["all"]["places"] >= rows["upright"]["places"] > 100
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    with table.open(encoding="utf-8") as file:
+        listed = list(csv.DictReader(file))
+    assert len(listed) == rows["all"]["places"]
+    values = np.array([float(each["difference_m"]) for each in listed])
+    assert np.sqrt(np.mean(values**2)) == pytest.approx(rows["all"]["rmsd_m"], abs=1e-4)
+    code, out, _ = run(capsys, "quality", project.folder)
+    assert code == 0
+    assert "Lines placed with the prior boresight" in out
+    assert "RMSD" in out
+    assert "estimate first" in refused(capsys, "quality", project.folder, "--with", "estimated")
+    assert "at most 10 m" in refused(capsys, "quality", project.folder, "--reach", "11")
+
+
+def test_what_is_not_there_is_refused(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    with pytest.raises(InputError, match=r"at most 10 m"):
+        line_quality(project, survey, reach=0.0)
+    bare = Project(project.folder, project.trajectory, project.lines, project.settings)
+    with pytest.raises(ProjectError, match="estimate first"):
+        line_quality(bare, survey, which="estimated")
