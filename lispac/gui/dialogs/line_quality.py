@@ -10,7 +10,8 @@ from lispac.workflow.line_quality import Figures, LineQuality
 COLUMNS = (
     Column("First", "The line whose normals are taken", words=True),
     Column("Second", "The line that is compared with it", words=True),
-    Column("Facing", "Level: within 10 deg of the horizontal; upright: of the vertical", words=True),
+    Column("Facing", "Level: within 10 deg of the horizontal; upright: of the vertical",
+           words=True),
     Column("Places", "Flat places that both lines saw"),
     Column("Median (mm)", "Along the normal, positive where the second is nearer to the vessel",
            base="mm"),
