@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tomllib
 import xml.etree.ElementTree as ElementTree
+from importlib.metadata import distribution
 from pathlib import Path
 
 import pytest
@@ -334,11 +335,32 @@ def test_notices_refer_to_texts_that_are_there() -> None:
     notices = licences.read_notices()
     texts = [*notices["shared_texts"]]
     for row in notices["distribution"].values():
-        texts += row["texts"]
+        texts += row.get("texts", ())
     assert all((licences.TEXTS / name).stat().st_size > 1000 for name in texts)
     for row in notices["library"]:
         re.compile(row["file"])
         assert row["licence"]
+
+
+def test_what_the_pages_of_the_manual_hold_is_named() -> None:
+    notices = licences.read_notices()
+    texts = {
+        name: "\n".join(licences.texts_of(distribution(name), notices))
+        for name in licences.IN_PAGES
+    }
+    assert "Snowball project" in texts["snowballstemmer"]
+    assert "Permission is hereby granted" in texts["furo"]
+    theme = Path(str(distribution("furo").locate_file("furo/theme/furo")))
+    banners = [*theme.rglob("*.css"), *theme.rglob("*.LICENSE.txt")]
+    others = {
+        name
+        for file in banners
+        for name in re.findall(r"([\w.-]+) v\d+\.\d+\.\d+", file.read_text("utf-8"))
+    }
+    drawn = (theme / "partials" / "icons.html").read_text("utf-8")
+    others |= {name.title() for name in re.findall(r"\b(feather|tabler)-", drawn)}
+    assert others == {"gumshoejs", "normalize.css", "Feather", "Tabler"}
+    assert all(name in texts["furo"] for name in others)
 
 
 def test_qt_comes_with_the_lgpl() -> None:

@@ -20,7 +20,8 @@ LICENCE_FILE = re.compile(r"(licen[cs]e|copying|notice|copyright)", re.IGNORECAS
 PYTHON = "Python"
 PROJECT = "LISPAC"
 FILE_NAME = "LICENSES.txt"
-IN_PAGES = ("furo", "sphinx", "sphinx-basic-ng")
+IN_PAGES = ("furo", "pygments", "snowballstemmer", "sphinx", "sphinx-basic-ng")
+"""Packages whose scripts, styles and pictures the pages of the manual hold."""
 
 
 class LicenceMissingError(Exception):
