@@ -9,7 +9,6 @@ import subprocess
 import sys
 import tomllib
 import xml.etree.ElementTree as ElementTree
-from importlib.metadata import distribution
 from pathlib import Path
 
 import pytest
@@ -17,6 +16,7 @@ from bundling import build, desktop, licences, names, sizes, trimming
 
 import lispac
 from lispac.io.project_file import OPENER, OPENER_ENDING
+from lispac.language.catalogue import LANGUAGES
 from tests.extras.clean_root import Root
 
 CHECKOUT = Path(__file__).resolve().parents[1]
@@ -83,6 +83,11 @@ def test_windows_and_macos_tie_the_same_files_to_the_window() -> None:
     assert kind["UTTypeTagSpecification"]["public.filename-extension"] == [names.ENDING]
     assert plist["CFBundleDocumentTypes"][0]["LSItemContentTypes"] == [kind["UTTypeIdentifier"]]
     assert plist["CFBundleExecutable"] == names.WINDOW
+    assert plist["CFBundleLocalizations"] == list(LANGUAGES)
+    for code, language in (("en", "english"), ("fr", "french")):
+        assert code in LANGUAGES
+        assert f'Name: "{language}"' in WINDOWS
+        assert f"{language}.Document=" in WINDOWS
 
 
 def test_shell_scripts_can_be_read() -> None:
@@ -241,6 +246,18 @@ def test_bytecode_lies_in_the_bundle(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert sys.pycache_prefix == str(tmp_path / "elsewhere")
 
 
+def test_the_app_of_macos_has_licences_and_bytecode_too(tmp_path: Path) -> None:
+    app, made = tmp_path / "LISPAC.app", tmp_path / "lispac"
+    package = app / "Contents" / "Resources" / "lispac"
+    package.mkdir(parents=True)
+    made.mkdir()
+    (package / "module.py").write_text("answer = 42\n")
+    (made / licences.FILE_NAME).write_text("all of them")
+    build.finish_macos(app, made)
+    assert (package.parent / licences.FILE_NAME).read_text() == "all of them"
+    assert len(list((package / "__pycache__").glob("module.*.pyc"))) == 1
+
+
 def test_sizes_count_a_file_of_two_names_once(tmp_path: Path) -> None:
     inside = tmp_path / "_internal" / "numpy.libs"
     inside.mkdir(parents=True)
@@ -264,107 +281,3 @@ def test_a_clean_root_can_write_nothing_of_this_machine(tmp_path: Path) -> None:
     copied = root.folder / str(tmp_path / "given").lstrip("/")
     copied.write_text("theirs")
     assert (tmp_path / "given").read_text() == "ours"
-
-
-# Licences
-
-
-def made_distribution(site: Path, name: str, licence: str | None) -> Path:
-    """A package as pip installs it; returns its module."""
-    info = site / f"{name}-1.0.dist-info"
-    info.mkdir(parents=True)
-    (site / f"{name}.py").touch()
-    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
-    record = f"{name}.py,,\n{name}-1.0.dist-info/METADATA,,\n"
-    if licence is not None:
-        (info / "licenses").mkdir()
-        (info / "licenses" / "LICENSE").write_text(licence)
-        record += f"{name}-1.0.dist-info/licenses/LICENSE,,\n"
-    (info / "RECORD").write_text(record)
-    return site / f"{name}.py"
-
-
-def test_licences_of_what_is_bundled_stand_in_one_file(tmp_path: Path) -> None:
-    site = tmp_path / "site-packages"
-    used = made_distribution(site, "used", "Do as you like.")
-    made_distribution(site, "unused", "Never.")
-    found = licences.collected([used], site, CHECKOUT, licences.read_notices())
-    text = licences.written(found)
-    assert "used 1.0" in text
-    assert "Do as you like." in text
-    assert "Never." not in text
-    assert "BSD 3-Clause" in text
-    assert "PYTHON SOFTWARE FOUNDATION" in text
-
-
-def test_only_files_are_asked_for_their_licence() -> None:
-    listed = [
-        ("libz.so", "vtkmodules/libz.so", "SYMLINK"),
-        ("mpl_toolkits", "-", "PYMODULE"),
-        ("scipy", "/site/scipy/__init__.py", "PYMODULE"),
-        ("json", "", "PYMODULE"),
-    ]
-    assert build.sources_of(listed) == [Path("/site/scipy/__init__.py")]
-
-
-def test_a_part_without_licence_text_stops_the_build(tmp_path: Path) -> None:
-    used = made_distribution(tmp_path, "silent", None)
-    with pytest.raises(
-        licences.LicenceMissingError, match=r"silent comes without .* notices\.toml"
-    ):
-        licences.collected([used], tmp_path, CHECKOUT, licences.read_notices())
-
-
-def test_a_library_that_nobody_knows_stops_the_build(tmp_path: Path) -> None:
-    folder = tmp_path / "numpy.libs"
-    folder.mkdir()
-    (folder / "libstrange-12ab.so.1").touch()
-    with pytest.raises(licences.LicenceMissingError, match="libstrange"):
-        licences.collected(
-            [folder / "libstrange-12ab.so.1"], tmp_path, CHECKOUT, licences.read_notices()
-        )
-
-
-def test_a_file_of_no_package_stops_the_build(tmp_path: Path) -> None:
-    (tmp_path / "loose.py").touch()
-    with pytest.raises(licences.LicenceMissingError, match="belongs to no package"):
-        licences.collected([tmp_path / "loose.py"], tmp_path, CHECKOUT, licences.read_notices())
-
-
-def test_notices_refer_to_texts_that_are_there() -> None:
-    notices = licences.read_notices()
-    texts = [*notices["shared_texts"]]
-    for row in notices["distribution"].values():
-        texts += row.get("texts", ())
-    assert all((licences.TEXTS / name).stat().st_size > 1000 for name in texts)
-    for row in notices["library"]:
-        re.compile(row["file"])
-        assert row["licence"]
-
-
-def test_what_the_pages_of_the_manual_hold_is_named() -> None:
-    notices = licences.read_notices()
-    texts = {
-        name: "\n".join(licences.texts_of(distribution(name), notices))
-        for name in licences.IN_PAGES
-    }
-    assert "Snowball project" in texts["snowballstemmer"]
-    assert "Permission is hereby granted" in texts["furo"]
-    theme = Path(str(distribution("furo").locate_file("furo/theme/furo")))
-    banners = [*theme.rglob("*.css"), *theme.rglob("*.LICENSE.txt")]
-    others = {
-        name
-        for file in banners
-        for name in re.findall(r"([\w.-]+) v\d+\.\d+\.\d+", file.read_text("utf-8"))
-    }
-    drawn = (theme / "partials" / "icons.html").read_text("utf-8")
-    others |= {name.title() for name in re.findall(r"\b(feather|tabler)-", drawn)}
-    assert others == {"gumshoejs", "normalize.css", "Feather", "Tabler"}
-    assert all(name in texts["furo"] for name in others)
-
-
-def test_qt_comes_with_the_lgpl() -> None:
-    row = licences.read_notices()["distribution"]["pyside6-essentials"]
-    assert "LGPL-3.txt" in row["texts"]
-    assert "LESSER GENERAL PUBLIC LICENSE" in (licences.TEXTS / "LGPL-3.txt").read_text()
-    assert "may be replaced" in " ".join(row["note"].split())

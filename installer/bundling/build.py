@@ -160,6 +160,19 @@ def finish_linux(folder: Path) -> None:
     desktop.write_into(folder)
 
 
+def finish_macos(app: Path, made: Path) -> None:
+    """Bring into the .app, which PyInstaller made of the folder, what the folder got after it.
+
+    Parameters
+    ----------
+    app : Path; its data, and modules that lie as files, are in Contents/Resources
+    made : Path, the folder
+    """
+    inside = app / "Contents" / "Resources"
+    shutil.copy(made / licences.FILE_NAME, inside)
+    compile_sources(inside / "lispac")
+
+
 def installer_command() -> list[str] | None:
     """What makes the installer of Windows or macOS from the folder; None where it is absent."""
     here = names.CHECKOUT / "installer"
@@ -196,6 +209,8 @@ def build(*, packed: bool) -> Path:
     compile_sources(made / "_internal" / "lispac")
     if sys.platform == "linux":
         finish_linux(made)
+    if sys.platform == "darwin":
+        finish_macos(BUILD / "dist" / f"{names.NAME}.app", made)
     require_fit(made)
     folder = DIST / bundle_name()
     shutil.rmtree(folder, ignore_errors=True)

@@ -75,9 +75,12 @@ def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str
 
 
 def library_notice(file_name: str, notices: Mapping[str, Any]) -> Mapping[str, str] | None:
-    """What the notices say of a library inside a wheel, by the beginning of its name."""
+    """What the notices say of a library inside a wheel, by the beginning of its name.
+
+    On Windows names go without the ``lib`` before them.
+    """
     for row in notices["library"]:
-        if re.match(row["file"], file_name):
+        if re.match(row["file"], file_name) or re.match(row["file"], f"lib{file_name}"):
             return row
     return None
 
@@ -87,7 +90,9 @@ def is_foreign(path: Path) -> bool:
     name = path.name
     if ".so" not in name and path.suffix not in (".dll", ".dylib"):
         return False
-    return path.parent.name.endswith(".libs") or re.match(r"libvtk[a-z]|libtbb", name) is not None
+    # auditwheel and delvewheel put them into a folder *.libs, delocate into .dylibs
+    brought = path.parent.name == ".dylibs" or path.parent.name.endswith(".libs")
+    return brought or re.match(r"(lib)?(vtk[a-z]|tbb)", name) is not None
 
 
 def debian_copyright(library: Path) -> tuple[str, str]:
@@ -197,7 +202,9 @@ def _is_ours(source: Path, checkout: Path, site: Path) -> bool:
 
 
 def _is_python(source: Path) -> bool:
-    stdlib = Path(sysconfig.get_path("stdlib")).resolve()
+    # Windows and macOS have Python's own libraries beside it, not among those of the system
+    home = sysconfig.get_path("stdlib") if sys.platform == "linux" else sys.base_prefix
+    stdlib = Path(home).resolve()
     # Debian keeps its packages below the library
     packages = {"site-packages", "dist-packages"} & set(source.parts)
     inside = source.resolve().is_relative_to(stdlib) and not packages
@@ -213,7 +220,8 @@ def _python_licence() -> str:
     """
     stdlib = Path(sysconfig.get_path("stdlib"))
     version = f"python{sys.version_info[0]}.{sys.version_info[1]}"
-    for path in (stdlib / "LICENSE.txt", Path("/usr/share/doc") / version / "copyright"):
+    debian = Path("/usr/share/doc") / version / "copyright"
+    for path in (stdlib / "LICENSE.txt", Path(sys.base_prefix) / "LICENSE.txt", debian):
         if path.is_file():
             return path.read_text(encoding="utf-8").strip()
     raise LicenceMissingError(f"Python's own licence is not in {stdlib}.")

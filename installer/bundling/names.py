@@ -47,6 +47,7 @@ def shared() -> dict[str, str]:
         "Ending": ENDING,
         "MimeType": MIME_TYPE,
         "Document": DOCUMENT,
+        "DocumentFr": DOCUMENT_FR,
     }
 
 
@@ -65,6 +66,9 @@ def for_macos() -> dict[str, Any]:
     kind = f"{IDENTIFIER}.project"
     return {
         "CFBundleExecutable": WINDOW,
+        # The system's own dialogues follow the language of the user, as ours do
+        "CFBundleDevelopmentRegion": "en",
+        "CFBundleLocalizations": ["en", "fr"],
         "CFBundleDocumentTypes": [
             {
                 "CFBundleTypeName": DOCUMENT,

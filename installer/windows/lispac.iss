@@ -31,6 +31,10 @@ WizardStyle=modern
 Name: "english"; MessagesFile: "compiler:Default.isl"
 Name: "french"; MessagesFile: "compiler:Languages\French.isl"
 
+[CustomMessages]
+english.Document={#Document}
+french.Document={#DocumentFr}
+
 [Tasks]
 Name: "desktopicon"; Description: "{cm:CreateDesktopIcon}"; Flags: unchecked
 
@@ -48,10 +52,10 @@ Name: "{autodesktop}\{#AppName}"; Filename: "{app}\{#Window}.exe"; Tasks: deskto
 [Registry]
 Root: HKA; Subkey: "Software\Classes\.{#Ending}"; ValueType: string; ValueData: "{#AppIdentifier}.project"; Flags: uninsdeletevalue
 Root: HKA; Subkey: "Software\Classes\.{#Ending}"; ValueType: string; ValueName: "Content Type"; ValueData: "{#MimeType}"; Flags: uninsdeletevalue
-Root: HKA; Subkey: "Software\Classes\{#AppIdentifier}.project"; ValueType: string; ValueData: "{#Document}"; Flags: uninsdeletekey
+Root: HKA; Subkey: "Software\Classes\{#AppIdentifier}.project"; ValueType: string; ValueData: "{cm:Document}"; Flags: uninsdeletekey
 Root: HKA; Subkey: "Software\Classes\{#AppIdentifier}.project\DefaultIcon"; ValueType: string; ValueData: "{app}\{#Window}.exe,0"
 Root: HKA; Subkey: "Software\Classes\{#AppIdentifier}.project\shell\open\command"; ValueType: string; ValueData: """{app}\{#Window}.exe"" ""%1"""
-; `lispac` in a terminal
+; `lispac` under Run, and `start lispac` in a terminal
 Root: HKA; Subkey: "Software\Microsoft\Windows\CurrentVersion\App Paths\{#CommandLine}.exe"; ValueType: string; ValueData: "{app}\{#CommandLine}.exe"; Flags: uninsdeletekey
 
 [Run]
