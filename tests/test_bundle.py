@@ -224,6 +224,21 @@ def test_what_must_not_be_in_a_bundle_is_found(place: str) -> None:
     assert trimming.unwanted(["_internal/lispac/cli/main.py", place]) == [place]
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="a program there is no script")
+@pytest.mark.parametrize("ending", ["", ".exe"])
+def test_a_bundle_that_tells_another_version_is_refused(
+    ending: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(build.sysconfig, "get_config_var", {"EXE": ending}.get)
+    program = tmp_path / f"lispac{ending}"
+    program.write_text(f'#!/bin/sh\necho "lispac {lispac.__version__}$HOME"\n')
+    program.chmod(0o755)
+    build.require_fit(tmp_path)
+    program.write_text("#!/bin/sh\necho lispac 0.0\n")
+    with pytest.raises(build.BundleError, match=r"says: lispac 0\.0"):
+        build.require_fit(tmp_path)
+
+
 def test_modules_of_lispac_are_no_test_data() -> None:
     places = [path.relative_to(CHECKOUT).as_posix() for path in (CHECKOUT / "lispac").rglob("*.py")]
     assert trimming.unwanted(f"_internal/{place}" for place in places) == []

@@ -134,9 +134,11 @@ def require_fit(folder: Path) -> None:
     found = trimming.unwanted(places)
     if found:
         raise BundleError("The bundle holds what it must not: " + ", ".join(sorted(found)[:10]))
-    program = folder / names.COMMAND_LINE
+    program = folder / f"{names.COMMAND_LINE}{sysconfig.get_config_var('EXE') or ''}"
+    # Nothing of this environment but what no program of Windows can do without
+    kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
     done = subprocess.run(
-        [str(program), "--version"], capture_output=True, text=True, check=False, env={}
+        [str(program), "--version"], capture_output=True, text=True, check=False, env=kept
     )
     if done.stdout.strip() != f"lispac {names.version()}":
         raise BundleError(f"{program} --version says: {done.stdout}{done.stderr}")
