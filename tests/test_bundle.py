@@ -209,6 +209,36 @@ def test_libraries_come_along_only_where_something_needs_them() -> None:
 
 
 @pytest.mark.parametrize(
+    ("plugins", "translations", "file"),
+    [
+        ("PySide6/Qt/plugins", "PySide6/Qt/translations", "lib{}.so"),
+        ("PySide6/Qt/plugins", "PySide6/Qt/translations", "lib{}.dylib"),
+        (r"PySide6\plugins", r"PySide6\translations", "{}.dll"),
+    ],
+    ids=["linux", "macos", "windows"],
+)
+def test_what_is_never_asked_for_stays_out_on_every_system(
+    plugins: str, translations: str, file: str
+) -> None:
+    apart = "\\" if "\\" in plugins else "/"
+    used = [
+        apart.join([plugins, "platforms", file.format("qoffscreen")]),
+        apart.join([plugins, "imageformats", file.format("qsvg")]),
+        apart.join([translations, "qtbase_fr.qm"]),
+        apart.join(["numpy", "testing.py"]),
+    ]
+    unused = [
+        apart.join([plugins, "platforms", file.format("qminimal")]),
+        apart.join([plugins, "imageformats", file.format("qpdf")]),
+        apart.join([plugins, "tls", file.format("qopensslbackend")]),
+        apart.join([translations, "qtbase_de.qm"]),
+        apart.join(["numpy", "tests", "test_x.py"]),
+    ]
+    entries = [(place, "/source", "BINARY") for place in [*used, *unused]]
+    assert [entry[0] for entry in trimming.without_unused(entries)] == used
+
+
+@pytest.mark.parametrize(
     "place",
     [
         "_internal/PySide6/Qt/lib/libQt6WebEngineCore.so.6",

@@ -53,13 +53,13 @@ UNUSED_MODULES = [
 # Qt's plugins for screens without X or Wayland, for networks and GTK's dialogues (which would
 # bring GTK), pictures that LISPAC does not read, and languages that its window does not speak.
 UNUSED_FILES = [
-    r"PySide6/Qt/plugins/(egldeviceintegrations|generic|networkinformation|tls)/",
-    r"PySide6/Qt/plugins/platforms/libq(eglfs|linuxfb|minimal|minimalegl|vkkhrdisplay|vnc)\.so",
-    r"PySide6/Qt/plugins/platformthemes/libqgtk3\.so",
-    r"PySide6/Qt/plugins/imageformats/libq(icns|pdf|tga|tiff|wbmp|webp)\.so",
-    r"PySide6/Qt/translations/(?!qt(base)?_(en|fr)\.qm$)",
+    r"PySide6/(Qt/)?plugins/(egldeviceintegrations|generic|networkinformation|tls)/",
+    r"PySide6/(Qt/)?plugins/platforms/(lib)?q(eglfs|linuxfb|minimal|minimalegl|vkkhrdisplay|vnc)\.",
+    r"PySide6/(Qt/)?plugins/platformthemes/libqgtk3\.",
+    r"PySide6/(Qt/)?plugins/imageformats/(lib)?q(icns|pdf|tga|tiff|wbmp|webp)\.",
+    r"PySide6/(Qt/)?translations/(?!qt(base)?_(en|fr)\.qm$)",
     r"matplotlib/mpl-data/(sample_data|plot_directive)/",
-    r"pillow\.libs/libavif|PIL/_avif",
+    r"pillow\.libs/libavif|PIL/(_avif|\.dylibs/libavif)",
     r"(.*/)?tests?/",
 ]
 # Found by what the window has loaded with every module imported and the built-in survey on show.
@@ -160,8 +160,8 @@ def is_optional(place: str) -> bool:
 
 
 def without_unused(entries: Iterable[Entry]) -> list[Entry]:
-    """Files of the bundle but for those that LISPAC never asks for."""
-    return [entry for entry in entries if not _matches(UNUSED_FILES, entry[0])]
+    """Files of the bundle but for those that LISPAC never asks for, on any system."""
+    return [entry for entry in entries if not _matches(UNUSED_FILES, entry[0].replace("\\", "/"))]
 
 
 def trimmed(entries: Sequence[Entry], needs: Callable[[str], Iterable[str]]) -> list[Entry]:
