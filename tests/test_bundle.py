@@ -90,6 +90,19 @@ def test_windows_and_macos_tie_the_same_files_to_the_window() -> None:
         assert f"{language}.Document=" in WINDOWS
 
 
+def test_the_hardened_runtime_of_macos_comes_with_what_numba_needs() -> None:
+    (signed, sealed) = re.findall(r"codesign (?:[^\\\n]|\\\n)*", MACOS)
+    assert "--options runtime" in signed
+    assert '--sign "$CODESIGN_IDENTITY"' in signed
+    (file,) = re.findall(r'--entitlements "\$checkout/(.*?)"', signed)
+    granted = plistlib.loads((CHECKOUT / file).read_bytes())
+    wanted = ("allow-jit", "allow-unsigned-executable-memory")
+    assert granted == {f"com.apple.security.cs.{name}": True for name in wanted}
+    # Without a certificate no library would be of the same maker
+    assert "--sign -" in sealed
+    assert "runtime" not in sealed
+
+
 def test_shell_scripts_can_be_read() -> None:
     for script in (MACOS, desktop.INSTALL, desktop.UNINSTALL):
         done = subprocess.run(["sh", "-n"], input=script, text=True, check=False)

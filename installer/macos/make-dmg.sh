@@ -16,8 +16,14 @@ done
 stated=$(/usr/libexec/PlistBuddy -c "Print :CFBundleShortVersionString" "$app/Contents/Info.plist")
 [ "$stated" = "$AppVersion" ] || { echo "$app says it is version $stated, not $AppVersion." >&2; exit 1; }
 
-# CODESIGN_IDENTITY is the maker's certificate; without it the seal is valid on this Mac only
-codesign --force --deep --options runtime --sign "${CODESIGN_IDENTITY:--}" "$app"
+# CODESIGN_IDENTITY is the maker's certificate; without it the seal is valid on this Mac only. The hardened
+# runtime, which a notary asks for, loads only libraries of the same maker: without one, none at all.
+if [ -n "${CODESIGN_IDENTITY:-}" ]; then
+    codesign --force --deep --timestamp --options runtime \
+        --entitlements "$checkout/installer/macos/entitlements.plist" --sign "$CODESIGN_IDENTITY" "$app"
+else
+    codesign --force --deep --sign - "$app"
+fi
 
 rm -rf "$staging"
 mkdir -p "$staging"
