@@ -144,8 +144,13 @@ class Controller(QObject):
 
         self.based_on_project(self._runner.run(f"Adding {what}", work, done))
 
-    def open_demo(self, folder: Path | None = None) -> None:
-        """Open the built-in survey, simulated on its first use."""
+    def open_demo(
+        self, folder: Path | None = None, *, first: Callable[[], None] = lambda: None
+    ) -> None:
+        """Open the built-in survey, simulated on its first use.
+
+        ``first`` is called when it has been read and is about to be shown, and never otherwise.
+        """
         place = folder or demo_folder()
 
         def work(progress: Progress) -> Opened:
@@ -158,7 +163,11 @@ class Controller(QObject):
                 project = make_demo(place, progress=part(progress, 0.0, 0.8))
             return project, load_survey(project, progress=part(progress, 0.8, 1.0))
 
-        self._runner.run("Opening the demo survey", work, self._opened, shows=True)
+        def done(opened: Opened) -> None:
+            first()
+            self._opened(opened)
+
+        self._runner.run("Opening the demo survey", work, done, shows=True)
 
     def save(self) -> bool:
         """Write the project; whether that went well."""

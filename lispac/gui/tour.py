@@ -119,8 +119,11 @@ class Tour(QObject):
         """Open the demo without its targets, and lead through it."""
         window = self._window
         if window.life.may_leave():
-            self._starting = True
-            window.controller.open_demo()
+            window.controller.open_demo(first=self._begin)
+
+    def _begin(self) -> None:
+        # Only now: had the demo been cancelled, the next project would lose its targets to the tour
+        self._starting = True
 
     def end(self) -> None:
         """Leave the user alone."""

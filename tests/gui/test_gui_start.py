@@ -13,7 +13,7 @@ from lispac.gui.language import speak
 from lispac.gui.main_window import MainWindow
 from lispac.gui.tour import STEPS
 from lispac.io.project_file import FILE_NAME
-from tests.gui.support import WAIT_MS, Driver, press, seed
+from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
 DAY = datetime(2026, 3, 7, 9, 5).timestamp()
 
@@ -120,3 +120,19 @@ def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> Non
     driver.bot.waitUntil(lambda: not driver.window.tour.on, timeout=WAIT_MS)
     assert not driver.window.stage.card.isVisible()
     driver.rest()
+
+
+def test_a_tour_that_was_cancelled_leaves_the_next_project_its_targets(
+    driver: Driver, at_the_demo: Path, picked_folder: Path
+) -> None:
+    window = driver.window
+    click(driver, window.stage.start.ways["tour"])
+    click(driver, window.task_bar.cancel)
+    driver.rest()
+    assert window.document.project is None
+    window.open_project(picked_folder)
+    driver.bot.waitUntil(lambda: window.document.project is not None, timeout=WAIT_MS)
+    driver.rest()
+    assert driver.project.targets
+    assert not window.isWindowModified()
+    assert not window.tour.on
