@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QLockFile, QObject, Signal
 
-from lispac.errors import LispacError
+from lispac.errors import InputError, LispacError
 from lispac.gui.language import say_moment
 from lispac.io.project_file import FILE_NAME, forget_unsaved, keep_unsaved
 from lispac.project import Project
 from lispac.workflow.moved import with_files_of
-from lispac.workflow.projects import Unsaved, unsaved_work
+from lispac.workflow.projects import Unsaved, require_folder, unsaved_work
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -32,6 +32,7 @@ class Safekeeping(QObject):
     troubled = Signal()
     """`trouble` is another."""
     _failed = Signal(object)
+    _kept = Signal()
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -40,6 +41,7 @@ class Safekeeping(QObject):
         self._writer = ThreadPoolExecutor(1, "lispac-keeping")
         self._wanted: Project | None = None
         self._failed.connect(self._cannot_keep)
+        self._kept.connect(lambda: self._tell("") if self.trouble else None)
         self._folder: Path | None = None
         self._lock: QLockFile | None = None
         self._keeps = False
@@ -137,7 +139,9 @@ class Safekeeping(QObject):
 
     def _keep_wanted(self, project: Project) -> None:
         if project is self._wanted:  # else there was another edit meanwhile
+            require_folder(project)
             keep_unsaved(project)
+            self._kept.emit()
 
     def _write(self, write: Callable[[Any], None], what: object) -> None:
         def ended(done: Future[None]) -> None:
@@ -150,16 +154,24 @@ class Safekeeping(QObject):
         """The project on the disk is ours."""
         assert self._folder is not None
         self._saved = _signature(self._folder)
+        self._tell("")
 
     def _may_save(self, project: Project) -> bool:
         """Whether a save overwrites nothing that somebody else wrote; asks where it does."""
+        try:
+            require_folder(project)
+        except InputError as error:
+            self._dialogs.show_error(error)
+            return False
         changed = project.folder == self._folder and _signature(project.folder) != self._saved
         return not changed or self._dialogs.overwrite(project.name)
 
     def _cannot_keep(self, error: BaseException) -> None:
-        self._keeps = False
-        self._tell(f"Unsaved work is not kept against a crash: {error}")
-        self._note(self.trouble)
+        # The next edit is tried again: a full disk gets room, a drive comes back
+        trouble = f"Unsaved work is not kept against a crash: {error}"
+        if trouble != self.trouble:
+            self._tell(trouble)
+            self._note(trouble)
 
     def _tell(self, trouble: str) -> None:
         self.trouble = trouble

@@ -298,6 +298,23 @@ def unsaved_work(folder: Path) -> Unsaved | None:
     return Unsaved(project, kept.stat().st_mtime, saved.stat().st_mtime)
 
 
+def require_folder(project: Project) -> None:
+    """See that the folder of an open project is still where it was opened.
+
+    Saving would make it anew at the old place, without the lines and the trajectory.
+
+    Raises
+    ------
+    InputError
+        Where it was moved, renamed or removed meanwhile.
+    """
+    if not project.folder.is_dir():
+        raise InputError(
+            f"{project.folder}: the folder of the project is no longer there; "
+            "bring it back to this place and name, then save."
+        )
+
+
 def save_project(project: Project) -> None:
     """Save a project into its folder.
 

@@ -11,7 +11,7 @@ from lispac.gui.safekeeping import LOCK_NAME
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME, read_project
 from tests.gui.killed import killed_after_editing
-from tests.gui.support import WAIT_MS, Driver
+from tests.gui.support import WAIT_MS, Control, Driver, Key, press
 
 
 @pytest.fixture
@@ -118,6 +118,44 @@ def test_where_nothing_can_be_kept_it_is_said(driver: Driver, folder: Path) -> N
         lambda: "not kept against a crash" in driver.window.log.toPlainText(), timeout=WAIT_MS
     )
     assert driver.dialogs.errors == []
+
+
+def test_what_could_not_be_kept_once_is_kept_as_soon_as_it_can(
+    driver: Driver, folder: Path
+) -> None:
+    opened(driver, folder)
+    (folder / UNSAVED_NAME).mkdir()
+    (folder / UNSAVED_NAME / "held").touch()
+    driver.window.controller.rename("T1", "North wall")
+    driver.bot.waitUntil(lambda: driver.window.safekeeping.trouble != "", timeout=WAIT_MS)
+    (folder / UNSAVED_NAME / "held").unlink()
+    (folder / UNSAVED_NAME).rmdir()
+    driver.window.controller.rename("T2", "South wall")
+    driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).is_file(), timeout=5000)
+    driver.bot.waitUntil(lambda: driver.window.safekeeping.trouble == "", timeout=5000)
+
+
+def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
+    driver: Driver, folder: Path
+) -> None:
+    opened(driver, folder)
+    away = folder.with_name("renamed")
+    folder.rename(away)
+    driver.window.controller.rename("T1", "North wall")
+    driver.bot.waitUntil(lambda: driver.window.safekeeping.trouble != "", timeout=5000)
+    driver.window.activateWindow()
+    press(driver, Key.Key_S, Control)
+    driver.bot.waitUntil(lambda: driver.dialogs.errors != [], timeout=5000)
+    assert "no longer there" in str(driver.dialogs.errors[0])
+    assert not folder.exists()
+    assert driver.window.isWindowModified()
+
+    away.rename(folder)
+    press(driver, Key.Key_S, Control)
+    driver.bot.waitUntil(lambda: not driver.window.isWindowModified(), timeout=5000)
+    assert "North wall" in names(read_project(folder))
+    assert driver.dialogs.safety == [], "nobody else wrote it"
+    assert driver.window.safekeeping.trouble == ""
 
 
 def test_damaged_unsaved_work_does_not_keep_the_project_shut(driver: Driver, folder: Path) -> None:

@@ -5004,6 +5004,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <source>There is no boresight any more: an edit changed what it rested on. Press Estimate for it.</source>
         <translation>Il n&apos;y a plus d&apos;angles de visée : une modification a changé ce sur quoi ils reposaient. Cliquez sur Estimer.</translation>
     </message>
+    <message>
+        <source>{path:file}: the folder of the project is no longer there; bring it back to this place and name, then save.</source>
+        <translation>{path} : le dossier du projet n&apos;est plus là ; remettez-le à cet endroit et sous ce nom, puis enregistrez.</translation>
+    </message>
 </context>
 <context>
     <name>sensors</name>
