@@ -28,6 +28,8 @@ def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
         _choices(before, after)
         _numbers(before, after)
     heir.workflow.open(former.workflow.opened)
+    if former.tour.on:
+        heir.tour.go_on()
 
 
 def _choices(before: QWidget, after: QWidget) -> None:

@@ -125,6 +125,11 @@ class Tour(QObject):
         # Only now: had the demo been cancelled, the next project would lose its targets to the tour
         self._starting = True
 
+    def go_on(self) -> None:
+        """Lead on through the project as it is: another window led before."""
+        self._at = -1
+        self._follow()
+
     def end(self) -> None:
         """Leave the user alone."""
         self._at = None
@@ -142,9 +147,8 @@ class Tour(QObject):
             for target in project.targets:
                 project = project.without_target(target.name)
             document.edit("start of the tour", project)
-        self._at = -1
         self._window.workflow.open(TARGETS)
-        self._follow()
+        self.go_on()
 
     def _follow(self) -> None:
         project = self._window.document.project

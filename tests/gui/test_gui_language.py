@@ -41,6 +41,21 @@ def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
     speak("en")
 
 
+def test_the_tour_goes_on_in_another_language(
+    session: Session, qtbot: QtBot, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    english = session.window
+    qtbot.mouseClick(english.stage.start.ways["tour"], Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: english.tour.on and not english.runner.active, timeout=SOON_MS)
+    choose(qtbot, open_menu(qtbot, english, "View"), "Langue", "ran")
+    qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
+    french = session.window
+    assert french.tour.on
+    assert french.stage.card.isVisible()
+    assert french.stage.card.head.text() == say("Tour, step 1 of 7") != "Tour, step 1 of 7"
+
+
 def test_the_language_changes_and_nothing_is_lost(
     session: Session, qtbot: QtBot, demo: Demo
 ) -> None:
