@@ -66,6 +66,7 @@ def small() -> Catalogue:
         ("Seen on north and south, L1.", "Vue sur nord et sud, L1."),
         ("Look north or north and south.", "Regardez nord ou nord et sud."),
         ("Choose north or x-y.", "Choisissez north ou x-y."),
+        ("Choose north or x-y. Good.", "Choisissez north ou x-y. Bonne."),
         (
             "/d, e/St. Malo/a: it is damaged (no. 1: x).",
             "/d, e/St. Malo/a\u00a0: il est endommagé (no. 1: x).",

@@ -190,6 +190,8 @@ class Translator:
         if kind == "foreign":
             return _Said(self.catalogue.exact.get(value, value))
         if kind == "codes":
+            if _CLAUSE.search(value):
+                return None
             return _Said(value.replace(" or ", f" {self.catalogue.alternative} "))
         if kind in ("list", "either"):
             return self._list(value, " or " if kind == "either" else " and ")

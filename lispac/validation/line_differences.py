@@ -1,9 +1,9 @@
 """What lies between two lines where the scene is flat, without any calibration.
 
-As the relative accuracy of airborne surveys is judged where swaths overlap (USGS, Lidar Base
-Specification: "interswath accuracy, smooth surface"), but along the normal instead of upwards, so
-that walls count as well as ground: cylinders along the first line's own normal (M3C2: Lague et al.
-2013), at the second line's surface that is nearest.
+As the relative accuracy of airborne surveys is judged where swaths overlap (Heidemann 2018, USGS
+Lidar Base Specification: "interswath accuracy, smooth surface"), but along the normal instead of
+upwards, so that walls count as well as ground: cylinders along the first line's own normal (M3C2:
+Lague et al. 2013), at the second line's surface that is nearest.
 """
 
 from dataclasses import dataclass

@@ -32,16 +32,21 @@ FEWEST = 10
 
 @dataclass(frozen=True)
 class Figures:
-    """What is said of some places; metres.
+    """What is said of some places.
 
     Attributes
     ----------
     places : int
-    median : along the normal, positive where the second line lies nearer to the vessel
-    rmsd : root mean square of the differences
-    robust_sigma : 1.4826 times the median absolute deviation from the median
-    p95, largest : of the differences without their signs
-    significant : share of the places whose difference is more than the noise of the points
+    median : float, metres
+        Along the normal, positive where the second line lies nearer to the vessel.
+    rmsd : float, metres
+        Root mean square of the differences.
+    robust_sigma : float, metres
+        1.4826 times the median absolute deviation from the median.
+    p95, largest : float, metres
+        Of the differences without their signs.
+    significant : float, in [0, 1]
+        Share of the places whose difference is more than the noise of the points.
     """
 
     places: int
@@ -54,7 +59,13 @@ class Figures:
 
     @classmethod
     def of(cls, distance: Array, half_width: Array) -> "Figures":
-        """Summarise differences, shape (n,), with half their 95 % intervals, metres."""
+        """Summarise the differences at some places.
+
+        Parameters
+        ----------
+        distance, half_width : ndarray of shape (n,), metres
+            With half their 95 % intervals.
+        """
         size, median = np.abs(distance), float(np.median(distance))
         return cls(
             len(distance),
