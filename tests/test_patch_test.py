@@ -1,6 +1,7 @@
 """The LiDAR patch test, against surveys whose truth others have set."""
 
 import json
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,6 +23,7 @@ from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import place, to_lidar
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import Poses
+from lispac.workflow.opinions import of_the_patch_test
 from lispac.workflow.patch_test import Laid, find, find_angle, lay, line_pairs, propose
 from lispac.workflow.projects import create_project, open_project
 from lispac.workflow.simulate import RAW, triple, write_lines, write_trajectory
@@ -259,7 +261,7 @@ def test_the_command_line_says_the_same(
         angles(numbers, "boresight_deg"), np.degrees(clean.boresight), atol=1e-9
     )
     assert numbers["remarks"] == list(clean.sentences)
-    assert open_project(folder).result is None
+    assert open_project(folder).opinions == ()
     # One more object, of five numbers: no box.
     assert main(["patchtest", str(folder), "--object", "pole=1,2,3,4,5"]) == 2
     assert "is not NAME=N,W,U,A,L,H" in capsys.readouterr().err
@@ -267,6 +269,23 @@ def test_the_command_line_says_the_same(
     assert "there is no line nobody" in capsys.readouterr().err
     assert main(["patchtest", str(folder), "--object", "pole=9,-17,15,1,1,0"]) == 1
     assert "a side of the box" in capsys.readouterr().err
+
+
+def test_the_answer_is_kept_where_it_has_a_sigma(
+    capsys: pytest.CaptureFixture[str], thinned: Opened, laid: Laid, tmp_path: Path
+) -> None:
+    folder = tmp_path / "copy"
+    shutil.copytree(thinned[0].folder, folder)
+    numbers = answer(capsys, "patchtest", folder, "--count", 8, "--keep")
+    kept = open_project(folder).opinion("patch test")
+    assert kept is not None
+    np.testing.assert_allclose(np.degrees(kept.boresight), angles(numbers, "boresight_deg"))
+    np.testing.assert_allclose(np.degrees(kept.sigma), angles(numbers, "sigma_deg"))
+    assert kept.surfaces == len(numbers["objects"])
+    assert list(kept.remarks) == numbers["remarks"]
+    few = find(*thinned, laid.only({each.name for each in laid.objects[:4]}))
+    with pytest.raises(AdjustmentError, match="has no sigma"):
+        of_the_patch_test(few)
 
 
 @pytest.mark.long

@@ -30,4 +30,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     patchtest.add_argument(
         "--lines", nargs="+", metavar="NAME", help="pairs of these lines only (default all)"
     )
+    patchtest.add_argument(
+        "--keep", action="store_true", help="keep the answer beside that of the targets"
+    )
     json_option(patchtest)

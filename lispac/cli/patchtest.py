@@ -15,7 +15,8 @@ from lispac.patchtest.optimise import ANGLES
 from lispac.patchtest.pairs import Kind, LinePair
 from lispac.progress import part
 from lispac.workflow import patch_test as workflow
-from lispac.workflow.projects import open_project
+from lispac.workflow.opinions import of_the_patch_test
+from lispac.workflow.projects import open_project, save_project
 from lispac.workflow.survey import Survey, load_survey
 
 Array = NDArray[np.float64]
@@ -25,7 +26,7 @@ NUMBERS = (6, 7)
 
 
 def patchtest(arguments: Namespace) -> None:
-    """Do the patch test of a project; the project stays as it is.
+    """Do the patch test of a project; with ``--keep`` the answer is kept.
 
     Raises
     ------
@@ -51,6 +52,8 @@ def patchtest(arguments: Namespace) -> None:
         else:
             laid = workflow.lay(project, survey, given, survey.aligned.mounting.boresight)
         found = workflow.find(project, survey, laid, pairs=pairs, progress=part(progress, 0.6, 1.0))
+    if arguments.keep:
+        save_project(project.with_opinion(of_the_patch_test(found)))
     if arguments.json:
         print_json(numbers(found))
     else:

@@ -11,7 +11,9 @@ from lispac.gui.hovering import Hovering, Wanted
 from lispac.gui.lasso import Lasso
 from lispac.gui.measuring import Measuring
 from lispac.gui.panels.clipping import TITLE as CLIPPING
+from lispac.gui.panels.patch_test import TITLE as PATCH_TEST
 from lispac.gui.panels.section import TITLE as SECTION
+from lispac.gui.patching import Patching
 from lispac.gui.pictures import Pictures
 from lispac.gui.pointing import Pointing
 from lispac.gui.roles import Roles
@@ -37,6 +39,7 @@ class Tools(QObject):
             window.document, window.scene, window.computing, view, actions, note
         )
         self.clipping = Clipping(window.scene, view, actions, bring, note)
+        self.patching = Patching(window, bring)
         self.lasso = Lasso(
             window.document, window.scene, view, actions, self.pointing, self.clipping, note,
             window.controller.refused.emit,
@@ -63,7 +66,11 @@ class Tools(QObject):
     def panels(self) -> dict[str, tuple[QWidget, Qt.DockWidgetArea]]:
         """The tools' panels by their titles, and on which side they are."""
         below = Qt.DockWidgetArea.BottomDockWidgetArea
-        return {SECTION: (self.sections.panel, below), CLIPPING: (self.clipping.panel, below)}
+        return {
+            SECTION: (self.sections.panel, below),
+            PATCH_TEST: (self.patching.panel, below),
+            CLIPPING: (self.clipping.panel, below),
+        }
 
 
 def bring(panel: QWidget) -> None:

@@ -79,6 +79,8 @@ INSPECT_ACTIONS: dict[str, Described] = {
                      "Draw around points of the selected target to take them from it"),
     "change_role": ("Change the &role", "Role", "", "F8",
                     "Make a validation plane of the selected target, or a target of it"),
+    "patch_point": ("Object &for the patch test", "Object", "", "Ctrl+Shift+T",
+                    "Lay a box of the patch test about the next point that is clicked"),
     "end_tool": ("&End the tool", "End", "", "Esc", "Give the mouse back to the view"),
 }  # fmt: skip
 """What is measured and looked into with the mouse."""
@@ -119,11 +121,12 @@ INSPECT_MENU: Menu = (
     "measure_angle",
     "",
     "clip",
+    "patch_point",
     "",
     "end_tool",
 )
 SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle", "clip",
-            "wipe", "lasso_add", "lasso_remove", "hover")  # fmt: skip
+            "wipe", "lasso_add", "lasso_remove", "hover", "patch_point")  # fmt: skip
 """Actions that are on or off, each by itself."""
 
 KEYS = (
@@ -161,6 +164,7 @@ KEYS = (
         ("M, Shift + M", "measure a distance, an angle"),
         ("X", "clip box about the selected target, or none"),
         ("H", "show what a click would take under the resting mouse"),
+        ("Ctrl + T, Ctrl + Shift + T", "patch test, box about an object for it"),
         ("Esc", "end measuring or the lasso"),
     )),
     ("Targets", (

@@ -86,12 +86,7 @@ class PatchTest:
                 f"Turned one after another, the angles end elsewhere: the {ANGLES[angle]} by "
                 f"{np.degrees(apart[angle]):.3f} deg."
             )
-        for each in self.disagreeing:
-            found.append(
-                f"{each.name} does not agree: its own minimum of the {ANGLES[each.angle]} is off "
-                f"by {np.degrees(each.off):+.3f} deg, and {np.degrees(each.allowed):.3f} deg "
-                "would be usual."
-            )
+        found.extend(each.sentence for each in self.disagreeing)
         if self.unmet:
             found.append(f"No two of the lines meet at: {listed(self.unmet)}.")
         return tuple(found)

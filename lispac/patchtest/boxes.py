@@ -22,8 +22,8 @@ class Box:
     Attributes
     ----------
     centre : ndarray of shape (3,), metres, local frame
-    size : ndarray of shape (3,), metres
-        Ahead, to the left, upwards.
+    size : ndarray of shape (3,), metres, local frame
+        Along its own axes: ahead, to the left, upwards.
     turn : float, radians
         Where ahead is, clockwise from north.
     """

@@ -127,7 +127,13 @@ NOTHING = Distances(
 
 
 def distances(first: Surface, second: Surface, spacing: float) -> Distances:
-    """Points of the first line against the second."""
+    """Points of the first line against the second.
+
+    Parameters
+    ----------
+    spacing : float, metres
+        Of the points.
+    """
     point = np.flatnonzero(first.inside)
     _, met = second.tree.query(first.points[point])
     normal = second.normal[met]
@@ -267,7 +273,12 @@ class Mismatch:
         return other
 
     def met(self, boresight: Array) -> list[tuple[Distances, ...]]:
-        """The distances of each block: first to second, the other way, and of a pole's middle."""
+        """The distances of each block: first to second, the other way, and of a pole's middle.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
         placed = self.sample.placed(boresight)
         if not self._near:
             for k, each in self._needed.items():
@@ -287,7 +298,12 @@ class Mismatch:
         return found
 
     def squares(self, boresight: Array) -> Array:
-        """Mean square distance of each block, shape (b,), square metres."""
+        """Mean square distance of each block, shape (b,), square metres.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
         return np.array([mean_square(both, self.scale) for both in self.met(boresight)])
 
     def __call__(self, boresight: Array) -> float:

@@ -138,8 +138,17 @@ def _step(mismatch: Mismatch, boresight: Array, turned: Sequence[int]) -> Array:
     return np.asarray(np.clip(step, -LONGEST, LONGEST))
 
 
-def require_told(normal: Array, weight: float, turned: Sequence[int]) -> None:
+def require_told(normal_equations: Array, weight: float, turned: Sequence[int]) -> None:
     """Refuse to turn an angle that no object tells.
+
+    Parameters
+    ----------
+    normal_equations : ndarray of shape (k, k), square metres per square radian
+        Of all blocks, weighted.
+    weight : float
+        Of all blocks that meet.
+    turned : sequence of int
+        Which angles they are of.
 
     Raises
     ------
@@ -150,7 +159,7 @@ def require_told(normal: Array, weight: float, turned: Sequence[int]) -> None:
             "No two of the chosen lines meet at any of the objects; tick objects that both lines "
             "of a pair see."
         )
-    values, axes = np.linalg.eigh(normal / weight)
+    values, axes = np.linalg.eigh(normal_equations / weight)
     if values[0] < LEVERAGE**2:
         angle = ANGLES[turned[int(np.abs(axes[:, 0]).argmax())]]
         raise AdjustmentError(

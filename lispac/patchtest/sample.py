@@ -4,7 +4,7 @@ Only these are placed when an angle is turned, a few hundred of each line and ob
 picture follows a slider.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -33,8 +33,8 @@ EVEN = 2.2
 close along its lines and far from one to the next, and no plane follows from a row of them."""
 SLENDER, THICK = 0.15, 0.4
 """Most that a pole's points deviate across it: a share of what they do along it, and metres."""
-READ = 60_000
-"""Points of a line near an object that are looked at."""
+READ = 30
+"""Points of a line near an object that are looked at, for each of which one may be taken."""
 STEP = 1e-4
 """Radians by which angles are turned to see how points move."""
 
@@ -131,9 +131,9 @@ class Sample:
         attitude: list[Array] = []
         begin = 0
         for each in objects:
-            near = {}
+            near, radius = {}, each.box.reach + 2 * margin
             for line, cloud in clouds.items():
-                region = cloud.within(each.box.centre, each.box.reach + 2 * margin, most=READ)
+                region = cloud.within(each.box.centre, radius, most=READ * most)
                 own = each.box.inside(region.points, margin)
                 if np.count_nonzero(own) >= FEWEST:
                     near[line] = (region.numbers[own], region.points[own])
@@ -178,12 +178,22 @@ class Sample:
         return place(self.points_lidar, self.poses, self.mounting.with_boresight(boresight))
 
     def moves(self, boresight: Array) -> Array:
-        """How points move with roll, pitch and yaw, shape (3, n, 3), metres per radian."""
+        """How points move with each angle, shape (3, n, 3), metres per radian, local frame.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
         placed = self.placed(boresight)
         return np.stack([(self.placed(boresight + STEP * k) - placed) / STEP for k in np.eye(3)])
 
     def sways(self, boresight: Array) -> Array:
-        """How points move with the POS's roll, pitch, heading, shape (3, n, 3), m per radian."""
+        """How points move with the POS's roll, pitch and heading, as `moves`.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
         mounting, poses = self.mounting.with_boresight(boresight), self.poses
         placed = place(self.points_lidar, poses, mounting)
         return np.stack(
@@ -201,7 +211,18 @@ class Sample:
             ]
         )
 
-    def of_objects(self, names: Sequence[str]) -> "Sample":
+    def joined(self, other: "Sample") -> "Sample":
+        """The points about these objects and about others."""
+        begin = len(self.points_lidar)
+        moved = [replace(e, begin=e.begin + begin, end=e.end + begin) for e in other.seen]
+        poses = Poses(
+            np.concatenate([self.poses.position, other.poses.position]),
+            np.concatenate([self.poses.attitude, other.poses.attitude]),
+        )
+        points = np.concatenate([self.points_lidar, other.points_lidar])
+        return Sample((*self.seen, *moved), points, poses, self.mounting)
+
+    def of_objects(self, names: Collection[str]) -> "Sample":
         """The part of some objects alone."""
         kept = [each for each in self.seen if each.object.name in names]
         rows = np.concatenate([np.arange(e.begin, e.end) for e in kept] or [np.empty(0, int)])
@@ -236,15 +257,17 @@ def _spacing(groups: Sequence[Array], most: int, *, even: bool) -> float:
     Never so wide that a line keeps too few, and on a pole not to make it even.
     """
     spacing = FINEST
+    kept = [points[thin(points, spacing)] for points in groups]
     while True:
-        kept = [points[thin(points, spacing)] for points in groups]
         many = max(len(points) for points in kept)
         uneven = even and max(_sixth(points) for points in kept) > EVEN * spacing
         wider = spacing * max(1.25 if uneven else 1.1, np.sqrt(many / most))
-        enough = min(len(thin(points, wider)) for points in groups) >= FEWEST
-        if (many <= most and not uneven) or not enough:
+        if many <= most and not uneven:
             return float(spacing)
-        spacing = wider
+        thinned = [points[thin(points, wider)] for points in groups]
+        if min(len(points) for points in thinned) < FEWEST:
+            return float(spacing)
+        spacing, kept = wider, thinned
 
 
 def _sixth(points: Array) -> float:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.patchtest.mismatch import Mismatch
-from lispac.patchtest.optimise import LEVERAGE, require_told
+from lispac.patchtest.optimise import ANGLES, LEVERAGE, require_told
 from lispac.patchtest.sample import Seen
 from lispac.patchtest.steps import Equations, equations
 from lispac.survey.trajectory import TrajectoryAccuracy
@@ -66,6 +66,15 @@ class ObjectFound:
     def disagrees(self) -> bool:
         """Whether its own minimum is off by more than is allowed."""
         return abs(self.off) > self.allowed
+
+    @property
+    def sentence(self) -> str:
+        """How far it is off, in words."""
+        return (
+            f"{self.name} does not agree: its own minimum of the {ANGLES[self.angle]} is off by "
+            f"{np.degrees(self.off):+.3f} deg, and {np.degrees(self.allowed):.3f} deg would be "
+            "usual."
+        )
 
 
 @dataclass(frozen=True, eq=False)

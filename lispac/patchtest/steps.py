@@ -32,7 +32,14 @@ class Equations:
 
 
 def equations(mismatch: Mismatch, boresight: Array, *, pos_errors: bool = False) -> Equations:
-    """Linearise all blocks; the change by POS errors where it is asked for, else zeros."""
+    """Linearise all blocks.
+
+    Parameters
+    ----------
+    boresight : ndarray of shape (3,), radians
+    pos_errors : bool
+        Work out how the gradients change with POS errors; zeros stand for that where not.
+    """
     sample = mismatch.sample
     moves = sample.moves(boresight).transpose(1, 2, 0)
     sways = sample.sways(boresight).transpose(1, 2, 0) if pos_errors else None

@@ -7,6 +7,7 @@ import numpy as np
 
 from lispac.errors import AdjustmentError
 from lispac.opinions import Opinion
+from lispac.patchtest.answer import PatchTest
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.workflow.calibration import estimate
@@ -48,6 +49,29 @@ def natural_planes(
 def of_the_scene(found: Targetless) -> Opinion:
     """What a targetless adjustment says, without its surfaces."""
     return _opinion("targetless", found.project, found.sentences)
+
+
+def of_the_patch_test(found: PatchTest) -> Opinion:
+    """What a patch test says, without its objects.
+
+    Raises
+    ------
+    AdjustmentError
+        Where it has no sigma: nothing could be said of how it differs from another answer.
+    """
+    if found.covariance is None:
+        raise AdjustmentError(
+            "The patch test has no sigma, so its answer cannot be held against others; add "
+            "objects, and find all three angles again."
+        )
+    return Opinion(
+        "patch test",
+        found.boresight,
+        found.covariance,
+        found.lines,
+        len(found.objects),
+        found.sentences,
+    )
 
 
 def ask(

@@ -5,7 +5,7 @@ georeferencing and the same POS errors. The project's targets take no part.
 """
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,7 +39,8 @@ class Laid:
     ----------
     objects : tuple of PatchObject
     boresight : ndarray of shape (3,), radians
-        With which the lines were placed when the objects' points were taken.
+        With which the lines were placed when the objects' points were taken; NaN where that was
+        not the same for all.
     sample : Sample
     """
 
@@ -50,6 +51,18 @@ class Laid:
     def blocks(self, objects: Collection[str], pairs: Sequence[LinePair]) -> list[Block]:
         """What some objects and pairs of lines compare."""
         return [b for b in blocks_of(self.sample, pairs) if b.first.object.name in objects]
+
+    def only(self, names: Collection[str]) -> "Laid":
+        """Some of the objects."""
+        kept = tuple(each for each in self.objects if each.name in names)
+        return replace(self, objects=kept, sample=self.sample.of_objects(names))
+
+    def joined(self, other: "Laid") -> "Laid":
+        """These objects and others, of which none has the same name."""
+        same = np.array_equal(self.boresight, other.boresight)
+        boresight = self.boresight if same else np.full(3, np.nan)
+        sample = self.sample.joined(other.sample)
+        return Laid(self.objects + other.objects, boresight, sample)
 
 
 def line_pairs(survey: Survey, kinds: Collection[Kind] = ()) -> tuple[LinePair, ...]:
@@ -142,7 +155,7 @@ def find(
     together = minimise(
         laid.sample, laid.blocks(names, chosen), at, progress=part(progress, 0.0, 0.4)
     )
-    if np.abs(together.boresight - laid.boresight).max() > MOVED:
+    if not np.abs(together.boresight - laid.boresight).max() <= MOVED:
         laid = lay(project, survey, laid.objects, together.boresight)
         step = part(progress, 0.5, 0.7)
         together = minimise(
@@ -157,7 +170,13 @@ def find_angle(
     laid: Laid, blocks: Sequence[Block], start: Array, angle: int,
     *, progress: Progress = no_progress,
 ) -> Minimum:  # fmt: skip
-    """Turn one angle alone: 0 roll, 1 pitch, 2 yaw.
+    """Turn one angle alone.
+
+    Parameters
+    ----------
+    start : ndarray of shape (3,), radians
+    angle : int
+        0 roll, 1 pitch, 2 yaw.
 
     Raises
     ------

@@ -5215,15 +5215,15 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>The mismatch (robust RMS distance between lines, at most {a:n} mm) is {b:n} mm; with the prior boresight the lines do not meet there.</source>
-        <translation>L&apos;écart (distance EMQ robuste entre lignes, {a} mm au plus) est de {b} mm ; avec les angles de visée a priori, les lignes ne s&apos;y recoupent pas.</translation>
+        <translation>L&apos;écart (distance RMS robuste entre lignes, {a} mm au plus) est de {b} mm ; avec les angles de visée a priori, les lignes ne s&apos;y recoupent pas.</translation>
     </message>
     <message>
         <source>The mismatch (robust RMS distance between lines, at most {a:n} mm) falls from {b:n} mm with the prior boresight to {c:n} mm.</source>
-        <translation>L&apos;écart (distance EMQ robuste entre lignes, {a} mm au plus) passe de {b} mm avec les angles de visée a priori à {c} mm.</translation>
+        <translation>L&apos;écart (distance RMS robuste entre lignes, {a} mm au plus) passe de {b} mm avec les angles de visée a priori à {c} mm.</translation>
     </message>
     <message>
         <source>A sigma cannot be stated: {a:n} objects are too few to tell how far the answer would move with others; at least {b:n} are needed.</source>
-        <translation>Aucun écart type ne peut être donné : {a} objets ne suffisent pas pour dire de combien la réponse changerait avec d&apos;autres ; il en faut au moins {b}.</translation>
+        <translation>Aucun écart-type ne peut être donné : {a} objets ne suffisent pas pour dire de combien la réponse changerait avec d&apos;autres ; il en faut au moins {b}.</translation>
     </message>
     <message>
         <source>The angles still moved when the search ended.</source>
@@ -5234,7 +5234,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Tournés l&apos;un après l&apos;autre, les angles aboutissent ailleurs : le {angle} de {a}°.</translation>
     </message>
     <message>
-        <source>{object:name} does not agree: its own minimum of the {angle} is off by {a:n} deg, and {b:n} deg would be usual.</source>
+        <source>{object:kept} does not agree: its own minimum of the {angle} is off by {a:n} deg, and {b:n} deg would be usual.</source>
         <translation>{object} est en désaccord : son propre minimum du {angle} est décalé de {a}°, alors que {b}° serait habituel.</translation>
     </message>
     <message>
@@ -5242,11 +5242,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Aucune paire de lignes ne se recoupe à : {names}.</translation>
     </message>
     <message>
-        <source>{object:name}: the box&apos;s centre or turn is not a number; correct it.</source>
+        <source>{object:kept}: the box&apos;s centre or turn is not a number; correct it.</source>
         <translation>{object} : le centre ou l&apos;orientation de la boîte n&apos;est pas un nombre ; corrigez-le.</translation>
     </message>
     <message>
-        <source>{object:name}: a side of the box is not between {a:n} and {b:n} m; correct it.</source>
+        <source>{object:kept}: a side of the box is not between {a:n} and {b:n} m; correct it.</source>
         <translation>{object} : un côté de la boîte n&apos;est pas compris entre {a} et {b} m ; corrigez-le.</translation>
     </message>
     <message>
@@ -5292,6 +5292,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{project}: the lines share no flat surface; lay boxes about objects that two lines see.</source>
         <translation>{project} : les lignes ne partagent aucune surface plane ; placez des boîtes autour d&apos;objets que voient deux lignes.</translation>
+    </message>
+    <message>
+        <source>The patch test has no sigma, so its answer cannot be held against others; add objects, and find all three angles again.</source>
+        <translation>Le patch test n&apos;a pas d&apos;écart-type : sa réponse ne peut être comparée à d&apos;autres ; ajoutez des objets et cherchez de nouveau les trois angles.</translation>
     </message>
 </context>
 <context>

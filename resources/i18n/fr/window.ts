@@ -2,6 +2,233 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
+    <name>patching</name>
+    <message>
+        <source>LiDAR &amp;patch test</source>
+        <translation>&amp;Patch test LiDAR</translation>
+    </message>
+    <message>
+        <source>Lay lines onto each other about objects: a second opinion on the boresight</source>
+        <translation>Superposer les lignes autour d&apos;objets : un second avis sur les angles de visée</translation>
+    </message>
+    <message>
+        <source>Object &amp;for the patch test</source>
+        <translation>Objet pour le patc&amp;h test</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Lay a box of the patch test about the next point that is clicked</source>
+        <translation>Placer une boîte du patch test autour du prochain point cliqué</translation>
+    </message>
+    <message>
+        <source>Ctrl + T, Ctrl + Shift + T</source>
+        <translation>Ctrl + T, Ctrl + Maj + T</translation>
+    </message>
+    <message>
+        <source>patch test, box about an object for it</source>
+        <translation>patch test, boîte autour d&apos;un objet</translation>
+    </message>
+    <message>
+        <source>Turn the {angle}</source>
+        <translation>Tourner le {angle}</translation>
+    </message>
+    <message>
+        <source>Drag, or arrows for 0.001° and Page up and down for 0.01°</source>
+        <translation>Glisser, ou flèches pour 0,001° et Page préc. et suiv. pour 0,01°</translation>
+    </message>
+    <message>
+        <source>{angle} with which the lines are placed in the pictures</source>
+        <translation>{angle} avec lequel les lignes sont placées dans les images</translation>
+    </message>
+    <message>
+        <source>Find this angle</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>Turn the {angle} alone to where the mismatch of all ticked objects is smallest</source>
+        <translation>Tourner le {angle} seul jusqu&apos;au plus petit écart de tous les objets cochés</translation>
+    </message>
+    <message>
+        <source>found {value:n}°, no sigma</source>
+        <translation>trouvé {value}°, sans écart-type</translation>
+    </message>
+    <message>
+        <source>found {value:n} ± {sigma:n}°</source>
+        <translation>trouvé {value} ± {sigma}°</translation>
+    </message>
+    <message>
+        <source>Section of the lines about the object</source>
+        <translation>Coupe des lignes autour de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Mismatch over the angle</source>
+        <translation>Écart en fonction de l&apos;angle</translation>
+    </message>
+    <message>
+        <source>Click to turn the angle to there</source>
+        <translation>Cliquer pour tourner l&apos;angle jusque-là</translation>
+    </message>
+    <message>
+        <source>minimum {value:n}°</source>
+        <translation>minimum {value}°</translation>
+    </message>
+    <message>
+        <source>The patch test lays lines onto each other about objects that they share: an edge, a pillar, a pole. Turn roll, pitch and yaw until the colours fall together; where the mismatch is smallest, the boresight is right. Let objects be found, or click one in the view. Objects far and high above the vessel tell most; under bridges the position may be off.</source>
+        <translation>Le patch test superpose les lignes autour d&apos;objets qu&apos;elles ont en commun : une arête, un pilier, un poteau. Tournez roulis, tangage et lacet jusqu&apos;à ce que les couleurs se confondent ; là où l&apos;écart est le plus petit, les angles de visée sont justes. Laissez chercher des objets, ou cliquez-en un dans la vue. Les objets éloignés et bien au-dessus du navire en disent le plus ; sous les ponts, la position peut être fausse.</translation>
+    </message>
+    <message>
+        <source>Open a project with two lines or more to lay them onto each other.</source>
+        <translation>Ouvrez un projet de deux lignes ou plus pour les superposer.</translation>
+    </message>
+    <message>
+        <source>Ahead of the box</source>
+        <translation>De face</translation>
+    </message>
+    <message>
+        <source>From its left</source>
+        <translation>De sa gauche</translation>
+    </message>
+    <message>
+        <source>Object shown</source>
+        <translation>Objet affiché</translation>
+    </message>
+    <message>
+        <source>All ticked</source>
+        <translation>Tous les cochés</translation>
+    </message>
+    <message>
+        <source>Objects: tick those that count</source>
+        <translation>Objets : cocher ceux qui comptent</translation>
+    </message>
+    <message>
+        <source>Pairs of lines: tick those that count</source>
+        <translation>Paires de lignes : cocher celles qui comptent</translation>
+    </message>
+    <message>
+        <source>From where the object is looked at</source>
+        <translation>D&apos;où l&apos;objet est regardé</translation>
+    </message>
+    <message>
+        <source>Whose mismatch is drawn: of one object, or of all ticked</source>
+        <translation>Écart tracé : d&apos;un objet, ou de tous les objets cochés</translation>
+    </message>
+    <message>
+        <source>Find objects</source>
+        <translation>Chercher des objets</translation>
+    </message>
+    <message>
+        <source>Find objects that lines share, and lay boxes about them</source>
+        <translation>Chercher des objets communs aux lignes et les entourer de boîtes</translation>
+    </message>
+    <message>
+        <source>Click one</source>
+        <translation>Cliquer</translation>
+    </message>
+    <message>
+        <source>Lay a box about the next point that is clicked in the view</source>
+        <translation>Placer une boîte autour du prochain point cliqué dans la vue</translation>
+    </message>
+    <message>
+        <source>Lay a box about the selected target</source>
+        <translation>Placer une boîte autour de la cible choisie</translation>
+    </message>
+    <message>
+        <source>Take the clip box as it lies in the view</source>
+        <translation>Prendre la boîte de découpe telle qu&apos;elle est dans la vue</translation>
+    </message>
+    <message>
+        <source>Take the object off the list</source>
+        <translation>Retirer l&apos;objet de la liste</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Y aller</translation>
+    </message>
+    <message>
+        <source>Bring the object into view</source>
+        <translation>Amener l&apos;objet dans la vue</translation>
+    </message>
+    <message>
+        <source>Find all three</source>
+        <translation>Chercher les trois</translation>
+    </message>
+    <message>
+        <source>Turn all angles to where the mismatch of all ticked objects is smallest, and say how well they are known</source>
+        <translation>Tourner tous les angles jusqu&apos;au plus petit écart de tous les objets cochés, et dire leur précision</translation>
+    </message>
+    <message>
+        <source>Start again from the prior</source>
+        <translation>Repartir de l&apos;a priori</translation>
+    </message>
+    <message>
+        <source>Turn all angles back to the prior boresight</source>
+        <translation>Ramener tous les angles aux angles de visée a priori</translation>
+    </message>
+    <message>
+        <source>Click an object that two lines see: a box is laid about it</source>
+        <translation>Cliquer un objet que voient deux lignes : une boîte l&apos;entoure</translation>
+    </message>
+    <message>
+        <source>Select a target to lay a box about it</source>
+        <translation>Choisissez une cible pour l&apos;entourer d&apos;une boîte</translation>
+    </message>
+    <message>
+        <source>Switch the clip box on (X) and lay it about an object</source>
+        <translation>Activez la boîte de découpe (X) et placez-la autour d&apos;un objet</translation>
+    </message>
+    <message>
+        <source>No two lines have points in the box; lay it about what two lines see.</source>
+        <translation>Aucune paire de lignes n&apos;a de points dans la boîte ; placez-la autour de ce que voient deux lignes.</translation>
+    </message>
+    <message>
+        <source>Looking for objects</source>
+        <translation>Recherche d&apos;objets</translation>
+    </message>
+    <message>
+        <source>Laying a box</source>
+        <translation>Placement d&apos;une boîte</translation>
+    </message>
+    <message>
+        <source>Mismatch over the {angle}: {object:kept}</source>
+        <translation>Écart selon le {angle} : {object}</translation>
+    </message>
+    <message>
+        <source>Mismatch over the {angle}: all ticked objects</source>
+        <translation>Écart selon le {angle} : tous les objets cochés</translation>
+    </message>
+    <message>
+        <source>all ticked objects</source>
+        <translation>tous les objets cochés</translation>
+    </message>
+    <message>
+        <source>{angle} alone: the mismatch is smallest at {value:n}°.</source>
+        <translation>{angle} seul : l&apos;écart est le plus petit à {value}°.</translation>
+    </message>
+    <message>
+        <source>Working out the curve</source>
+        <translation>Calcul de la courbe</translation>
+    </message>
+    <message>
+        <source>Keep this answer</source>
+        <translation>Garder cette réponse</translation>
+    </message>
+    <message>
+        <source>Keep what was found as a second opinion in the project</source>
+        <translation>Garder ce qui a été trouvé comme second avis dans le projet</translation>
+    </message>
+    <message>
+        <source>keep the patch test</source>
+        <translation>garder le patch test</translation>
+    </message>
+    <message>
+        <source>The answer of the patch test is kept in the project</source>
+        <translation>La réponse du patch test est gardée dans le projet</translation>
+    </message>
+</context>
+<context>
     <name>panels</name>
     <message>
         <source>Targets by lines</source>

@@ -1,0 +1,233 @@
+"""Two pictures that follow a slider: lines about an object at true scale, and their mismatch.
+
+They are painted here and not by Matplotlib, which takes a tenth of a second for each.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from lispac.gui import theme, units
+from lispac.gui.language import say
+from lispac.gui.viewport.base import Colour
+from lispac.gui.viewport.overlay import length_text, scale_length
+
+Array = NDArray[np.float64]
+
+MARGIN, LEFT, LOW = 10, 62, 36
+"""Pixels about a picture, and beside and below the curve for its figures."""
+DOT = 2.0
+"""Pixels of a point."""
+
+
+class Picture(QWidget):
+    """A drawing on the ground of drawings, with a name for who cannot see it."""
+
+    def __init__(self, name: str, spoken: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setAccessibleName(say(spoken))
+        self.setMinimumSize(160, 110)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def sizeHint(self) -> QSize:
+        """The size it likes best, in pixels."""
+        return QSize(360, 260)
+
+    def painter(self) -> QPainter:
+        """One on an empty ground."""
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), theme.colour("paper"))
+        painter.setPen(theme.colour("border"))
+        painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+        return painter
+
+
+class LinesPicture(Picture):
+    """The lines about an object, each in its colour, at true scale."""
+
+    def __init__(self) -> None:
+        super().__init__("patch_section", "Section of the lines about the object")
+        self._points: Mapping[str, Array] = {}
+        self._colours: Mapping[str, Colour] = {}
+        self._half = np.ones(2)
+
+    def show_points(
+        self, points: Mapping[str, Array], colours: Mapping[str, Colour], size: Array
+    ) -> None:
+        """Show other points.
+
+        Parameters
+        ----------
+        points : ndarray of shape (n, 2) by line, metres, to the right and upwards of the middle
+        size : ndarray of shape (2,), metres
+            Of what is to be seen.
+        """
+        self._points, self._colours, self._half = points, colours, 0.5 * size
+        self.update()
+
+    @property
+    def drawn(self) -> Mapping[str, Array]:
+        """The points that are shown."""
+        return self._points
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the points and a bar of a round length."""
+        painter = self.painter()
+        wide, high = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
+        scale = min(wide / (2 * self._half[0]), high / (2 * self._half[1]))
+        middle = np.array([0.5 * self.width(), 0.5 * self.height()])
+        for line, points in self._points.items():
+            pen = QPen(QColor(*self._colours[line]), DOT)
+            pen.setCapStyle(Qt.PenCapStyle.SquareCap)
+            painter.setPen(pen)
+            places = middle + scale * points * [1.0, -1.0]
+            painter.drawPoints(QPolygonF([QPointF(x, y) for x, y in places.tolist()]))
+        if self._points:
+            self._bar(painter, scale)
+        painter.end()
+
+    def _bar(self, painter: QPainter, scale: float) -> None:
+        metres = scale_length(1.0 / scale, 0.3 * self.width())
+        low = self.height() - MARGIN - 4
+        painter.setPen(QPen(theme.colour("text"), 2.5))
+        painter.drawLine(QPointF(MARGIN, low), QPointF(MARGIN + metres * scale, low))
+        painter.drawText(QPointF(MARGIN, low - 6), say(length_text(metres)))
+
+
+class CurvePicture(Picture):
+    """The mismatch over one angle, the present value and the minimum; a click chooses a value."""
+
+    chosen = Signal(float)
+    """Radians."""
+
+    def __init__(self) -> None:
+        super().__init__("patch_curve", "Mismatch over the angle")
+        self.setToolTip(say("Click to turn the angle to there"))
+        self.setCursor(Qt.CursorShape.CrossCursor)
+        self._title = ""
+        self._values, self._mismatch = np.empty(0), np.empty(0)
+        self._present: tuple[float, float] | None = None
+
+    def show_curve(self, title: str, values: Array, mismatch: Array) -> None:
+        """Show another curve; an empty one says that it is on its way.
+
+        Parameters
+        ----------
+        values : ndarray of shape (n,), radians
+        mismatch : ndarray of shape (n,), metres
+        """
+        known = np.isfinite(mismatch)
+        self._title, self._values, self._mismatch = title, values[known], mismatch[known]
+        self.update()
+
+    def show_present(self, value: float, mismatch: float) -> None:
+        """Mark the present value, radians, and its mismatch, metres; NaN where it has none."""
+        self._present = value, mismatch
+        self.update()
+
+    @property
+    def minimum(self) -> float | None:
+        """Where the curve is lowest, radians; None at an end of it, or without one."""
+        if len(self._values) < 3:
+            return None
+        k = int(self._mismatch.argmin())
+        if k in (0, len(self._values) - 1):
+            return None
+        before, at, after = self._mismatch[k - 1 : k + 2]
+        bend = before - 2 * at + after
+        step = self._values[k + 1] - self._values[k]
+        return float(self._values[k] + (0.5 * step * (before - after) / bend if bend else 0.0))
+
+    def place(self, value: float, mismatch: float) -> QPointF:
+        """Pixels of a value, radians, and a mismatch, metres."""
+        first, last = self._values[0], self._values[-1]
+        across = (value - first) / (last - first)
+        up = mismatch / self._most
+        frame = self._frame
+        return QPointF(frame.left() + across * frame.width(), frame.bottom() - up * frame.height())
+
+    @property
+    def _most(self) -> float:
+        return max(1.15 * float(self._mismatch.max()), 1e-4)
+
+    @property
+    def _frame(self) -> QRectF:
+        top = 26
+        return QRectF(LEFT, top, self.width() - LEFT - 14, self.height() - top - LOW)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Choose the value under the mouse."""
+        frame = self._frame
+        if event.button() != Qt.MouseButton.LeftButton or not len(self._values):
+            return
+        across = (event.position().x() - frame.left()) / frame.width()
+        if 0.0 <= across <= 1.0:
+            first, last = float(self._values[0]), float(self._values[-1])
+            self.chosen.emit(first + across * (last - first))
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw curve, marks and figures."""
+        painter = self.painter()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(theme.colour("text"))
+        room = self.width() - 2 * MARGIN
+        words = painter.fontMetrics().elidedText(self._title, Qt.TextElideMode.ElideRight, room)
+        painter.drawText(QPointF(MARGIN, 17), words)
+        if len(self._values) > 1:
+            self._axes(painter)
+            line = QPolygonF(
+                [self.place(v, m) for v, m in zip(self._values, self._mismatch, strict=True)]
+            )
+            painter.setPen(QPen(theme.colour("accent"), 2))
+            painter.drawPolyline(line)
+            self._marks(painter)
+        painter.end()
+
+    def _axes(self, painter: QPainter) -> None:
+        frame = self._frame
+        painter.setPen(theme.colour("grid"))
+        painter.drawRect(frame)
+        painter.setPen(theme.colour("muted"))
+        ends = (self._values[0], 0.5 * (self._values[0] + self._values[-1]), self._values[-1])
+        for number, value in enumerate(ends):
+            words = say(units.amount(float(np.degrees(value)), "°", "+.3f"))
+            flag = (Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignHCenter,
+                    Qt.AlignmentFlag.AlignRight)[number]  # fmt: skip
+            box = QRectF(frame.left() - 24, frame.bottom() + 4, frame.width() + 34, 16)
+            if number != 1 or frame.width() > 240:
+                painter.drawText(box, flag, words)
+        for share in (0.0, 0.5, 1.0):
+            words = say(units.amount(1000 * share * self._most, "mm", ".0f"))
+            box = QRectF(0, frame.bottom() - share * frame.height() - 8, LEFT - 6, 16)
+            painter.drawText(
+                box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, words
+            )
+
+    def _marks(self, painter: QPainter) -> None:
+        lowest, frame = self.minimum, self._frame
+        if lowest is not None:
+            painter.setPen(QPen(theme.colour("done"), 1.5, Qt.PenStyle.DashLine))
+            x = self.place(lowest, 0.0).x()
+            painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()))
+            words = say(f"minimum {units.amount(float(np.degrees(lowest)), '°', '+.3f')}")
+            right = x > frame.center().x()
+            box = QRectF(x - 204 if right else x + 4, frame.top() + 2, 200, 16)
+            side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
+            painter.setPen(theme.colour("done"))
+            painter.drawText(box, side, words)
+        if self._present is None:
+            return
+        value, mismatch = self._present
+        if not self._values[0] <= value <= self._values[-1]:
+            return
+        painter.setPen(QPen(theme.colour("text"), 1))
+        x = self.place(value, 0.0).x()
+        painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()))
+        if np.isfinite(mismatch):
+            painter.setBrush(theme.colour("text"))
+            painter.drawEllipse(self.place(value, min(mismatch, self._most)), 4, 4)

@@ -1,0 +1,144 @@
+"""Objects of the patch test: found, or laid about a click, the selected target or the clip box."""
+
+from collections.abc import Callable
+from itertools import count
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from lispac.errors import LispacError
+from lispac.gui.panels.patch_test import PatchTestPanel
+from lispac.gui.viewport.base import Array, PickedPoint
+from lispac.gui.viewport.clipping import Box as ClipBox
+from lispac.patchtest.boxes import SMALLEST, Box, checked
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.workflow.patch_test import Laid, lay, propose
+from lispac.workflow.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+HINT = "Click an object that two lines see: a box is laid about it"
+ABOUT_POINT = (2.0, 2.0, 3.0)
+"""Sides of the box about a clicked point, metres."""
+ABOUT_TARGET = 0.5
+"""Metres that the box about a target is larger on every side."""
+BY_HAND = "H"
+"""What names of boxes laid by hand begin with; those that are found begin with another letter."""
+
+
+class PatchObjects(QObject):
+    """Lays boxes in the worker, and tells of them by `laid`.
+
+    Parameters
+    ----------
+    present : the objects there are, or None
+    """
+
+    laid = Signal(object, str)
+    """All objects, and the name of the one to look at, or ""."""
+
+    def __init__(
+        self, window: "MainWindow", panel: PatchTestPanel, present: Callable[[], Laid | None]
+    ) -> None:
+        super().__init__(window)
+        self._window, self._present = window, present
+        self._document, self._runner, self._scene = window.document, window.runner, window.scene
+        self._controller = window.controller
+        window.actions_["patch_point"].triggered.connect(self._switch)
+        panel.propose_asked.connect(self.propose)
+        panel.point_asked.connect(window.actions_["patch_point"].trigger)
+        panel.target_asked.connect(self._add_target)
+        panel.box_asked.connect(self._add_clip_box)
+
+    def propose(self) -> None:
+        """Find objects in the worker."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        task = self._runner.run(
+            "Looking for objects", lambda progress: propose(project, survey, progress=progress),
+            self._take_proposed,
+        )  # fmt: skip
+        self._controller.based_on_project(task)
+
+    def _take_proposed(self, laid: Laid) -> None:
+        """In place of those found before; boxes laid by hand stay."""
+        before = self._present()
+        own = [] if before is None else [o.name for o in before.objects if o.name[0] == BY_HAND]
+        if before is not None and own:
+            laid = before.only(own).joined(laid)
+        self.laid.emit(laid, "")
+
+    def _switch(self, on: bool) -> None:
+        pointing = self._window.tools.pointing
+        if not on:
+            pointing.end()
+            return
+        pointing.begin("patch_point", HINT, pointed=self._add_point, ended=lambda: None)
+
+    def _add_point(self, point: PickedPoint) -> None:
+        self._window.tools.pointing.end()
+        self._add(Box(np.array(point.position), np.array(ABOUT_POINT)))
+
+    def _add_target(self) -> None:
+        groups = self._scene.selected_points
+        if not groups:
+            self._controller.noted.emit("Select a target to lay a box about it")
+            return
+        points = np.concatenate(list(groups.values()))
+        ahead = points.mean(axis=0) - self._vessel()
+        self._add(_own(ClipBox.about(points, ahead, ABOUT_TARGET)))
+
+    def _add_clip_box(self) -> None:
+        box = self._window.tools.clipping.box
+        if box is None:
+            self._controller.noted.emit("Switch the clip box on (X) and lay it about an object")
+            return
+        self._add(_own(box))
+
+    def _vessel(self) -> Array:
+        survey = self._document.survey
+        assert survey is not None
+        times = np.array([line.first_time for line in survey.scans.values()])
+        return np.asarray(survey.trajectory.at(times).position.mean(axis=0))
+
+    def _add(self, box: Box) -> None:
+        """Lay a box where the view shows what is in it."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        before = self._present()
+        taken = set() if before is None else {each.name for each in before.objects}
+        name = next(n for k in count(1) if (n := f"{BY_HAND}{k}") not in taken)
+        shown = next(iter(self._scene.clouds.values())).place.mounting.boresight
+
+        def work(progress: Progress) -> Laid | str:
+            try:
+                found = lay(project, survey, [checked(name, box)], shown, progress=progress)
+            except LispacError as error:
+                return str(error)
+            if not found.sample.seen:
+                return "No two lines have points in the box; lay it about what two lines see."
+            return found
+
+        def done(found: Laid | str) -> None:
+            if isinstance(found, str):
+                self._controller.noted.emit(found)
+                return
+            self.laid.emit(found if before is None else before.joined(found), name)
+
+        task = self._runner.run("Laying a box", work, done)
+        self._controller.based_on_project(task)
+
+    def _ready(self) -> tuple[Project | None, Survey | None]:
+        current = self._document.survey_is_current
+        return self._document.project, self._document.survey if current else None
+
+
+def _own(box: ClipBox) -> Box:
+    ahead = box.axes[0]
+    turn = float(np.arctan2(-ahead[1], ahead[0]))
+    return Box(np.array(box.centre), np.maximum(2 * box.half, SMALLEST), turn)

@@ -1,0 +1,190 @@
+"""The patch test by mouse and keys, in the window."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
+
+from lispac.gui.panels.patch_angles import FINE
+from lispac.gui.panels.patch_test import PatchTestPanel
+from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
+
+ROLL, PITCH, YAW = range(3)
+
+
+def panel(driver: Driver) -> PatchTestPanel:
+    return driver.window.tools.patching.panel
+
+
+def opened_panel(driver: Driver) -> PatchTestPanel:
+    """By its key."""
+    press(driver, Key.Key_T, Control)
+    assert panel(driver).isVisible()
+    return panel(driver)
+
+
+def follow(driver: Driver) -> None:
+    """Wait until the curve is that of the angles as they are."""
+    patching = driver.window.tools.patching
+    driver.bot.waitUntil(lambda: not patching.waits, timeout=60_000)
+    driver.rest()
+
+
+def drag(driver: Driver, slider: QSlider, value: int) -> None:
+    """Take the handle and let it go at a value, as near as pixels allow."""
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    handle = slider.style().subControlRect(
+        QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
+    )
+    room = slider.width() - handle.width()
+    share = (value - slider.minimum()) / (slider.maximum() - slider.minimum())
+    end = QPoint(round(share * room + 0.5 * handle.width()), handle.center().y())
+    driver.bot.mousePress(slider, Left, pos=handle.center())
+    driver.bot.mouseMove(slider, end)
+    driver.bot.mouseRelease(slider, Left, pos=end)
+
+
+def tick(driver: Driver, made: QListWidget, row: int) -> None:
+    """Click the box of a row."""
+    made.scrollToItem(made.item(row))
+    place = made.visualItemRect(made.item(row))
+    driver.bot.mouseClick(made.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y()))
+
+
+def test_it_teaches_while_there_is_nothing(opened: Driver) -> None:
+    shown = opened_panel(opened)
+    assert shown.words.isVisible()
+    assert "lays lines onto each other" in shown.words.text()
+    assert not shown.all.isEnabled()
+    assert not shown.angles.isEnabled()
+    assert shown.propose.isEnabled()
+    assert shown.pairs.count() == 15
+    assert shown.pairs.item(0).text().startswith("⇄ ")
+    assert shown.pairs.item(0).toolTip() == "reciprocal"
+
+
+def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driver) -> None:
+    window, shown = opened.window, opened_panel(opened)
+    click(opened, shown.propose)
+    opened.rest()
+    assert shown.picture.isVisible()
+    assert shown.objects.count() > 10
+    click(opened, shown.all)
+    opened.rest()
+    answer = window.tools.patching.answer
+    assert answer is not None
+    assert answer.sigma is not None
+    assert "found" in shown.angles.found[PITCH].text()
+    assert shown.said.text().startswith("The answer rests on")
+    truth = np.radians(opened.project.truth_deg)
+    assert (np.abs(answer.boresight - truth) < 3 * answer.sigma).all()
+
+    assert opened.project.opinion("patch test") is None
+    click(opened, shown.keep)
+    kept = opened.project.opinion("patch test")
+    assert kept is not None
+    np.testing.assert_array_equal(kept.boresight, answer.boresight)
+    press(opened, Key.Key_Z, Control)
+    assert opened.project.opinion("patch test") is None
+
+    # All that count, not one alone: the minimum of one is its own.
+    shown.of.setCurrentIndex(1)
+    start = answer.boresight + [0.0, np.radians(0.15), 0.0]
+    shown.angles.turn_to(start)
+    steps = round(np.degrees(answer.boresight[PITCH]) / FINE)
+    drag(opened, shown.angles.sliders[PITCH], steps + 80)
+    follow(opened)
+    lowest = shown.curve.minimum
+    assert lowest is not None
+    assert shown.angles.boresight[PITCH] != start[PITCH], "the drag turned nothing"
+    place = shown.curve.place(lowest, 0.001).toPoint()
+    opened.bot.mouseClick(shown.curve, Left, pos=place)
+    follow(opened)
+    turned = shown.angles.boresight
+    assert abs(turned[PITCH] - answer.boresight[PITCH]) < answer.sigma[PITCH]
+    assert (turned[[ROLL, YAW]] == start[[ROLL, YAW]]).all()
+    assert shown.angles.fields[PITCH].value() == pytest.approx(np.degrees(turned[PITCH]))
+
+    # The button for one angle goes to the same place.
+    click(opened, shown.angles.finds[PITCH])
+    opened.rest()
+    alone = shown.angles.boresight
+    assert abs(alone[PITCH] - answer.boresight[PITCH]) < 0.2 * answer.sigma[PITCH]
+    assert "alone" in shown.said.text()
+
+
+def test_keys_turn_by_a_thousandth_and_the_picture_follows(opened: Driver) -> None:
+    shown = opened_panel(opened)
+    click(opened, shown.propose)
+    opened.rest()
+    before = {line: points.copy() for line, points in shown.picture.drawn.items()}
+    assert len(before) >= 2
+    slider = shown.angles.sliders[ROLL]
+    slider.setFocus()
+    opened.bot.keyClick(slider, Key.Key_Right)
+    assert np.degrees(shown.angles.boresight[ROLL]) == pytest.approx(0.001)
+    opened.bot.keyClick(slider, Key.Key_PageUp)
+    assert np.degrees(shown.angles.boresight[ROLL]) == pytest.approx(0.011)
+    moved = shown.picture.drawn
+    assert any(np.abs(moved[line] - before[line]).max() > 1e-4 for line in before)
+    type_into(opened, shown.angles.fields[YAW], "0.5")
+    assert np.degrees(shown.angles.boresight[YAW]) == pytest.approx(0.5)
+    assert slider.value() == 11
+    assert shown.angles.sliders[YAW].value() == 500
+    click(opened, shown.prior)
+    assert (shown.angles.boresight == 0).all()
+    np.testing.assert_allclose(
+        shown.picture.drawn[next(iter(before))], before[next(iter(before))], atol=1e-9
+    )
+
+
+def test_boxes_by_hand_are_added_looked_at_and_removed(opened: Driver) -> None:
+    window, shown = opened.window, opened_panel(opened)
+    click(opened, shown.target)
+    opened.rest()
+    assert "Select a target" in window.log.toPlainText()
+    click(opened, shown.box)
+    assert "Switch the clip box on" in window.log.toPlainText()
+    line = window.document.survey.lines[0]
+    points = opened.viewport.clouds[line]
+    high = int(np.abs(points - [32.0, -24.5, 36.0]).sum(axis=1).argmin())
+    click(opened, shown.point)
+    assert opened.viewport.mouse_mode == "point"
+    opened.viewport.point_at(line, high)
+    opened.rest()
+    assert opened.viewport.mouse_mode == "navigate"
+    assert [shown.objects.item(0).text(), shown.objects.count()] == ["H1", 1]
+    assert opened.viewport.sketches["patch"].label == "H1"
+    click(opened, shown.go)
+    press(opened, Key.Key_X)
+    click(opened, shown.box)
+    opened.rest()
+    assert [shown.objects.item(k).text() for k in range(2)] == ["H1", "H2"]
+    click(opened, shown.remove)
+    opened.rest()
+    while shown.objects.count():
+        click(opened, shown.remove)
+        opened.rest()
+    assert shown.words.isVisible()
+    assert "patch" not in opened.viewport.sketches
+
+
+def test_what_was_found_is_forgotten_with_another_choice(opened: Driver) -> None:
+    shown = opened_panel(opened)
+    click(opened, shown.propose)
+    opened.rest()
+    click(opened, shown.angles.finds[ROLL])
+    opened.rest()
+    assert "alone" in shown.said.text()
+    tick(opened, shown.objects, 0)
+    assert shown.objects.item(0).checkState() == Qt.CheckState.Unchecked
+    assert shown.said.text() == ""
+    many = len(shown.ticked)
+    assert many == shown.objects.count() - 1
+    for row in range(shown.pairs.count()):
+        tick(opened, shown.pairs, row)
+    assert not shown.ticked_pairs
+    click(opened, shown.all)
+    opened.rest()
+    assert "No two of the chosen lines meet" in str(opened.dialogs.errors[-1])
