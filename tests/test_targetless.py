@@ -17,7 +17,7 @@ from lispac.survey.scan import Scan
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.targetless import Targetless, targetless
-from tests.test_cli import answer
+from tests.test_cli import answer, run
 from tests.test_reference_surveys import angles, make
 
 Opened = tuple[Project, Survey]
@@ -189,3 +189,37 @@ def test_harbour_from_the_command_line(
     assert (off < 3 * angles(numbers, "sigma_deg")).all(), off
     assert numbers["disagreeing_lines"] == []
     assert open_project(project).result is None
+
+
+def test_targets_and_the_scene_tell_more_together(calibrated: Opened) -> None:
+    """And what is seen of a target's board is not counted twice."""
+    project, survey = calibrated
+    found = targetless(project, survey, count=FEW, with_targets=True)
+    assert found.targets == len(project.of_role("target"))
+    names = [target.name for target in found.project.targets]
+    assert names[: found.targets] == [target.name for target in project.of_role("target")]
+    assert len(set(names)) == len(names) <= found.targets + FEW
+    assert "Targets adjusted with them: 2." in found.sentences
+    off = np.abs(error(found, project)) / np.degrees(found.result.sigma)
+    assert (off < 3).all(), off
+    assert project.result is not None
+    assert (found.result.sigma < project.result.sigma).all()
+    taken = {
+        (sighting.line, number)
+        for target in found.project.targets[: found.targets]
+        for sighting in target.sightings
+        for number in sighting.indices.tolist()
+    }
+    for surface in found.project.targets[found.targets :]:
+        for sighting in surface.sightings:
+            assert not any((sighting.line, n) in taken for n in sighting.indices.tolist())
+
+
+def test_what_cannot_be_mixed_is_refused(
+    capsys: pytest.CaptureFixture[str], thinned: Opened, tmp_path: Path
+) -> None:
+    with pytest.raises(AdjustmentError, match="no target to adjust with the scene"):
+        targetless(*thinned, count=FEW, with_targets=True)
+    code, out, err = run(capsys, "targetless", tmp_path, "--keep", "--with-targets")
+    assert (code, out) == (2, "")
+    assert "no second opinion" in err

@@ -7,6 +7,7 @@ from lispac import __version__
 from lispac.cli import (
     design_options,
     estimate_options,
+    opinion_options,
     patch_test_options,
     pick_options,
     quality_options,
@@ -51,10 +52,9 @@ def build_parser() -> argparse.ArgumentParser:
     _subsample(commands)
     _validate(commands)
     _check(commands)
-    _compare(commands)
+    opinion_options.add(commands)
     _history(commands)
     _budget(commands)
-    _targetless(commands)
     patch_test_options.add(commands)
     quality_options.add(commands)
     _georeference(commands)
@@ -229,18 +229,6 @@ def _check(commands: "Commands[argparse.ArgumentParser]") -> None:
     json_option(check)
 
 
-def _compare(commands: "Commands[argparse.ArgumentParser]") -> None:
-    compare = command(commands, "compare", "say whether calibrations, or methods, agree")
-    compare.add_argument(
-        "projects", type=Path, nargs="+", metavar="PROJECT",
-        help="calibrations of one mounting, the earliest first; of a single one its methods",
-    )  # fmt: skip
-    compare.add_argument(
-        "--compute", action="store_true", help="of a single one: ask other methods, and keep it"
-    )
-    json_option(compare)
-
-
 def _history(commands: "Commands[argparse.ArgumentParser]") -> None:
     history = command(
         commands, "history", "list the calibrations of each system, and whether its mounting moved"
@@ -254,17 +242,6 @@ def _history(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="control chart of the system with most calibrations, .png, .svg or .pdf",
     )  # fmt: skip
     json_option(history)
-
-
-def _targetless(commands: "Commands[argparse.ArgumentParser]") -> None:
-    targetless = command(
-        commands, "targetless", "find the boresight from the scene itself, without a target"
-    )
-    targetless.add_argument("project", type=Path, metavar="PROJECT")
-    targetless.add_argument(
-        "--keep", action="store_true", help="keep the answer beside that of the targets"
-    )
-    json_option(targetless)
 
 
 def _budget(commands: "Commands[argparse.ArgumentParser]") -> None:

@@ -2,7 +2,7 @@
 
 from argparse import Namespace
 
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.estimate import numbers, print_result
 from lispac.progress import part
 from lispac.workflow.opinions import of_the_scene
@@ -12,11 +12,25 @@ from lispac.workflow.targetless import targetless as find
 
 
 def targetless(arguments: Namespace) -> None:
-    """Find the boresight of a project from natural surfaces; with ``--keep`` it is kept."""
+    """Find the boresight of a project from natural surfaces; with ``--keep`` it is kept.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
+    if arguments.keep and arguments.with_targets:
+        raise UsageError(
+            "targetless: an answer with the targets is no second opinion on theirs; leave --keep "
+            "or --with-targets out."
+        )
     with ConsoleProgress() as progress:
         project = open_project(arguments.project)
         survey = load_survey(project, progress=part(progress, 0.0, 0.3))
-        found = find(project, survey, progress=part(progress, 0.3, 1.0))
+        found = find(
+            project, survey, with_targets=arguments.with_targets,
+            progress=part(progress, 0.3, 1.0),
+        )  # fmt: skip
     if arguments.keep:
         save_project(project.with_opinion(of_the_scene(found)))
     if arguments.json:
@@ -26,6 +40,7 @@ def targetless(arguments: Namespace) -> None:
                 "rounds": found.rounds,
                 "settled": found.settled,
                 "candidates": found.candidates,
+                "targets": found.targets,
                 "disagreeing_lines": list(found.disagreeing),
             }
         )

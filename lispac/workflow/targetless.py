@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from time import perf_counter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.adjustment.components import FEWEST_LINES
 from lispac.adjustment.result import AdjustmentResult
@@ -22,8 +23,10 @@ from lispac.natural.patches import Patches, patches_of
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud, placed_with
-from lispac.workflow.calibration import observations_of
+from lispac.workflow.calibration import observations_of, select
 from lispac.workflow.survey import Survey
+
+Indices = NDArray[np.int64]
 
 THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
 """Metres that a line may be off its region, from round to round: at first as much as a tenth of a
@@ -57,6 +60,8 @@ class Targetless:
         Patches that were found; the chosen ones are targets of the project.
     disagreeing : tuple of str
         Lines that share no surface with the others, or do not agree with them as a whole.
+    targets : int
+        Of the project, adjusted with the scene.
     """
 
     project: Project
@@ -64,6 +69,7 @@ class Targetless:
     settled: bool
     candidates: int
     disagreeing: tuple[str, ...]
+    targets: int = 0
 
     @property
     def result(self) -> AdjustmentResult:
@@ -75,10 +81,12 @@ class Targetless:
     def sentences(self) -> tuple[str, ...]:
         """What the answer rests on, in words."""
         said = (
-            f"The answer rests on {len(self.project.targets)} of {self.candidates} natural "
-            f"surfaces that lines share; rounds of matching: {self.rounds}."
+            f"The answer rests on {len(self.project.targets) - self.targets} of {self.candidates} "
+            f"natural surfaces that lines share; rounds of matching: {self.rounds}."
         )
         found = [said]
+        if self.targets:
+            found.append(f"Targets adjusted with them: {self.targets}.")
         if len({each.sighting.line for each in self.result.sightings}) < FEWEST_LINES:
             found.append(
                 "Two lines alone: the sigmas do not hold. On two real surveys of this kind the "
@@ -96,19 +104,27 @@ class Targetless:
 
 
 def targetless(
-    project: Project, survey: Survey, *, count: int = COUNT, progress: Progress = no_progress
+    project: Project,
+    survey: Survey,
+    *,
+    count: int = COUNT,
+    with_targets: bool = False,
+    progress: Progress = no_progress,
 ) -> Targetless:
-    """Find the boresight from what all lines see of the scene; targets of the project are not used.
+    """Find the boresight from what all lines see of the scene.
 
     Parameters
     ----------
     count : int
         Most surfaces that are adjusted.
+    with_targets : bool
+        Adjust the project's targets with them; else these take no part.
 
     Raises
     ------
     AdjustmentError
-        Where lines do not overlap, or share too few surfaces.
+        Where lines do not overlap, or share too few surfaces; with targets also where one of these
+        is used on a single line.
     """
     settings = project.settings
     settings.require_sound()
@@ -117,13 +133,14 @@ def targetless(
             f"{project.name}: one line meets nothing; add lines in other directions over the same "
             "scene."
         )
+    own = _targets_alone(project) if with_targets else None
     started = perf_counter()
     progress(0.0, "Aligning the lines")
     # Wherever the prior is, near or far, the start is the same.
     mounting = survey.aligned.mounting
     quick = replace(settings, subsample=max(settings.subsample, QUICK), parameters=())
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
-    picked, found, rounds, settled = project, 0, 0, False
+    picked, found, rounds, settled, mixed = project, 0, 0, False, 0
     for rounds, threshold in enumerate(THRESHOLDS, 1):
         step = part(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
         step(0.0, f"Matching the lines, round {rounds}")
@@ -148,6 +165,10 @@ def targetless(
         settled = rounds > 1 and bool((moved < SETTLED * choice.sigma).all())
         if settled:
             break
+    if own is not None:
+        mine = select(own, survey, progress=part(progress, 0.4, 0.5)).targets
+        picked = replace(picked, targets=(*mine, *_apart(picked.targets, mine)))
+        mixed = len(mine)
     observations = observations_of(picked, survey, mounting=mounting)
     result = adjust(
         observations,
@@ -159,7 +180,43 @@ def targetless(
         progress=part(progress, 0.5, 1.0),
     )
     solved = replace(picked, result=replace(result, elapsed=perf_counter() - started))
-    return Targetless(solved, rounds, settled, found, disagreeing(result, survey.clouds))
+    return Targetless(solved, rounds, settled, found, disagreeing(result, survey.clouds), mixed)
+
+
+def _targets_alone(project: Project) -> Project:
+    targets = tuple(target for target in project.of_role("target") if target.used)
+    if not targets:
+        raise AdjustmentError(
+            f"{project.name}: there is no target to adjust with the scene; pick one, or leave the "
+            "targets out."
+        )
+    return replace(project, targets=targets, result=None)
+
+
+def _apart(surfaces: tuple[Target, ...], targets: tuple[Target, ...]) -> tuple[Target, ...]:
+    """Surfaces of the scene that no target lies on, none with the name of a target.
+
+    What is seen of a board would count twice else.
+    """
+    on: dict[str, list[Indices]] = {}
+    for target in targets:
+        for sighting in target.sightings:
+            on.setdefault(sighting.line, []).append(sighting.indices)
+    taken = {line: np.concatenate(parts) for line, parts in on.items()}
+    names = {target.name for target in targets}
+
+    def is_free(surface: Target) -> bool:
+        return not any(
+            np.isin(each.indices, taken[each.line]).any()
+            for each in surface.sightings
+            if each.line in taken
+        )
+
+    return tuple(
+        replace(each, name=f"{each.name}*") if each.name in names else each
+        for each in surfaces
+        if is_free(each)
+    )
 
 
 def _targets(

@@ -5206,6 +5206,14 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <source>The angles still moved by more than {setting:n} % of their sigmas in the last round of matching.</source>
         <translation>Au dernier tour d&apos;appariement, les angles bougeaient encore de plus de {setting} % de leurs écarts-types.</translation>
     </message>
+    <message>
+        <source>Targets adjusted with them: {n:n}.</source>
+        <translation>Cibles compensées avec elles : {n}.</translation>
+    </message>
+    <message>
+        <source>{project:name}: there is no target to adjust with the scene; pick one, or leave the targets out.</source>
+        <translation>{project} : il n’y a pas de cible à compenser avec la scène ; en choisir une, ou laisser les cibles de côté.</translation>
+    </message>
 </context>
 <context>
     <name>patchtest</name>
