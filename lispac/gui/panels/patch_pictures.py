@@ -214,8 +214,12 @@ class CurvePicture(Picture):
             painter.setPen(QPen(theme.colour("done"), 1.5, Qt.PenStyle.DashLine))
             x = self.place(lowest, 0.0).x()
             painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()))
-            words = say(f"minimum {units.amount(float(np.degrees(lowest)), '°', '+.3f')}")
+            figure = units.amount(float(np.degrees(lowest)), "°", "+.3f")
+            words = say(f"minimum {figure}")
             right = x > frame.center().x()
+            room = (x - frame.left() if right else frame.right() - x) - 8
+            if painter.fontMetrics().horizontalAdvance(words) > room:
+                words = say(figure)  # the dashes say of what
             box = QRectF(x - 204 if right else x + 4, frame.top() + 2, 200, 16)
             side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
             painter.setPen(theme.colour("done"))
