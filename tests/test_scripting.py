@@ -86,7 +86,9 @@ def test_the_steps_are_those_of_the_command_line(
     ("language", "told_as"),
     [
         ("en", r"(?:roll|pitch|yaw) +(\S+) deg, 1 sigma (\S+)"),
-        ("fr", r"(?:roulis|tangage|lacet) +(\S+)°, écart-type (\S+)"),
+        pytest.param(
+            "fr", r"(?:roulis|tangage|lacet) +(\S+)°, écart-type (\S+)", marks=pytest.mark.long
+        ),
     ],
     ids=["en", "fr"],
 )

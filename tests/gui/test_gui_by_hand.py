@@ -166,7 +166,9 @@ def test_closing_with_unsaved_changes(
     assert (picked_folder / UNSAVED_NAME).exists() == (button == "Cancel")
 
 
-@pytest.mark.parametrize("button", ["Bring it back", "Forget it"])
+@pytest.mark.parametrize(
+    "button", ["Bring it back", pytest.param("Forget it", marks=pytest.mark.long)]
+)
 def test_after_a_crash_the_work_is_offered(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
 ) -> None:
