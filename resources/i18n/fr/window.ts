@@ -9331,7 +9331,7 @@ m/s</translation>
     <name>line quality dialog</name>
     <message>
         <source>&amp;Differences between lines…</source>
-        <translation>Éca&amp;rts entre lignes…</translation>
+        <translation>Écarts entre &amp;lignes…</translation>
     </message>
     <message>
         <source>Differences</source>
