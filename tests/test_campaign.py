@@ -147,6 +147,7 @@ def test_a_worker_killed_from_outside_loses_no_result(
         assert workers[0] not in client.run(os.getpid).values()
 
 
+@pytest.mark.long
 def test_what_ends_every_worker_ends_the_campaign(cluster: distributed.LocalCluster) -> None:
     with (
         cluster_of(cluster.scheduler_address) as mapper,

@@ -124,6 +124,7 @@ def test_everything_that_is_done_to_targets_comes_back(
             assert a.indices.tolist() == b.indices.tolist()
 
 
+@pytest.mark.long
 def test_targets_found_with_another_prior_and_proposed_ones_keep_their_points(
     quay: lispac.OpenProject, tmp_path: Path
 ) -> None:

@@ -23,6 +23,7 @@ ROOMS = {
     "validation": "Validation",
     "adjustment": "Adjustment",
     "natural": "Natural surfaces",
+    "patchtest": "LiDAR patch test",
     "targets": "Targets",
     "survey": "Survey",
     "geometry": "Geometry",
