@@ -125,6 +125,7 @@ reflectance = 0.85
 """
 
 
+@pytest.mark.long
 def test_balls_take_part_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene, folder = tmp_path / "balls.toml", tmp_path / "balls"
     text = (resource("scenes") / "marine.toml").read_text()

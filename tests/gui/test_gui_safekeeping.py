@@ -34,6 +34,7 @@ def unsaved(driver: Driver, folder: Path, wanted: bool) -> None:
     driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).exists() == wanted, timeout=WAIT_MS)
 
 
+@pytest.mark.long
 def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> None:
     killed_after_editing(folder)
     assert "North wall" not in names(read_project(folder))
