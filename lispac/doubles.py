@@ -103,12 +103,16 @@ def overlap_words(target: Target, others: Iterable[Target]) -> str:
     )
 
 
-# The window asks for the same project at every move of a progress bar.
-@lru_cache(maxsize=2)
 def doubles(project: Project) -> tuple[Doubt, ...]:
     """What there is to know of an answer whose targets share points, serious things first."""
-    role = {target.name: target.role for target in project.targets}
-    found = overlaps(project.targets)
+    return _doubles(project.targets)
+
+
+# The window asks for the same targets at every move of a progress bar.
+@lru_cache(maxsize=2)
+def _doubles(targets: tuple[Target, ...]) -> tuple[Doubt, ...]:
+    role = {target.name: target.role for target in targets}
+    found = overlaps(targets)
     twice = [each for each in found if role[each.one] == role[each.other] == "target"]
     mixed = [each for each in found if role[each.one] != role[each.other]]
     told = []

@@ -51,7 +51,6 @@ class Cautioning(QObject):
         self._gathered.connect(self._show)
         window.document.opened.connect(self._forget)
         window.document.changed.connect(self._watch)
-        window.document.survey_changed.connect(self._watch)
         window.target_work.judging.judged.connect(self._judged)
         window.safekeeping.troubled.connect(self._watch)
         window.actions_["warnings"].triggered.connect(lambda _=False: self.open())

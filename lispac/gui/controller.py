@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from lispac.caches import DEMO, cache_place
+from lispac.doubles import doubles
 from lispac.errors import LispacError
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
@@ -86,7 +87,7 @@ class Controller(QObject):
                 return project
             if project.validation:
                 preload()
-            survey = load_survey(project, progress=progress)
+            _, survey = _with_lines(project, progress)
             return project, replace(survey, notes=(*notes, *survey.notes))
 
         def done(opened: Opened | Project) -> None:
@@ -161,7 +162,7 @@ class Controller(QObject):
                 project = open_project(place)
             else:
                 project = make_demo(place, progress=part(progress, 0.0, 0.8))
-            return project, load_survey(project, progress=part(progress, 0.8, 1.0))
+            return _with_lines(project, part(progress, 0.8, 1.0))
 
         def done(opened: Opened) -> None:
             first()
@@ -231,8 +232,6 @@ class Controller(QObject):
         def done(survey: Survey) -> None:
             if self._document.project is not None:
                 self._document.set_survey(project, survey)
-                if not self._document.survey_is_current:
-                    self._follow()
 
         self._runner.run(
             "Placing the lines", lambda progress: load_survey(project, progress=progress), done,
@@ -390,3 +389,10 @@ class Controller(QObject):
 def demo_folder() -> Path:
     """Where the demo survey is kept: the cache."""
     return cache_place() / DEMO
+
+
+def _with_lines(project: Project, progress: Progress) -> Opened:
+    """The lines of a project; and what is looked for now is known when it is to be shown."""
+    survey = load_survey(project, progress=progress)
+    doubles(project)
+    return project, survey

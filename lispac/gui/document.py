@@ -46,11 +46,11 @@ class Document(QObject):
     """A project value that changes by edits, and the survey loaded for it."""
 
     changed = Signal()
-    """The project is another value."""
+    """The project is another value, or other data are at hand for it."""
     left = Signal()
     """What was shown goes; `opened` follows."""
     survey_changed = Signal()
-    """Data were loaded or let go."""
+    """Data were loaded or let go; `changed` follows."""
     opened = Signal()
     """Another project, or none, is in the document."""
     modified = Signal(bool)
@@ -59,12 +59,11 @@ class Document(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.opening = False
-        """Whether `changed` is still to follow, so that nobody need show all there is twice."""
         self._state: _State | None = None
         self._folder: Path | None = None
         self.survey: Survey | None = None
         self._key: tuple[object, ...] | None = None
+        self._survey_told = True
         self._reported: tuple[Project | None, str] = (None, "")
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
@@ -123,10 +122,8 @@ class Document(QObject):
     def show_again(self) -> None:
         """Tell of the project as of one that was just opened."""
         self.left.emit()
-        self.opening = True
         self.survey_changed.emit()
         self.opened.emit()
-        self.opening = False
         self.changed.emit()
 
     def set_survey(self, project: Project | None, survey: Survey | None) -> None:
@@ -134,6 +131,7 @@ class Document(QObject):
         self.survey = survey
         self._key = data_key(project) if project is not None and survey is not None else None
         self.survey_changed.emit()
+        self.changed.emit()
 
     def edit(
         self,
@@ -160,10 +158,8 @@ class Document(QObject):
         if project.result is before.project.result is not None:
             after.refused_since = before.refused_since
         if survey is not None:
-            self.survey, self._key = survey, data_key(project)
+            self.survey, self._key, self._survey_told = survey, data_key(project), False
         self.undo_stack.push(_Edit(text, self, before, after))
-        if survey is not None:
-            self.survey_changed.emit()
 
     def amend(self, project: Project) -> None:
         """Fill in what follows from the last edit; it belongs to that edit's undo step."""
@@ -202,7 +198,6 @@ class Document(QObject):
         self._state.project = project
         self.undo_stack.setClean()
         self.set_survey(project, survey)
-        self.changed.emit()
 
     def handed_over(self, parent: QObject | None = None) -> "Document":
         """The same project with the same way back, for a window made anew."""
@@ -236,4 +231,7 @@ class Document(QObject):
     def _set(self, state: _State) -> None:
         state.project = self._here(state.project)
         self._state = state
+        if not self._survey_told:
+            self._survey_told = True
+            self.survey_changed.emit()
         self.changed.emit()

@@ -77,7 +77,6 @@ class Estimating(QObject):
         self._rest.setInterval(REST_MS)
         self._rest.timeout.connect(self._follow)
         document.changed.connect(self._watch)
-        document.survey_changed.connect(self._watch)
         document.opened.connect(self._forget)
         runner.idle.connect(self._watch)
         runner.failed.connect(self._keep_older)

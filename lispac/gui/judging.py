@@ -32,7 +32,6 @@ class Judging(QObject):
         self._candidate: Target | None = None
         self._asked_candidate: tuple[Task, Target] | None = None
         document.changed.connect(self._watch)
-        document.survey_changed.connect(self._watch)
         runner.idle.connect(self._judge)
 
     def _watch(self) -> None:

@@ -74,7 +74,6 @@ class Patching(QObject):
         panel.angles.turned.connect(self._turned)
         panel.angles.find_asked.connect(self.find_angle)
         panel.curve.chosen.connect(self._choose)
-        self._document.opened.connect(self._begin)
         self._document.survey_changed.connect(self._begin)
         self._runner.changed.connect(self._enable)
         self._runner.idle.connect(lambda: self._stale and self._rest.start())

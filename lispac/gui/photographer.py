@@ -49,6 +49,7 @@ class Photographer(QObject):
 
         def take(which: Which) -> None:
             self._show(which)  # the user may have switched
+            self._scene.draw_due()
             with units.standard():
                 pictures[CAPTIONS[which]] = self._viewport.picture()
 

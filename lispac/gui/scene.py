@@ -13,6 +13,7 @@ from lispac.gui import theme
 from lispac.gui.colouring import Colouring, shading
 from lispac.gui.document import Document
 from lispac.gui.residuals import residual_reach, residual_shading
+from lispac.gui.turns import Turn
 from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Shading, Viewport
 from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
@@ -44,6 +45,9 @@ class Scene(QObject):
         self._drawn: Mapping[str, Cloud] = {}
         self._residuals: Mapping[tuple[str, str], NDArray[np.uint8]] = {}
         self._reach: float | None = None
+        # Once for all that changes in one: a new project has enough to show.
+        self._lines_due = Turn(self._put_lines, self)
+        self._targets_due = Turn(self._put_targets, self)
         document.left.connect(self._leave)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
@@ -174,6 +178,7 @@ class Scene(QObject):
     def _leave(self) -> None:
         self.candidate = self.selected = None
         self._viewport.clear()  # nothing of it is drawn once more on the way to another
+        self._drawn = {}
         self._fit_next = True
 
     def _reload(self) -> None:
@@ -182,13 +187,11 @@ class Scene(QObject):
         survey = self._document.survey
         if survey is None:
             self._viewport.clear()
+            self._drawn = {}
         else:
+            # Standard views look from the water, where the vessel was while it scanned.
             self._viewport.set_station(_vessel(survey))
-            self._draw_clouds()
-            if self._fit_next:
-                self._viewport.fit()
-                self._fit_next = False
-        self._draw_targets()
+        self._lines_due.start()
         self.which_changed.emit(self.which)
 
     def _project_changed(self) -> None:
@@ -200,18 +203,33 @@ class Scene(QObject):
                 self.which = "prior"
                 self.which_changed.emit(self.which)
         stale = self.colouring == "residual" and not self._document.awaits_result
-        if self._document.survey is not None and (stale or self.clouds is not self._drawn):
+        if stale or self.clouds is not self._drawn:
+            self._lines_due.start()
+        self._draw_targets()
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether nothing is to be drawn in the next turns."""
+        return not (self._lines_due.isActive() or self._targets_due.isActive())
+
+    def draw_due(self) -> None:
+        """Draw now what would be drawn in the next turns."""
+        if self._lines_due.isActive():
+            self._put_lines()
+        if self._targets_due.isActive():
+            self._put_targets()
+
+    def _put_lines(self) -> None:
+        self._lines_due.stop()
+        if self._document.survey is not None:
             self._draw_clouds()
+            if self._fit_next:
+                self._viewport.fit()
+                self._fit_next = False
         self._draw_targets()
 
     def _draw_clouds(self) -> None:
         clouds = self._drawn = self.clouds
-        survey = self._document.survey
-        if survey is not None:
-            # Standard views look from the water, where the vessel was while it scanned.
-            times = np.array([np.median(cloud.sample_time) for cloud in survey.clouds.values()])
-            north, west, up = survey.trajectory.at(times).position.mean(axis=0)
-            self._viewport.set_station((float(north), float(west), float(up)))
         samples = {name: cloud.sample for name, cloud in clouds.items()}
         try:
             shaded, self._residuals = self._shades(self.colouring)
@@ -232,6 +250,11 @@ class Scene(QObject):
         return residual_shading(project, survey, self.clouds, reach=self._reach)
 
     def _draw_targets(self) -> None:
+        if not self._lines_due.isActive():  # which they follow
+            self._targets_due.start()
+
+    def _put_targets(self) -> None:
+        self._targets_due.stop()
         project = self._document.project
         targets = [] if project is None or self._document.survey is None else list(project.targets)
         if self.candidate is not None:

@@ -53,7 +53,6 @@ class Sections(QObject):
         scene.selection_changed.connect(self._another)
         document.opened.connect(self._another)
         document.changed.connect(self._update)
-        document.survey_changed.connect(self._update)
         scene.which_changed.connect(lambda _which: self._update())
         runner.idle.connect(lambda: self._stale and self._update())
 

@@ -4,7 +4,6 @@ Widgets are given their texts and colours when they are made. So the window is m
 same document: the project, its data and every undo step stay.
 """
 
-import gc
 from collections.abc import Callable
 from pathlib import Path
 
@@ -18,6 +17,7 @@ from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.language import speak
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
+from lispac.gui.tidying import collect_all
 from lispac.gui.viewport.base import Viewport
 from lispac.io.project_file import UNSAVED_NAME
 
@@ -118,5 +118,5 @@ class Session(QObject):
         self.window = self._made(former)  # shown before the other goes: the last one ends Qt
         former.retire()
         # Its points and graphics: nothing else frees so much, so this does not wait until due
-        former.destroyed.connect(lambda: QTimer.singleShot(0, gc.collect))
+        former.destroyed.connect(lambda: QTimer.singleShot(0, collect_all))
         former.deleteLater()

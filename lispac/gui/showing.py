@@ -22,9 +22,7 @@ class Showing(QObject):
         super().__init__(window)
         self._window = window
         window.document.changed.connect(self.refresh)
-        window.document.survey_changed.connect(self.refresh)
         window.document.changed.connect(self._count)
-        window.document.survey_changed.connect(self._count)
         window.document.modified.connect(lambda _modified: self._name_window())
         window.document.opened.connect(lambda: window.workflow.open(self._first_open_step()))
         window.runner.changed.connect(self._show_task)
@@ -36,8 +34,6 @@ class Showing(QObject):
     def refresh(self) -> None:
         """Show the document as it stands, everywhere."""
         window = self._window
-        if window.document.opening:
-            return
         project, survey, statuses = self._state()
         leave_alone(project)
         waiting = window.document.awaits_result

@@ -11,6 +11,9 @@ import sys
 import time
 
 from PySide6.QtCore import QObject, QTimer
+from PySide6.QtWidgets import QApplication
+
+from lispac.gui.turns import Turn
 
 EVERY_MS = 100
 """A worker that reads makes 100 000 objects a second: so few wait that a turn takes some ms."""
@@ -20,6 +23,10 @@ ALL_S = 15.0
 """Between two looks at everything, which take 0.06 s with all libraries loaded. A dialogue that has
 gone lies in cycles with the lines it was asked about: by counts alone that came to 1.2 GB."""
 
+NEW_MODULES = 100
+"""So many that came since make it worth while to look at them no more: those of the 3D library and
+of what it imports take 0.1 s."""
+
 REST_S = 5.0
 """Between two times that memory is given back: it takes 0.01 to 0.04 s."""
 
@@ -27,13 +34,19 @@ REST_S = 5.0
 class Tidying(QObject):
     """Collects in the thread it lives in, from when it is made until it is ended.
 
-    What is there when it is made, the modules, is never looked at again: it stays anyhow, and
-    looking takes 0.16 s.
+    The modules that are there when it is made, and those that come, are not looked at again: they
+    stay anyhow, and looking takes 0.16 s. What else was there then is, when a window has gone.
     """
+
+    left_alone = 0
+    """Modules that are not looked at."""
+    with_windows = False
+    """Whether a window was there when they were counted, and is not looked at either."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         gc.disable()
+        Tidying.left_alone = len(sys.modules)
         gc.freeze()
         self._looked = time.monotonic()
         self._timer = QTimer(self, interval=EVERY_MS)
@@ -45,15 +58,28 @@ class Tidying(QObject):
         young, middle, _old = gc.get_count()
         if young <= YOUNG:
             return
-        due = time.monotonic() > self._looked + ALL_S
+        due = time.monotonic() > self._looked + ALL_S and not Turn.taken
         gc.collect(2 if due else 1 if middle > MIDDLE else 0)
         if due:
             self._looked = time.monotonic()
+            # A dialogue that is open will go, with the lines it was asked about
+            new = len(sys.modules) - Tidying.left_alone
+            if new > NEW_MODULES and QApplication.activeModalWidget() is None:
+                Tidying.left_alone, Tidying.with_windows = len(sys.modules), True
+                gc.freeze()
 
     def end(self) -> None:
         """Leave it to Python again."""
         self._timer.stop()
         gc.enable()
+
+
+def collect_all() -> None:
+    """Collect what went with a window, though it was there when modules came."""
+    if Tidying.with_windows:
+        gc.unfreeze()
+        Tidying.left_alone, Tidying.with_windows = 0, False  # until all is looked at next
+    gc.collect()
 
 
 class GivingBack:

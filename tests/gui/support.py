@@ -216,6 +216,7 @@ def settle(driver: Driver) -> None:
     """Wait for what follows from a click by itself."""
     driver.bot.waitUntil(lambda: not driver.window.document.awaits_result, timeout=WAIT_MS)
     driver.rest()
+    driver.bot.waitUntil(lambda: driver.window.scene.is_drawn, timeout=WAIT_MS)
 
 
 def click_check(driver: Driver, table: QTableView, index: QModelIndex) -> None:

@@ -166,6 +166,7 @@ def test_roles_change_but_for_spheres(picked: Driver) -> None:
 def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport
     window.actions_["colour_residual"].trigger()
+    settle(adjusted)
     found = residuals(adjusted.project, window.document.survey)
     targets = {fit.target: fit for fit in adjusted.project.result.targets}
     for name, fit in targets.items():
@@ -192,6 +193,7 @@ def test_a_validation_plane_is_a_map_of_what_its_lines_are_apart(adjusted: Drive
     window, project = adjusted.window, adjusted.project
     survey = window.document.survey
     window.actions_["colour_residual"].trigger()
+    settle(adjusted)
     keys = {("V1", sighting.line) for sighting in project.target("V1").used_sightings}
     shown = {each.key: each.shades for each in adjusted.viewport.highlights}
     assert all(shown[key] is not None for key in keys)

@@ -5,15 +5,24 @@ import mmap
 import sys
 import threading
 import time
+import types
 import weakref
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.tidying import ALL_S, REST_S, YOUNG, GivingBack, Tidying
+from lispac.gui.tidying import (
+    ALL_S,
+    NEW_MODULES,
+    REST_S,
+    YOUNG,
+    GivingBack,
+    Tidying,
+    collect_all,
+)  # fmt: skip
 from tests.gui.support import WAIT_MS
 from tests.leavings import left_behind
 
@@ -72,6 +81,55 @@ def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.Mo
     finally:
         tidying.end()
     assert collected == [0, 2, 0, 2]
+
+
+def test_modules_that_came_are_not_looked_at_again(
+    qapp: QApplication, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    now, done = [100.0], []
+    monkeypatch.setattr(Tidying, "left_alone", 0)
+    monkeypatch.setattr(Tidying, "with_windows", False)
+    monkeypatch.setattr(time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(gc, "collect", lambda generation: done.append(f"collect {generation}"))
+    monkeypatch.setattr(gc, "freeze", lambda: done.append("leave alone"))
+    monkeypatch.setattr(gc, "get_count", lambda: (YOUNG + 1, 0, 0))
+    tidying = Tidying()
+
+    def later() -> list[str]:
+        done.clear()
+        now[0] += ALL_S + 1
+        tidying.tidy()
+        return done
+
+    try:
+        assert later() == ["collect 2"]
+        for k in range(NEW_MODULES + 1):
+            monkeypatch.setitem(sys.modules, f"came_{k}", types.ModuleType("came"))
+        dialogue = QDialog(modal=True)
+        dialogue.show()
+        assert later() == ["collect 2"]
+        dialogue.close()
+        assert later() == ["collect 2", "leave alone"]
+        assert later() == ["collect 2"]
+    finally:
+        tidying.end()
+
+
+def test_what_a_window_leaves_goes_though_modules_came_while_it_was_there(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    for name, now in (("left_alone", len(sys.modules)), ("with_windows", True)):
+        monkeypatch.setattr(Tidying, name, now)
+    gone: list[str] = []
+    window = Cycle()
+    weakref.finalize(window, gone.append, "window")
+    gc.freeze()
+    del window
+    gc.collect()
+    assert gone == []
+    collect_all()
+    assert gone == ["window"]
+    assert Tidying.left_alone == 0, "modules are left alone again the next time"
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux' C library")

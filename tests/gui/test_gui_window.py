@@ -26,6 +26,7 @@ from tests.gui.support import (
     press,
     seed,
     sentence,
+    settle,
 )
 
 # -- seeds -------------------------------------------------------------------------------------
@@ -42,6 +43,7 @@ def test_a_seed_lights_up_the_plane_on_every_line_and_enter_accepts(opened: Driv
     assert opened.project.targets == ()
     press(opened, Key.Key_Return)
     assert [t.name for t in opened.project.targets] == ["T1"]
+    settle(opened)
     assert [m.label for m in opened.viewport.markers] == ["T1"]
     assert not opened.window.targets.candidate.isVisible()
     assert sentence(opened, 1) == "1 target in 6 lines: a second is missing"
@@ -51,6 +53,7 @@ def test_escape_rejects_and_leaves_nothing(opened: Driver):
     before = opened.project
     seed(opened, "T1")
     press(opened, Key.Key_Escape)
+    settle(opened)
     assert opened.project is before
     assert opened.viewport.highlights == []
     assert not opened.window.document.undo_stack.canUndo()
@@ -247,6 +250,7 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
     assert picked.window.actions_["after"].isChecked()
     press(picked, Key.Key_Z, Control)
     assert picked.project.result is None
+    settle(picked)
     assert picked.viewport.clouds[picked.project.lines[0].name] is before
     assert not picked.window.actions_["after"].isEnabled()
 

@@ -2,13 +2,14 @@
 
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
-from PySide6.QtCore import QTimer
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPixmap
 
 from lispac.gui.panels.ticks import spoken_ticks
+from lispac.gui.turns import Turn
 
 AFTER_MS = 20
-"""A plot takes 0.1 s. What else changes with it is painted before, and keys are heard between."""
+"""A plot takes 0.2 s, half of it to find room for all texts. What else changes with it is painted
+before, and keys are heard between."""
 
 
 class Chart(FigureCanvasQTAgg):
@@ -16,11 +17,11 @@ class Chart(FigureCanvasQTAgg):
 
     def __init__(self, width: int, height: int, ground: str = "white") -> None:
         """Make one that is at least so many pixels large, on a ground of this colour."""
-        self._due = QTimer(singleShot=True, interval=AFTER_MS)
+        self._due: Turn | None = None
         self._stale = True
         super().__init__(Figure(layout="constrained", facecolor=ground))
-        self._due.setParent(self)
-        self._due.timeout.connect(self._draw_due)
+        self._due = Turn(self._arrange, self, AFTER_MS)
+        self._arranged = Turn(self._draw_arranged, self)
         self.setMinimumSize(width, height)
 
     def draw_idle(self) -> None:
@@ -34,6 +35,25 @@ class Chart(FigureCanvasQTAgg):
         spoken_ticks(self.figure)
         super().draw()
 
+    def _arrange(self) -> None:
+        """Find room for all texts, in a turn of its own."""
+        if self._stale and self.width() > 0 and self.height() > 0:
+            engine = self.figure.get_layout_engine()
+            spoken_ticks(self.figure)
+            engine.execute(self.figure)
+            self._arranged.start()
+
+    def _draw_arranged(self) -> None:
+        """Draw with the room that was found."""
+        if not self._stale:
+            return
+        engine = self.figure.get_layout_engine()
+        self.figure.set_layout_engine("none")
+        try:
+            self.draw()
+        finally:
+            self.figure.set_layout_engine(engine)
+
     def picture(self) -> QPixmap:
         """Return what is or will be shown."""
         self._draw_due()
@@ -44,7 +64,7 @@ class Chart(FigureCanvasQTAgg):
         if not self._stale:
             super().paintEvent(event)
             return
-        if not self._due.isActive():
+        if self._due is not None and not self._due.isActive():
             self._due.start()
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor.fromRgbF(*self.figure.get_facecolor()))

@@ -1,6 +1,6 @@
 """Each validation plane: distances between the lines before and after."""
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import distances, pairs_table, widgets
+from lispac.gui.turns import Turn
 from lispac.project import Project
 from lispac.validation.results import DistanceStatistics, PlaneComparison
 
@@ -53,9 +54,7 @@ class HistogramsPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._comparisons: tuple[PlaneComparison, ...] = ()
-        # In a turn of its own: opening a project has enough to show in one.
-        self._drawing = QTimer(self, singleShot=True, interval=0)
-        self._drawing.timeout.connect(self._selected_again)
+        self._drawing = Turn(self._selected_again, self)
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.column(empty)

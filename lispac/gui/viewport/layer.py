@@ -110,14 +110,14 @@ class Layer:
         self.sparse, self._coarse = {}, []
         for line, points in self.seen.items():
             chosen = self._ordered(line, share[line])
-            self.sparse[line] = points[chosen]
+            sparse = self.sparse[line] = points.take(chosen, axis=0)
             start = 0
             for k, part in enumerate(SLICES):
                 end = -int(-part * len(chosen) // 1)
-                some = chosen[start:end]
+                some, where = sparse[start:end], chosen[start:end]
                 start = end
                 if len(some):
-                    data = point_data(points[some] - self.origin, self._shades(line, some))
+                    data = point_data(some - self.origin, self._shades(line, where))
                     actor = point_actor(data, self.colours[line], shaded=shaded)
                     self._coarse.append((k, actor))
         actors = [actor for _, actor in self._coarse]
@@ -138,7 +138,7 @@ class Layer:
             if share[line] < len(indices):
                 indices = indices[foremost(self._places(line)[indices], share[line])]
             chosen = indices
-            self.detail[line] = self.seen[line][chosen]
+            self.detail[line] = self.seen[line].take(chosen, axis=0)
             data = point_data(self.detail[line] - self.origin, self._shades(line, chosen))
             self._fine.append(point_actor(data, self.colours[line], shaded=shaded))
             # The same points larger, darker and a little behind: they draw an edge where something

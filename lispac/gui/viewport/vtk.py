@@ -8,12 +8,12 @@ import time
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
-from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
 from lispac.geometry.neighbours import points_within
 from lispac.gui import theme
+from lispac.gui.turns import Turn
 from lispac.gui.viewport.actors import aim, half_space, place_half
 from lispac.gui.viewport.base import (
     Array,
@@ -81,8 +81,7 @@ class VtkViewport:
             self.canvas.ren_win.AddObserver(event, slot)
             for event, slot in (("StartEvent", self._on_frame), ("EndEvent", self._on_framed))
         ]
-        self._rest = QTimer(self._stage, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(lambda: self._show_detail(self._pace.resting))
+        self._rest = Turn(lambda: self._show_detail(self._pace.resting), self._stage, REST_MS)
         self._stage.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
         self._navigator.moved.connect(self._on_moved)

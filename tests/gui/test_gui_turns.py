@@ -1,0 +1,41 @@
+"""Between things that take long the window hears of keys and the mouse."""
+
+import itertools
+
+from PySide6.QtCore import QObject, QTimer
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.turns import Turn
+from tests.gui.support import WAIT_MS
+
+
+def test_those_that_are_due_together_have_a_turn_each(qapp: QApplication, qtbot: QtBot) -> None:
+    owner, done = QObject(), []
+    turns = [Turn(lambda k=k: done.append(k), owner) for k in range(3)]
+    beat = QTimer(owner, interval=0)
+    beat.timeout.connect(lambda: done.append("beat"))
+    beat.start()
+    for each in turns:
+        each.start()
+    qtbot.waitUntil(lambda: set(done) >= {0, 1, 2}, timeout=WAIT_MS)
+    beat.stop()
+    acted = [k for k, each in enumerate(done) if each != "beat"]
+    assert [done[k] for k in acted] == [0, 1, 2]
+    assert all("beat" in done[one:other] for one, other in itertools.pairwise(acted))
+    assert not any(each.isActive() for each in turns)
+
+
+def test_one_that_waited_for_its_turn_waits_as_ever_the_next_time(
+    qapp: QApplication, qtbot: QtBot
+) -> None:
+    owner, done = QObject(), []
+    first, second = (Turn(lambda name=name: done.append(name), owner, 40) for name in "ab")
+    first.start()
+    second.start()
+    qtbot.waitUntil(lambda: done == ["a", "b"], timeout=WAIT_MS)
+    second.start()
+    assert second.remainingTime() > 0
+    second.stop()
+    qtbot.wait(80)
+    assert done == ["a", "b"]
