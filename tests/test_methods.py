@@ -149,7 +149,7 @@ def test_compute_asks_keeps_and_says_what_cannot_be_asked(
     capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
-    from lispac.workflow import targetless
+    from lispac.workflow import patch_test, targetless
 
     project = replace(demo_project, folder=tmp_path / "p")
     project.folder.mkdir()
@@ -157,12 +157,14 @@ def test_compute_asks_keeps_and_says_what_cannot_be_asked(
     monkeypatch.setattr(targetless.targetless, "__kwdefaults__", {
         **(targetless.targetless.__kwdefaults__ or {}), "count": 12,
     })  # fmt: skip
+    monkeypatch.setitem(patch_test.propose.__kwdefaults__, "count", 8)
     found = answer(capsys, "compare", project.folder, "--compute")
-    assert [each["method"] for each in found["methods"]] == ["targetless"]
+    assert [each["method"] for each in found["methods"]] == ["targetless", "patch test"]
     assert "at least two validation planes" in found["refused"]["natural planes"]
-    (kept,) = read_project(project.folder).opinions
-    assert kept.method == "targetless"
-    assert np.degrees(kept.boresight) == pytest.approx(found["methods"][0]["boresight_deg"])
+    kept = read_project(project.folder).opinions
+    assert [each.method for each in kept] == ["targetless", "patch test"]
+    for one, told in zip(kept, found["methods"], strict=True):
+        assert np.degrees(one.boresight) == pytest.approx(told["boresight_deg"])
     code, out, err = run(capsys, "compare", project.folder, project.folder, "--compute")
     assert (code, out) == (2, "")
     assert "give one project" in err

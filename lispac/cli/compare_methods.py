@@ -8,11 +8,11 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.errors import AdjustmentError, ProjectError
+from lispac.errors import ProjectError
 from lispac.methods import WANTED, Answer, answers, missing, sentences
 from lispac.progress import part
 from lispac.project import Project
-from lispac.workflow.opinions import COMPUTED, ask
+from lispac.workflow.opinions import ask_missing
 from lispac.workflow.projects import open_project, save_project
 from lispac.workflow.survey import load_survey
 
@@ -56,18 +56,11 @@ def compare_methods(arguments: Namespace) -> None:
 
 def _asked(project: Project) -> tuple[Project, dict[str, str]]:
     """The project with all answers that can be had, and why some cannot."""
-    refused: dict[str, str] = {}
-    wanted = [method for method in COMPUTED if project.opinion(method) is None]
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=part(progress, 0.0, 0.2))
-        for k, method in enumerate(wanted):
-            step = part(progress, 0.2 + 0.8 * k / len(wanted), 0.2 + 0.8 * (k + 1) / len(wanted))
-            try:
-                project = project.with_opinion(ask(project, survey, method, progress=step))
-            except AdjustmentError as error:
-                refused[method] = str(error)
-    save_project(project)
-    return project, refused
+        found, refused = ask_missing(project, survey, progress=part(progress, 0.2, 1.0))
+    save_project(found)
+    return found, refused
 
 
 def _print(found: tuple[Answer, ...]) -> None:

@@ -5,11 +5,10 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from lispac.errors import AdjustmentError
 from lispac.methods import answers, missing
-from lispac.progress import Progress, part
+from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.opinions import COMPUTED, ask
+from lispac.workflow.opinions import ask_missing
 from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
@@ -46,17 +45,8 @@ class SecondOpinions(QObject):
             self._ask(project, survey)
 
     def _ask(self, project: Project, survey: Survey) -> None:
-        wanted = [method for method in COMPUTED if project.opinion(method) is None]
-
         def work(progress: Progress) -> Asked:
-            found, refused = project, {}
-            for k, method in enumerate(wanted):
-                step = part(progress, k / len(wanted), (k + 1) / len(wanted))
-                try:
-                    found = found.with_opinion(ask(project, survey, method, progress=step))
-                except AdjustmentError as error:
-                    refused[method] = str(error)
-            return found, refused
+            return ask_missing(project, survey, progress=progress)
 
         def done(asked: Asked) -> None:
             found, refused = asked

@@ -1,22 +1,19 @@
 """Asking other methods: the answers that a project's targets take no part in."""
 
 from dataclasses import replace
-from typing import Literal
 
 import numpy as np
 
 from lispac.errors import AdjustmentError
-from lispac.opinions import Opinion
+from lispac.methods import missing
+from lispac.opinions import Method, Opinion
 from lispac.patchtest.answer import PatchTest
-from lispac.progress import Progress, no_progress
+from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
+from lispac.workflow import patch_test
 from lispac.workflow.calibration import estimate
 from lispac.workflow.survey import Survey
 from lispac.workflow.targetless import Targetless, targetless
-
-Computed = Literal["natural planes", "targetless"]
-COMPUTED: tuple[Computed, ...] = ("natural planes", "targetless")
-"""Methods that need no one to choose objects."""
 
 
 def natural_planes(
@@ -75,9 +72,9 @@ def of_the_patch_test(found: PatchTest) -> Opinion:
 
 
 def ask(
-    project: Project, survey: Survey, method: Computed, *, progress: Progress = no_progress
+    project: Project, survey: Survey, method: Method, *, progress: Progress = no_progress
 ) -> Opinion:
-    """Ask one of the `COMPUTED` methods.
+    """Ask a method; for the patch test objects are looked for.
 
     Raises
     ------
@@ -86,10 +83,32 @@ def ask(
     """
     if method == "natural planes":
         return natural_planes(project, survey, progress=progress)
-    return of_the_scene(targetless(project, survey, progress=progress))
+    if method == "targetless":
+        return of_the_scene(targetless(project, survey, progress=progress))
+    laid = patch_test.propose(project, survey, progress=part(progress, 0.0, 0.4))
+    return of_the_patch_test(
+        patch_test.find(project, survey, laid, progress=part(progress, 0.4, 1.0))
+    )
 
 
-def _opinion(method: Computed, solved: Project, remarks: tuple[str, ...] = ()) -> Opinion:
+def ask_missing(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> tuple[Project, dict[str, str]]:
+    """The project with the answers of all methods; and why some have none, by method.
+
+    Those that have been asked before are not asked again.
+    """
+    found, refused, wanted = project, {}, missing(project)
+    for k, method in enumerate(wanted):
+        step = part(progress, k / len(wanted), (k + 1) / len(wanted))
+        try:
+            found = found.with_opinion(ask(project, survey, method, progress=step))
+        except AdjustmentError as error:
+            refused[method] = str(error)
+    return found, refused
+
+
+def _opinion(method: Method, solved: Project, remarks: tuple[str, ...] = ()) -> Opinion:
     assert solved.result is not None
     seen = [each.sighting for each in solved.result.sightings]
     on = {each.line for each in seen}

@@ -1,14 +1,16 @@
 """Other methods beside the targets, in the window."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QTimer
 
 from lispac.errors import AdjustmentError
-from lispac.gui import second_opinions
 from lispac.gui.dialogs.methods import MethodsDialog
 from lispac.opinions import Opinion
 from lispac.workflow import opinions
+from lispac.workflow.opinions import natural_planes
 from tests.gui.support import Driver, Left, settle
 from tests.gui.test_gui_studies import answered
 from tests.gui.test_gui_warnings import listed
@@ -30,11 +32,11 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
 
     def ask(project, survey, method, *, progress):
         asked.append(method)
-        if method == "targetless":
-            return said_by_the_scene(project, survey, progress=progress)
-        return opinions.ask(project, survey, method, progress=progress)
+        if method == "natural planes":
+            return natural_planes(project, survey, progress=progress)
+        return replace(said_by_the_scene(project, survey, progress=progress), method=method)
 
-    monkeypatch.setattr(second_opinions, "ask", ask)
+    monkeypatch.setattr(opinions, "ask", ask)
     action, before = adjusted.window.actions_["methods"], adjusted.project
     assert action.isEnabled()
     assert before.opinions == ()
@@ -54,7 +56,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
     def second(dialog: MethodsDialog) -> None:
         assert isinstance(dialog, MethodsDialog)
         names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
-        assert names == ["Targets", "Targetless", "Natural planes", "Patch test"]
+        assert names == ["Targets", "Targetless", "Patch test", "Natural planes"]
         assert float(dialog.table.item(1, 5).text()) > 3
         words = dialog.said.text()
         assert "Natural planes: " in words, "too few of them"
@@ -64,8 +66,8 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
 
     answered(adjusted, second)
     settle(adjusted)
-    assert asked == ["natural planes", "targetless"]
-    assert "targetless" in [each.method for each in adjusted.project.opinions]
+    assert asked == ["natural planes", "targetless", "patch test"]
+    assert [each.method for each in adjusted.project.opinions] == ["targetless", "patch test"]
     assert adjusted.window.document.undo_stack.undoText() == "second opinions"
     assert adjusted.project.result is before.result
     # It is told among the warnings, and taken back in one step.
@@ -85,7 +87,7 @@ def test_what_a_method_cannot_answer_is_told(
     def refuse(_project, _survey, method, *, progress):
         raise AdjustmentError(f"the lines share too little for {method}")
 
-    monkeypatch.setattr(second_opinions, "ask", refuse)
+    monkeypatch.setattr(opinions, "ask", refuse)
     before = adjusted.project
     compare(adjusted)
     answered(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.ask, Left))

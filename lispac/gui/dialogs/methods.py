@@ -61,9 +61,10 @@ class MethodsDialog(StudyDialog):
         self.said.setVisible(bool(told))
         self.ask = widgets.button(
             "Ask the others", "methods_ask",
-            tip="Adjust the validation planes, and the surfaces of the scene; one undo step",
+            tip="Adjust the validation planes and the surfaces of the scene, and do a patch test "
+            "on objects looked for; one undo step",
         )  # fmt: skip
-        self.ask.setEnabled(any(each != "patch test" and each not in refused for each in absent))
+        self.ask.setEnabled(any(each not in refused for each in absent))
         self.ask.clicked.connect(self._ask)
         self._buttons.insertWidget(self._buttons.count() - 1, self.ask)
         self.resize(940, 360)

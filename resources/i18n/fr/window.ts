@@ -9307,8 +9307,8 @@ m/s</translation>
         <translation>Interroger les autres</translation>
     </message>
     <message>
-        <source>Adjust the validation planes, and the surfaces of the scene; one undo step</source>
-        <translation>Compenser les plans de validation, puis les surfaces de la scène ; une seule étape à annuler</translation>
+        <source>Adjust the validation planes and the surfaces of the scene, and do a patch test on objects looked for; one undo step</source>
+        <translation>Compenser les plans de validation et les surfaces de la scène, et faire un patch test sur des objets recherchés ; une seule étape à annuler</translation>
     </message>
     <message>
         <source>Not asked yet: {what}</source>
