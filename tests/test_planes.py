@@ -6,6 +6,7 @@ import pytest
 from lispac.errors import PlaneNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
 from lispac.geometry.planes import (
+    LINE_SHARE,
     Plane,
     extent_in_plane,
     fit_plane,
@@ -27,6 +28,22 @@ def test_fit_recovers_a_plane_also_at_large_coordinates(normal, origin):
     assert plane.tilt_to(true) < 1e-8
     assert np.abs(plane.distances(points)).max() < 2e-9
     assert np.isclose(np.linalg.norm(plane.normal), 1.0, atol=1e-15)
+    assert plane.normal[np.argmax(np.abs(normal))] > 0
+
+
+def test_three_points_determine_a_plane():
+    plane = fit_plane(np.array([[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 3.0, 1.0]]))
+    np.testing.assert_allclose([*plane.normal, plane.d], [0, 0, 1, -1], atol=1e-15)
+
+
+@pytest.mark.parametrize(("width", "fits"), [(0.99 * LINE_SHARE, False), (1.01 * LINE_SHARE, True)])
+def test_a_strip_narrower_than_a_share_of_its_length_is_a_line(width, fits):
+    strip = np.array([[a, b * width, 0.0] for a in (-1, 1) for b in (-1, 1)])
+    if fits:
+        np.testing.assert_allclose(fit_plane(strip).normal, [0, 0, 1], atol=1e-12)
+        return
+    with pytest.raises(PlaneNotFound, match="straight line"):
+        fit_plane(strip)
 
 
 def test_fit_is_least_squares_and_weights_count():
@@ -41,7 +58,7 @@ def test_fit_is_least_squares_and_weights_count():
         assert rms_distance(other, points) >= best
     doubled = fit_plane(np.concatenate([points, points[:100]]))
     weighted = fit_plane(points, np.where(np.arange(300) < 100, 2.0, 1.0))
-    np.testing.assert_allclose(weighted.normal, doubled.normal, atol=1e-12)
+    np.testing.assert_allclose(weighted.normal, doubled.normal, rtol=0, atol=1e-12)
     assert weighted.d == pytest.approx(doubled.d, abs=1e-12)
 
 
@@ -70,6 +87,16 @@ def test_axes_are_level_and_up_the_slope(normal):
     assert slope[2] >= -1e-12
 
 
+@pytest.mark.parametrize("up", [1.0, -1.0])
+@pytest.mark.parametrize("tilt", [(0, 0), (9e-4, 0), (-9e-4, 0), (0, 9e-4), (6e-4, -6e-4)])
+def test_axes_of_a_flat_plane_are_west_and_north(up, tilt):
+    normal = np.array([*tilt, up]) / np.linalg.norm([*tilt, up])
+    level, slope = in_plane_axes(normal)
+    np.testing.assert_allclose(level, [0, 1, 0], rtol=0, atol=1e-3)
+    np.testing.assert_allclose(slope, [1, 0, 0], rtol=0, atol=1e-3)
+    np.testing.assert_allclose([level @ normal, slope @ normal], 0, atol=1e-15)
+
+
 def test_extent_gives_width_and_height_of_an_inclined_board():
     normal = np.array([0.0, -1.0, 1.0]) / np.sqrt(2)
     u, v = np.meshgrid(np.linspace(0, 1.23, 30), np.linspace(0, 0.76, 20))
@@ -81,6 +108,7 @@ def test_a_plane_flipped_is_the_same_plane():
     plane = Plane(np.array([0.0, 0.6, 0.8]), -2.0)
     assert plane.flipped().tilt_to(plane) == 0.0
     assert plane.facing(np.array([0.0, 0.0, -1.0])).normal[2] < 0
+    assert plane.facing(np.array([0.0, 0.0, 1.0])) is plane
     points = np.random.default_rng(0).normal(size=(5, 3))
     np.testing.assert_allclose(plane.flipped().distances(points), -plane.distances(points))
 

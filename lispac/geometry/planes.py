@@ -144,12 +144,12 @@ def in_plane_axes(normal: Array) -> Array:
         Rows: level (the width runs along it), up the slope (the height).
     """
     level = np.array([-normal[1], normal[0], 0.0])
-    length = float(np.hypot(normal[0], normal[1]))
-    if length < 1e-3:
-        level, length = np.array([0.0, 1.0, 0.0]) - normal[1] * normal, 1.0
+    flat = float(np.hypot(normal[0], normal[1])) < 1e-3
+    if flat:
+        level = np.array([0.0, 1.0, 0.0]) - normal[1] * normal
     level = level / np.linalg.norm(level)
-    slope = np.cross(normal, level)
-    if slope[2] < 0.0 or (length < 1e-3 and slope[0] < 0.0):
+    slope = np.cross(normal, level)  # upwards, unless the plane is flat
+    if flat and slope[0] < 0.0:
         slope = -slope
     return np.stack([level, slope])
 
