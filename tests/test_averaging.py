@@ -34,7 +34,7 @@ def test_averages_keep_the_mean_place_and_the_information(survey, distance) -> N
         own = fewer.sighting == s
         mean = np.average(points_local(fewer, PRIOR)[own], axis=0, weights=counts[own])
         expected = points_local(survey, PRIOR)[survey.sighting == s].mean(axis=0)
-        np.testing.assert_allclose(mean, expected, atol=1e-9)
+        np.testing.assert_allclose(mean, expected, rtol=0, atol=1e-9)
 
 
 def test_averages_reach_over_a_short_time_only(survey) -> None:

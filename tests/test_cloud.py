@@ -89,7 +89,7 @@ def test_regions_and_points_agree(
             away = np.linalg.norm(points - centre, axis=1)
             assert np.isin(numbers[away < 1.5 - 2e-5], found).all()
             assert len(np.setdiff1d(found, own.within(centre, 1.5 + 2e-5).numbers)) == 0
-            np.testing.assert_allclose(placed, other[found], atol=1e-9)
+            np.testing.assert_allclose(placed, other[found], rtol=0, atol=1e-9)
             assert len(numbers) > 20
         sample = other.sample
         assert len(sample) == len(other.sample_time)

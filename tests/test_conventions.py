@@ -281,7 +281,7 @@ def test_new_is_correction_times_current(key: str) -> None:
     product = rotation_of(setup.convention, found.correction) @ rotation_of(
         setup.convention, found.current
     )
-    np.testing.assert_allclose(product, stated.rotation, atol=1e-12)
+    np.testing.assert_allclose(product, stated.rotation, rtol=0, atol=1e-12)
     np.testing.assert_allclose(found.rotation @ rotation_of(setup.convention, current), product,
                                atol=1e-12)  # fmt: skip
     points, poses = survey(100)

@@ -26,9 +26,9 @@ ASCII, EXAIL, POSPAC = (format_of(key) for key in ("ascii-trajectory", "exail-te
 def agrees(trajectory: Trajectory, records: np.ndarray, *, place: float = 2e-11) -> None:
     """Position to a tenth of a millimetre and attitude to the digits of the file."""
     right = truth(records)
-    np.testing.assert_allclose(trajectory.latitude, right["latitude"], atol=place)
-    np.testing.assert_allclose(trajectory.longitude, right["longitude"], atol=place)
-    np.testing.assert_allclose(trajectory.height, right["height"], atol=1e-4)
+    np.testing.assert_allclose(trajectory.latitude, right["latitude"], rtol=0, atol=place)
+    np.testing.assert_allclose(trajectory.longitude, right["longitude"], rtol=0, atol=place)
+    np.testing.assert_allclose(trajectory.height, right["height"], rtol=0, atol=1e-4)
     turned = trajectory.attitude - right["attitude"]
     np.testing.assert_allclose(np.remainder(turned + np.pi, 2 * np.pi) - np.pi, 0, atol=2e-7)
 
@@ -132,7 +132,7 @@ def test_delph_units_and_signs_come_from_the_header(tmp_path: Path) -> None:
     trajectory = EXAIL.read(tmp_path / "nav.txt", finding.choice)
     right = truth(records)["attitude"][:, 1]
     np.testing.assert_allclose(trajectory.attitude[:, 1], -right, atol=2e-7)
-    np.testing.assert_allclose(trajectory.height, records[:, 3] * 0.3048, atol=1e-4)
+    np.testing.assert_allclose(trajectory.height, records[:, 3] * 0.3048, rtol=0, atol=1e-4)
 
 
 def test_delph_standard_deviations(tmp_path: Path) -> None:
@@ -155,7 +155,7 @@ def test_pospac_export(tmp_path: Path) -> None:
     assert finding.doubts == ()
     trajectory = POSPAC.read(path, finding.choice)
     agrees(trajectory, records)
-    np.testing.assert_allclose(trajectory.time, records[:, 0], atol=1e-5)
+    np.testing.assert_allclose(trajectory.time, records[:, 0], rtol=0, atol=1e-5)
     assert "roll is positive starboard down" in trajectory.assumptions
     assert "column LATITUDE is in degrees" in trajectory.assumptions
     ((format, _),) = recognised(path, "accuracy")
@@ -291,7 +291,7 @@ def test_eastings_and_northings(tmp_path: Path, heading: str) -> None:
         "heading": heading,
     }
     trajectory = ASCII.read(tmp_path / "a.txt", choice)
-    np.testing.assert_allclose(trajectory.latitude, records[:, 1], atol=1e-12)
+    np.testing.assert_allclose(trajectory.latitude, records[:, 1], rtol=0, atol=1e-12)
     turned = trajectory.attitude[:, 2] - truth(records)["attitude"][:, 2]
     np.testing.assert_allclose(np.degrees(turned), 0, atol=1e-4)
     assert any("EPSG:32618" in words for words in trajectory.assumptions)

@@ -24,9 +24,9 @@ def text_of(records: np.ndarray, separator: str, sign: str) -> str:
 
 def same(path: Path, records: np.ndarray) -> None:
     trajectory = ASCII.read(path, ASCII.look(path, {}).choice)
-    np.testing.assert_allclose(trajectory.time, records[:, 0], atol=1e-6)
-    np.testing.assert_allclose(trajectory.latitude, records[:, 1], atol=1e-11)
-    np.testing.assert_allclose(trajectory.attitude[:, 2], records[:, 9], atol=1e-9)
+    np.testing.assert_allclose(trajectory.time, records[:, 0], rtol=0, atol=1e-6)
+    np.testing.assert_allclose(trajectory.latitude, records[:, 1], rtol=0, atol=1e-11)
+    np.testing.assert_allclose(trajectory.attitude[:, 2], records[:, 9], rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize("separator", [";", "\t", " ", "  "])
