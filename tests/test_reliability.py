@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.special import ndtri
 
 from lispac.adjustment.averaging import averaged
 from lispac.adjustment.blunders import Blunder
@@ -12,7 +13,14 @@ from lispac.adjustment.conditions import lidar_variance
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.iteration import iterate
 from lispac.adjustment.problem import Problem
-from lispac.adjustment.reliability import _local, _points, reliability, sighting_tests
+from lispac.adjustment.reliability import (
+    CRITICAL,
+    POWER,
+    _local,
+    _points,
+    reliability,
+    sighting_tests,
+)
 from lispac.adjustment.shapes import about, fit_shapes, middles
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
@@ -87,6 +95,52 @@ def test_a_shift_is_what_the_adjustment_without_the_sightings_prior_finds(linear
         # Released with its tilts too, so nearly the same only
         offset = free.departures[s, 2]
         assert tests.shift[s] == pytest.approx(offset, abs=0.7 * tests.sigma[s])
+
+
+def test_a_shift_and_its_sigma_are_those_of_dense_matrices_without_the_prior(linearised) -> None:
+    """The prior of one offset taken out of the whole normal matrix, which is solved anew."""
+    tests, problem = sighting_tests(linearised), linearised.problem
+    covariance = dense(linearised)
+    full, usual = np.linalg.inv(covariance), problem.usual_surface[2]
+    for s, place in enumerate(linearised.normal.layout.surfaces):
+        offset = place.stop - 1
+        weight = problem.surface_sigma[s, 2] ** -2
+        without, pull = full.copy(), np.zeros(len(full))
+        without[offset, offset] -= weight
+        pull[offset] = weight * linearised.departures[s, 2]
+        free = np.linalg.inv(without)
+        found = linearised.departures[s, 2] + (free @ pull)[offset]
+        assert tests.shift[s] == pytest.approx(found, rel=1e-4)
+        assert tests.sigma[s] == pytest.approx(
+            np.hypot(usual, free[offset, offset] ** 0.5), rel=1e-4
+        )
+        assert tests.w[s] == pytest.approx(tests.shift[s] / tests.sigma[s])
+        np.testing.assert_allclose(tests.effect[s], weight * covariance[:3, offset], rtol=1e-4)
+
+
+def test_the_pos_error_told_of_a_sighting_is_that_of_the_nearest_knot(linearised) -> None:
+    observations, knots = linearised.problem.observations, linearised.problem.groups.knots
+    size = linearised.normal.layout.size
+    variance = np.diag(dense(linearised))[size:].reshape(-1, 6)
+    sigma = np.hstack([observations.sigma_position, observations.sigma_attitude])
+    for s, item in enumerate(reliability(linearised)):
+        own = observations.sighting == s
+        nearest = np.argmin(np.abs(knots.time - observations.time[own].mean()))
+        np.testing.assert_array_equal(item.pos_error, linearised.state.effects[nearest])
+        np.testing.assert_allclose(item.pos_sigma_after, np.sqrt(variance[nearest]), rtol=1e-4)
+        np.testing.assert_allclose(item.pos_sigma, sigma[own].mean(axis=0), rtol=1e-12)
+
+
+def test_what_is_detectable_is_four_sigmas_and_what_it_does(linearised) -> None:
+    """Power 80 % at 0.1 %: Baarda's 4.13 (two normal quantiles, 3.29 and 0.84)."""
+    tests = sighting_tests(linearised)
+    for s, item in enumerate(reliability(linearised)):
+        assert item.detectable == pytest.approx(4.13 * tests.sigma[s])
+        np.testing.assert_allclose(item.effect, tests.effect[s] * item.detectable)
+        assert (item.shift, item.w) == (tests.shift[s], tests.w[s])
+        assert not item.released
+    assert pytest.approx(-ndtri(0.0005) - ndtri(0.2), abs=0.005) == POWER
+    assert pytest.approx(-ndtri(0.0005), abs=0.005) == CRITICAL
 
 
 def test_test_values_of_sightings_are_unit_normal() -> None:
