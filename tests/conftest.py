@@ -15,7 +15,7 @@ from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
 from tests.sharing import once
 
-hypothesis.settings.register_profile("same", derandomize=True)
+hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -1,9 +1,12 @@
 """The nightly set names tests and modules that are there."""
 
+import re
+import tomllib
+
 import pytest
 
 from tests.extras import nightly
-from tests.extras.nightly import CHECKOUT, COMPILED, ROOMS
+from tests.extras.nightly import CHECKOUT, COMPILED, ROOMS, answered, drawn
 
 
 def test_what_it_names_is_there() -> None:
@@ -36,3 +39,38 @@ def test_a_step_that_fails_is_told_and_the_next_is_taken(
     assert first.startswith("first     FAILED")
     assert "exit 1; see" in first
     assert second.endswith("all is well")
+
+
+def test_of_each_module_the_same_changes_are_drawn() -> None:
+    found = {f"a.{m}.x_f__mutmut_{k}": "not checked" for m in ("one", "two") for k in range(30)}
+    found["a.few.x_g__mutmut_1"] = "not checked"
+    some = drawn(found, 5)
+    assert some == drawn(dict(reversed(found.items())), 5)
+    assert [name.split(".")[1] for name in some] == ["few"] + 5 * ["one"] + 5 * ["two"]
+    assert len(set(some)) == 11
+    assert sorted(drawn(found, None)) == sorted(found)
+
+
+@pytest.mark.parametrize(
+    ("ours", "theirs", "expected"),
+    [
+        ("a = b + c", "a = b - c", False),
+        ('say("A plane.", a)', 'say("XXA plane.XX", a)', True),
+        ('say("A plane.", a)', 'say("A plane.", None)', False),
+        ("for _ in range(20):", "for _ in range(21):", True),
+        ("for _ in range(20):", "for _ in range(22):", False),
+        ("zip(a, b, strict=True)", "zip(a, b, strict=False)", True),
+    ],
+)
+def test_a_survivor_is_answered_by_its_line_a_family_or_its_texts(ours, theirs, expected) -> None:
+    answers = {"lines": {"for _ in range(21):": "enough"}, "families": {"strict=False": "guard"}}
+    difference = f"--- a/b.py\n+++ a/b.py\n@@ -1,2 +1,2 @@\n     same\n-    {ours}\n+    {theirs}\n"
+    assert answered(difference, answers) is expected
+
+
+def test_every_answer_is_a_sentence_and_every_family_an_expression() -> None:
+    answers = tomllib.loads(nightly.ANSWERED.read_text(encoding="utf-8"))
+    assert set(answers) == {"lines", "families"}
+    assert all(each for kind in answers.values() for each in kind.values())
+    for each in answers["families"]:
+        re.compile(each)

@@ -2,6 +2,7 @@
 
     python -m tests.extras.nightly FOLDER                     all of it, most of a night
     python -m tests.extras.nightly FOLDER coverage long       these steps
+    python -m tests.extras.nightly FOLDER mutation-whole      every change, where the others draw
 
 `coverage` and `mutation` need `python -m pip install coverage mutmut` in the environment; `bundle`
 and `readme` need root and debootstrap (`tests.extras.clean_root`). Exit 1 where a step failed.
@@ -12,14 +13,18 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import random
 import re
 import shutil
 import subprocess
 import sys
 import time
 import tomllib
+from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
+
+from tests.extras.quick import SLOW
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 PYTEST = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
@@ -46,10 +51,17 @@ ROOMS = {
 """Rooms whose code is changed to see which test notices, and the tests that are quick enough."""
 COMPILED = ("lispac/geometry/knn.py", "lispac/survey/kernels.py")
 """Modules of machine code: a change would be compiled anew in every run."""
+LEFT_ALONE = (r"^\s*raise ", r"dtype=")
+"""Statements that are not changed: sentences for users, and types of what has them already."""
+LONGEST = 2.0
+"""Seconds beyond which a test is left out of those that every change is tried with."""
+SAMPLE = 20
+"""Changes of a module that are tried in a night."""
 ANSWERED = Path(__file__).with_name("survivors.toml")
 """By the line that a change puts in place of ours: why no test has to notice it."""
 
 Log = Path
+Answers = dict[str, dict[str, str]]
 Step = Callable[[Path, Log], str]
 """Does one thing in a folder, writes to a log, and says what it found; raises `Failed`."""
 
@@ -95,8 +107,23 @@ def coverage(folder: Path, log: Log) -> str:
 
 
 def mutation(folder: Path, log: Log) -> str:
-    """Changes of geometry, adjustment and survey that no test notices and nobody has answered."""
-    answered = tomllib.loads(ANSWERED.read_text(encoding="utf-8"))
+    """Changes of geometry, adjustment and survey that no test notices and nobody has answered.
+
+    Of each module the same `SAMPLE` every night, drawn by chance; `mutation-whole` takes all. Tests
+    that need a whole survey or more than `LONGEST` are left out (`tests.extras.quick`). mutmut
+    changes no function with a decorator, so none that is compiled: Jacobians are held against
+    difference quotients instead. Statements in `LEFT_ALONE` are no matter of mathematics.
+    """
+    return _mutation(folder, log, SAMPLE)
+
+
+def mutation_whole(folder: Path, log: Log) -> str:
+    """The same with every change: days of one processor, so only where it is named."""
+    return _mutation(folder, log, None)
+
+
+def _mutation(folder: Path, log: Log, most: int | None) -> str:
+    answers = tomllib.loads(ANSWERED.read_text(encoding="utf-8"))
     told, open_ = [], []
     for room, tests in ROOMS.items():
         place = folder / f"mutation-{room}"
@@ -104,29 +131,95 @@ def mutation(folder: Path, log: Log) -> str:
         run(["git", "clone", "-q", str(CHECKOUT), str(place)], log)
         (place / "setup.cfg").write_text(_settings(room, tests), encoding="utf-8")
         mutmut = [sys.executable, "-m", "mutmut"]
-        with log.open("a", encoding="utf-8") as file:
-            subprocess.run([*mutmut, "run"], cwd=place, stdout=file, stderr=file, check=False)
-        found = _told([*mutmut, "results", "--all", "true"], place)
-        left = re.findall(r"(\S+): survived", found)
-        told.append(f"{room}: {len(left)} of {found.count('__mutmut_')} survived")
-        open_ += [each for each in left if _change([*mutmut, "show", each], place) not in answered]
+        # Makes the changes and sees which tests reach them; none has this name
+        _run_all([*mutmut, "run", "none"], place, log)
+        _leave_out_slow(place / "mutants")
+        _run_all([*mutmut, "run", *drawn(_results(mutmut, place), most)], place, log)
+        found = _results(mutmut, place)
+        counts = Counter(found.values())
+        if not counts["killed"]:
+            raise Failed(f"{room}: mutmut did not come to an end; see {log}")
+        left = [name for name, what in found.items() if what == "survived"]
+        unanswered = [each for each in left if not answered(
+            _told([*mutmut, "show", each], place), answers)]  # fmt: skip
+        tried = sum(counts[what] for what in ("killed", "survived", "timeout", "suspicious"))
+        told.append(
+            f"{room}: {len(left)} of {tried} survived, {len(unanswered)} of them not answered, "
+            f"{counts['no tests']} reached by no quick test"
+        )
+        open_ += unanswered
     said = "; ".join(told)
     if open_:
-        raise Failed(f"{said}; not answered in {ANSWERED.name}: {' '.join(open_)}")
+        raise Failed(f"{said}; to be answered in {ANSWERED.name}: {' '.join(open_)}")
     return said
+
+
+def _run_all(command: Sequence[str], place: Path, log: Log) -> None:
+    with log.open("a", encoding="utf-8") as file:
+        subprocess.run(command, cwd=place, stdout=file, stderr=file, check=False)
+
+
+def _leave_out_slow(mutants: Path) -> None:
+    known = mutants / "mutmut-stats.json"
+    if not known.is_file():
+        return
+    seconds = json.loads(known.read_text(encoding="utf-8"))["duration_by_test"]
+    slow = [name for name, each in seconds.items() if each > LONGEST]
+    (mutants / SLOW).write_text(json.dumps(slow), encoding="utf-8")
+
+
+def _results(mutmut: Sequence[str], place: Path) -> dict[str, str]:
+    """What became of each change, by its name."""
+    return dict(
+        re.findall(r"(\S+__mutmut_\d+): (.+)", _told([*mutmut, "results", "--all", "1"], place))
+    )
+
+
+def drawn(found: dict[str, str], most: int | None) -> list[str]:
+    """Changes to try: of each module at most so many, the same ones every time."""
+    modules: dict[str, list[str]] = {}
+    for name, what in found.items():
+        if what != "no tests":
+            modules.setdefault(name.rpartition(".")[0], []).append(name)
+    return [
+        name
+        for module, names in sorted(modules.items())
+        for name in (
+            sorted(names) if most is None or len(names) <= most
+            else random.Random(module).sample(sorted(names), most)
+        )
+    ]  # fmt: skip
+
+
+def answered(difference: str, answers: Answers) -> bool:
+    """Whether a change needs no test: it is answered, or nothing but texts differ."""
+    lines = re.findall(r"^([-+])(?![-+]{2} )(.*)", difference, re.MULTILINE)
+    ours, theirs = (
+        "\n".join(text.strip() for sign, text in lines if sign == wanted) for wanted in "-+"
+    )
+    if theirs in answers["lines"] or any(re.search(each, theirs) for each in answers["families"]):
+        return True
+    return _without_texts(ours) == _without_texts(theirs)
+
+
+def _without_texts(code: str) -> str:
+    return re.sub(r"""(["']).*?\1""", '""', code)
 
 
 def _settings(room: str, tests: Sequence[str]) -> str:
     lists = {
         "only_mutate": [f"lispac/{room}/*"],
         "do_not_mutate": COMPILED,
+        "do_not_mutate_patterns": LEFT_ALONE,
         "also_copy": ["tests/", "resources/", "installer/", "pyproject.toml", "README.md"],
         "pytest_add_cli_args_test_selection": [f"tests/test_{each}.py" for each in tests],
-        # Each change has a process of its own, which would leave a virtual screen behind
         "pytest_add_cli_args": [
             "-n0",
             "-p",
             "no:cacheprovider",
+            "-p",
+            "tests.extras.quick",
+            # Each change has a process of its own, which would leave a virtual screen behind
             "-p",
             "no:xvfb",
             "-W",
@@ -143,13 +236,6 @@ def _told(command: Sequence[str], place: Path) -> str:
     return done.stdout
 
 
-def _change(command: Sequence[str], place: Path) -> str:
-    """The line a survivor puts in place of ours."""
-    lines = [line[1:].strip() for line in _told(command, place).splitlines()
-             if re.match(r"\+(?!\+\+)", line)]  # fmt: skip
-    return "\n".join(lines)
-
-
 def _clean_root(what: str) -> Step:
     def step(_folder: Path, log: Log) -> str:
         run([sys.executable, "-m", "tests.extras.clean_root", what], log)
@@ -162,9 +248,12 @@ STEPS: dict[str, Step] = {
     "long": long,
     "coverage": coverage,
     "mutation": mutation,
+    "mutation-whole": mutation_whole,
     "bundle": _clean_root("bundle"),
     "readme": _clean_root("readme"),
 }
+ON_DEMAND = {"mutation-whole"}
+"""Steps that are only taken where they are named."""
 
 
 def main() -> int:
@@ -182,7 +271,7 @@ def main() -> int:
     folder = arguments.folder.absolute()
     folder.mkdir(parents=True, exist_ok=True)
     failed = 0
-    for name in arguments.steps or STEPS:
+    for name in arguments.steps or [each for each in STEPS if each not in ON_DEMAND]:
         log, start = folder / f"{name}.log", time.monotonic()
         log.write_text("", encoding="utf-8")
         try:

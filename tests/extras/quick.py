@@ -1,0 +1,25 @@
+"""A plugin of pytest for changes of the code: leaves out the tests that take too long for each.
+
+Each change has a process of its own, in which a fixture of the session is made anew. How long the
+other tests take is known after mutmut's first run of them; `SLOW` beside them names those.
+"""
+
+import json
+from pathlib import Path
+
+import pytest
+
+SURVEYS = {"calibrated", "copy", "demo_project", "port", "shared_data", "whole_demo"}
+SLOW = Path("slow-tests.json")
+"""Names of tests, in the folder that mutmut makes."""
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Keep the tests that make what they need in moments."""
+    slow = set(json.loads(SLOW.read_text(encoding="utf-8"))) if SLOW.is_file() else set()
+    left_out = {
+        each for each in items
+        if each.nodeid in slow or SURVEYS & set(getattr(each, "fixturenames", ()))
+    }  # fmt: skip
+    config.hook.pytest_deselected(items=list(left_out))
+    items[:] = [each for each in items if each not in left_out]
