@@ -37,6 +37,18 @@ def test_averages_keep_the_mean_place_and_the_information(survey, distance) -> N
         np.testing.assert_allclose(mean, expected, rtol=0, atol=1e-9)
 
 
+def test_averages_keep_the_sigmas_of_the_pos_and_the_mean_time(survey) -> None:
+    """Its error is shared by the points of an average, which makes it no smaller."""
+    fewer = averaged(survey, PRIOR, 0.2)
+    counts = (survey.sigma_lidar[0, 0] / fewer.sigma_lidar[:, 0]) ** 2
+    for name in ("sigma_position", "sigma_attitude"):
+        stated = getattr(survey, name)
+        assert np.ptp(stated, axis=0).max() == 0
+        expected = np.broadcast_to(stated[0], (len(fewer), 3))
+        np.testing.assert_allclose(getattr(fewer, name), expected, rtol=1e-12)
+    assert np.average(fewer.time, weights=counts) == pytest.approx(survey.time.mean(), abs=1e-9)
+
+
 def test_averages_reach_over_a_short_time_only(survey) -> None:
     """Points of one square seen at other times have POS errors of their own."""
     fewer = [len(averaged(survey, PRIOR, 0.1, longest=seconds)) for seconds in (0.05, 0.25, 100.0)]
@@ -103,6 +115,12 @@ def test_strays_do_not_hide_in_averages(spacing) -> None:
 def test_nothing_stands_out_of_a_clean_survey(survey) -> None:
     """Of normal errors three in a million lie beyond the limit."""
     assert averaged(survey, PRIOR, 0.1, strays_apart=True).left_out <= 1
+
+
+def test_nothing_stands_out_where_the_scanner_is_worse_than_stated(survey) -> None:
+    """The spread of the points themselves is what they are judged by."""
+    told = survey.with_sigmas(0.2, 1.0, 1.0)
+    assert averaged(told, PRIOR, 0.1, strays_apart=True).left_out <= 1
 
 
 def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
