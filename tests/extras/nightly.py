@@ -39,7 +39,8 @@ ROOMS = {
     "adjustment": (
         "adjustment", "averaging", "doubts", "error_budget", "invariance", "observability",
         "omitted", "parameters", "prediction", "reliability", "robustness", "shown",
-        "spheres_adjusted", "standards", "variance_factor", "vessel_adjustment",
+        "spheres_adjusted", "standards", "variance_factor", "vessel_adjustment", "design_effect",
+        "pos_error_knots", "shape_tangents",
     ),
     "survey": (
         "cidco_states", "cloud", "clouds", "conventions", "convention_present",

@@ -1,0 +1,40 @@
+"""How much less points say that share part of their noise: the design effect (Kish 1965)."""
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.noise import _design_effect
+
+BLOCKS = np.repeat(np.arange(400), 25)
+
+
+@pytest.mark.parametrize("shared", [0.2, 0.5, 1.0])
+def test_what_blocks_share_makes_their_sums_vary_by_the_intraclass_correlation(shared) -> None:
+    """``1 + (m - 1) rho`` of m points with the correlation rho, whatever their size."""
+    rng = np.random.default_rng(4)
+    rho = shared**2 / (1 + shared**2)
+    residuals = shared * rng.normal(size=400)[BLOCKS] + rng.normal(size=len(BLOCKS))
+    found = _design_effect(residuals, BLOCKS)
+    assert found == pytest.approx(1 + 24 * rho, rel=0.25)  # of 400 sums: 7 % each sigma
+    assert _design_effect(7.0 * residuals, BLOCKS) == pytest.approx(found)
+    assert _design_effect(residuals, 3 * BLOCKS) == pytest.approx(found), "numbers nobody has"
+
+
+def test_residuals_that_are_alike_in_a_block_count_once() -> None:
+    signs = np.where(np.arange(400) % 2, 1.0, -1.0)
+    assert _design_effect(signs[BLOCKS], BLOCKS) == pytest.approx(25.0)
+
+
+def test_no_more_than_chance_is_no_effect() -> None:
+    rng = np.random.default_rng(5)
+    found = [_design_effect(rng.normal(size=len(BLOCKS)), BLOCKS) for _ in range(40)]
+    # Beyond two sigmas of a chi square of 400 by chance, one in forty
+    assert found.count(1.0) >= 36
+    assert _design_effect(np.zeros(len(BLOCKS)), BLOCKS) == 1.0
+
+
+def test_a_little_more_than_chance_is_told() -> None:
+    """Half as much again is seven sigmas of 400 sums."""
+    rng = np.random.default_rng(6)
+    residuals = rng.normal(size=400)[BLOCKS] * np.sqrt(0.5 / 24) + rng.normal(size=len(BLOCKS))
+    assert _design_effect(residuals, BLOCKS) == pytest.approx(1.5, abs=0.3)
