@@ -46,6 +46,13 @@ def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
     window.resizeDocks(below, [3 * window.height() // 10], Qt.Orientation.Vertical)
 
 
+def raise_floating(docks: Mapping[str, QDockWidget]) -> None:
+    """Put panels that float before the window: those brought back come up behind it."""
+    for dock in docks.values():
+        if dock.isFloating() and dock.isVisible():
+            dock.raise_()
+
+
 def _dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:
     dock = QDockWidget(say(title), window)
     dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")

@@ -63,6 +63,8 @@ from lispac.gui.viewport.base import PickedPoint, Viewport
 
 Area = Qt.DockWidgetArea
 NOTE_MS = 6000
+TITLE_BAR = 40
+"""Pixels a window needs for it, at most: they are not in the window's size."""
 
 
 class MainWindow(QMainWindow):
@@ -164,6 +166,8 @@ class MainWindow(QMainWindow):
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
         kept = self.settings.layout()
         if kept is None:
+            if screen.height() < self.height() + TITLE_BAR:
+                self.setWindowState(Qt.WindowState.WindowMaximized)
             docks.share_out(self, self.docks)
         else:
             self.restoreGeometry(kept[0])

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QCommandLinkButton,
     QFrame,
@@ -29,6 +30,9 @@ WAYS = (
      "Which boards and lines, before anything is surveyed"),
 )  # fmt: skip
 """Name of the action, icon, title, and what it leads to."""
+LOW = 36
+"""Height of a way without what it leads to, pixels."""
+QWIDGETSIZE_MAX = (1 << 24) - 1
 
 
 class StartPage(QScrollArea):
@@ -46,8 +50,7 @@ class StartPage(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         body = QWidget()
-        outer = QVBoxLayout(body)
-        outer.setContentsMargins(40, 28, 40, 28)
+        self._outer = outer = QVBoxLayout(body)
         title = widgets.label("Boresight calibration", "heading")
         title.setStyleSheet("font-size: 22px;")
         outer.addWidget(title)
@@ -60,8 +63,8 @@ class StartPage(QScrollArea):
         outer.addSpacing(14)
         sides = QHBoxLayout()
         sides.setSpacing(36)
-        begin, self._recent = QVBoxLayout(), QVBoxLayout()
-        for side, head in ((begin, "Begin"), (self._recent, "Recent projects")):
+        self._begin, self._recent = QVBoxLayout(), QVBoxLayout()
+        for side, head in ((self._begin, "Begin"), (self._recent, "Recent projects")):
             side.setSpacing(4)
             side.addWidget(widgets.label(head, "heading"))
             sides.addLayout(side, 1)
@@ -69,13 +72,33 @@ class StartPage(QScrollArea):
         for name, way in self.ways.items():
             way.setObjectName(f"start_{name}")
             way.clicked.connect(lambda _=False, name=name: self.chosen.emit(name))
-            begin.addWidget(way)
-        begin.addStretch(1)
+            self._begin.addWidget(way)
+        self._begin.addStretch(1)
         self._projects: list[QWidget] = []
         self._recent.addStretch(1)
         outer.addLayout(sides)
         outer.addStretch(1)
         self.setWidget(body)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Have all ways in sight: where a window is low, only tips say what they lead to."""
+        super().resizeEvent(event)
+        self._tell(True)
+        place = self._begin.geometry()
+        lowest = place.top() + self._begin.heightForWidth(place.width())
+        if lowest > self.viewport().height():
+            self._tell(False)
+
+    def _tell(self, whole: bool) -> None:
+        self._outer.setContentsMargins(40, 28 if whole else 12, 40, 28)
+        for name, _, _, told in WAYS:
+            way = self.ways[name]
+            way.setDescription(say(told) if whole else "")
+            way.setToolTip("" if whole else say(told))
+            way.setMaximumHeight(QWIDGETSIZE_MAX if whole else LOW)
+            way.updateGeometry()
+        self._begin.setSpacing(4 if whole else 2)
+        self._outer.activate()
 
     def show_recent(self, folders: Iterable[Path]) -> None:
         """List projects, the one opened last first."""

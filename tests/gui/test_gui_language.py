@@ -169,22 +169,45 @@ def test_what_is_typed_and_not_applied_stays(session: Session, qtbot: QtBot, dem
     assert french.data.lever_arm.value() == used.lever_arm
 
 
+def test_panels_that_float_come_back_before_the_window(
+    session: Session, qtbot: QtBot, qapp: QApplication
+) -> None:
+    """After a restart, or in another language: behind the window nobody would find them."""
+    dock = session.window.docks["Log"]
+    dock.raise_()
+    dock.setFloating(True)
+    dock.move(session.window.geometry().center())
+    renewed(session, qtbot, "fr")
+    again = session.window.docks["Log"]
+    assert again.isFloating()
+    place = again.mapToGlobal(again.rect().center())
+    qtbot.waitUntil(lambda: qapp.topLevelAt(place) is again, timeout=SOON_MS)
+
+
 def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     session: Session, qtbot: QtBot
 ) -> None:
     def spoken() -> str:
         return session.window.report.language.currentText()
 
-    assert spoken() == "English"
+    def written() -> str:
+        return session.window.report.options().language
+
+    assert (spoken(), written()) == ("As the window", "en")
     renewed(session, qtbot, "fr")
-    assert spoken() == "Français"
+    assert (spoken(), written()) == ("Comme la fenêtre", "fr")
     QTest.keyClick(session.window.report.page, Qt.Key.Key_Down)
-    assert session.window.settings.report_choice()[1:] == ("letter", "", "")
-    QTest.keyClick(session.window.report.language, Qt.Key.Key_Up)
-    assert session.window.settings.report_choice()[3] == "en"
+    assert session.window.settings.report_choice()[1] == "letter"
+    assert written() == "fr"
+    for _ in "window", "English":
+        QTest.keyClick(session.window.report.language, Qt.Key.Key_Down)
+    assert written() == "fr"  # chosen now, though the window's
     renewed(session, qtbot, "en")
+    assert (spoken(), written()) == ("Français", "fr")
+    QTest.keyClick(session.window.report.language, Qt.Key.Key_Home)
+    assert written() == "en"
     renewed(session, qtbot, "fr")
-    assert spoken() == "English"
+    assert (spoken(), written()) == ("Comme la fenêtre", "fr")
 
 
 def test_another_language_waits_for_the_work_on_a_plan(session: Session, qtbot: QtBot) -> None:

@@ -75,6 +75,19 @@ def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> Non
     assert opened.project is before
 
 
+def test_the_return_key_accepts_what_is_proposed(opened: Driver, proposal: Proposal) -> None:
+    """Work of a minute is not to be thrown away by the key that says yes everywhere else."""
+    dialog = ProposalDialog(proposal)
+    with opened.bot.waitExposed(dialog):
+        dialog.open()
+    for _ in range(2):
+        opened.bot.keyClick(dialog.focusWidget() or dialog, Qt.Key.Key_Tab)
+    dialog.table.setFocus()
+    opened.bot.keyClick(dialog.table, Qt.Key.Key_Return)
+    assert dialog.result() == QDialog.DialogCode.Accepted
+    dialog.deleteLater()
+
+
 def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
     open_step(opened, TARGETS)
     before = opened.project

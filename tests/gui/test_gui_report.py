@@ -100,7 +100,7 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     assert panel.options() == ReportOptions("letter", "qinsy", heading="Order 4711")
     names = [panel.convention.itemText(k) for k in range(panel.convention.count())]
     choose(adjusted, panel.convention, names.index("Applanix POS MV, LVX, POSPac (verified)"))
-    choose(adjusted, panel.language, 1)
+    choose(adjusted, panel.language, 2)
     adjusted.dialogs.path = tmp_path / "r.html"
     click(adjusted, panel.report)
     adjusted.rest()

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
 from lispac.gui.language import speak
-from lispac.gui.main_window import MainWindow
+from lispac.gui.main_window import TITLE_BAR, MainWindow
+from lispac.gui.start_page import StartPage
 from lispac.gui.tour import STEPS
 from lispac.io.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
@@ -61,6 +62,28 @@ def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
         assert driver.window.actions_[name].isEnabled(), name
         assert way.isVisible()
         assert way.description()
+
+
+@pytest.mark.parametrize(("code", "height"), [("en", 768), ("fr", 768), ("en", 1000)])
+def test_every_way_to_begin_is_in_sight_on_a_low_screen(
+    driver: Driver, code: str, height: int
+) -> None:
+    driver.window.resize(1366, height - TITLE_BAR)
+    speak(code)
+    try:
+        page = StartPage()
+    finally:
+        speak("en")
+    driver.bot.addWidget(page)
+    page.resize(driver.window.stage.start.size())
+    page.show()
+    for name, way in page.ways.items():
+        assert (
+            page.viewport().rect().contains(QRect(way.mapTo(page.viewport(), QPoint()), way.size()))
+        ), name
+        assert way.description() or way.toolTip()
+    assert bool(page.ways["tour"].description()) == (height == 1000)
+    page.close()
 
 
 @pytest.fixture

@@ -35,6 +35,7 @@ class ProposalDialog(QDialog):
         layout = widgets.column(self, 16)
         layout.addWidget(widgets.label(_said(proposal), wrap=True, name="proposal_sigmas"))
         self.table = QTableWidget(len(proposal.targets), 4)
+        self.table.setTabKeyNavigation(False)
         self.table.setObjectName("proposal_table")
         self.table.setAccessibleName(say("Proposed targets and validation planes"))
         self.table.setHorizontalHeaderLabels(say_all(["Name", "Role", "Lines", "Why"]))
@@ -55,8 +56,10 @@ class ProposalDialog(QDialog):
         self.accept_button = widgets.button(
             "", "accept_proposal", primary=True, tip="Add the ticked ones to the project"
         )
+        self.accept_button.setDefault(True)
         self.accept_button.clicked.connect(self.accept)
         reject = widgets.button("Reject", "reject_proposal", tip="Add nothing")
+        reject.setAutoDefault(False)  # Enter accepts, wherever the focus is
         reject.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)

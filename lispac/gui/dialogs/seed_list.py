@@ -192,6 +192,7 @@ class SeedsFoundDialog(QDialog):
 
 def _table(name: str, words: str, heads: Sequence[str]) -> QTableWidget:
     table = QTableWidget(0, len(heads))
+    table.setTabKeyNavigation(False)
     table.setObjectName(name)
     table.setAccessibleName(say(words))
     table.setHorizontalHeaderLabels(say_all(list(heads)))

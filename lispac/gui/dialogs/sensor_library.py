@@ -50,6 +50,7 @@ class SensorLibraryPage(QWidget):
             )
         )  # fmt: skip
         self.table = QTableWidget(0, len(HEADS))
+        self.table.setTabKeyNavigation(False)
         self.table.setObjectName("sensor_table")
         self.table.setAccessibleName(say("Sensors"))
         self.table.setHorizontalHeaderLabels(say_all(HEADS))

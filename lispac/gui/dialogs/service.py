@@ -122,6 +122,8 @@ class Dialogs(Questions):
             say("Save project as: name of its new folder"),
             str(start),
             say("Folder (*)"),
+            # Nothing is replaced: a folder with a project is refused, and so is a file
+            options=QFileDialog.Option.DontConfirmOverwrite,
         )
         return Path(name) if name else None
 

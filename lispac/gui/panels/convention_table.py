@@ -22,6 +22,7 @@ class AnglesTable(QTableWidget):
 
     def __init__(self) -> None:
         super().__init__(1, 3)
+        self.setTabKeyNavigation(False)
         self.setObjectName("convention_table")
         self.setAccessibleName(say("Angles in the other program"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)

@@ -227,6 +227,7 @@ class _EmptyState(QWidget):
 
 def _lines_table() -> QTableWidget:
     table = QTableWidget(0, 3)
+    table.setTabKeyNavigation(False)
     table.setObjectName("lines_table")
     table.setAccessibleName(say("Lines of the survey"))
     table.setHorizontalHeaderLabels(say_all(["Line", "Heading", "Points"]))

@@ -90,6 +90,7 @@ class DiagnosticsTable(QTableWidget):
 
     def __init__(self, name: str, title: str, columns: Sequence[Column]) -> None:
         super().__init__(0, len(columns))
+        self.setTabKeyNavigation(False)
         self.setObjectName(name)
         self.setAccessibleName(say(title))
         self._columns = tuple(columns)

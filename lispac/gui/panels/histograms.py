@@ -302,6 +302,7 @@ def _texts(each: PlaneComparison) -> list[str]:
 
 def _table() -> QTableWidget:
     table = QTableWidget(0, len(_HEADS))
+    table.setTabKeyNavigation(False)
     table.setObjectName("comparison_table")
     table.setAccessibleName(say("Validation planes before and after"))
     table.setHorizontalHeaderLabels(say_all(list(_HEADS)))

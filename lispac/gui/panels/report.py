@@ -17,6 +17,9 @@ from lispac.workflow.report_options import report_options
 
 OTHERS = tuple(each for each in SYSTEMS if each.key != LISPAC.key)
 NO_TEMPLATE = "None"
+OF_WINDOW = "window"
+"""Language of the report that goes with the window's."""
+LANGUAGE_KEYS = (OF_WINDOW, *LANGUAGES)
 
 
 class ReportPanel(QWidget):
@@ -68,14 +71,10 @@ class ReportPanel(QWidget):
 
     @property
     def choice(self) -> tuple[str, str, str, str]:
-        """Template, page, convention and language, to be remembered.
-
-        The language is empty where it is the window's own, and goes with that, but for a template.
-        """
+        """Template, page, convention and language, to be remembered."""
         template = "" if self._template is None else str(self._template)
         options = self._chosen(USUAL)
-        own = not template and options.language == language()
-        return template, options.page, options.convention, "" if own else options.language
+        return template, options.page, options.convention, self._language_key
 
     def options(self) -> ReportOptions:
         """How the report is wanted.
@@ -93,9 +92,8 @@ class ReportPanel(QWidget):
         self.show_template(Path(template) if template else None)
         if page in PAGES:
             self.page.setCurrentIndex(list(PAGES).index(page))
-        if spoken or not template:
-            code = spoken if spoken in LANGUAGES else language()
-            self.language.setCurrentIndex(list(LANGUAGES).index(code))
+        if spoken in LANGUAGE_KEYS:
+            self.language.setCurrentIndex(LANGUAGE_KEYS.index(spoken))
         keys = ["", *(each.key for each in OTHERS)]
         self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
 
@@ -113,7 +111,7 @@ class ReportPanel(QWidget):
                 self.said.setText(say(str(error)))
             else:
                 self.page.setCurrentIndex(list(PAGES).index(options.page))
-                self.language.setCurrentIndex(list(LANGUAGES).index(options.language))
+                self.language.setCurrentIndex(LANGUAGE_KEYS.index(options.language))
                 keys = ["", *(each.key for each in OTHERS)]
                 if options.convention in keys:
                     self.convention.setCurrentIndex(keys.index(options.convention))
@@ -130,7 +128,7 @@ class ReportPanel(QWidget):
     def _choices(self) -> QFormLayout:
         self.page = widgets.Choice("report_page", list(PAGES.values()), "Size of the paper")
         self.language = widgets.Choice(
-            "report_language", list(LANGUAGES.values()),
+            "report_language", ["As the window", *LANGUAGES.values()],
             "Language of the report; numbers keep their decimal point, JSON stays English",
         )  # fmt: skip
         names = [f"{each.name} ({STATUS_WORDS[each.status].lower()})" for each in OTHERS]
@@ -173,5 +171,9 @@ class ReportPanel(QWidget):
             options,
             page=list(PAGES)[self.page.currentIndex()],
             convention=keys[self.convention.currentIndex()],
-            language=list(LANGUAGES)[self.language.currentIndex()],
+            language=language() if self._language_key == OF_WINDOW else self._language_key,
         )
+
+    @property
+    def _language_key(self) -> str:
+        return LANGUAGE_KEYS[self.language.currentIndex()]

@@ -203,6 +203,7 @@ def _model_words(model: StochasticModel) -> str:
 
 def _table(name: str, rows: int) -> QTableWidget:
     table = QTableWidget(rows, len(ANGLES))
+    table.setTabKeyNavigation(False)
     table.setObjectName(name)
     table.setAccessibleName(say(name.replace("_", " ")))
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)

@@ -239,6 +239,7 @@ class SightingsTable(QTableView):
 
     def __init__(self) -> None:
         super().__init__()
+        self.setTabKeyNavigation(False)
         self.setObjectName("sightings_table")
         self.setAccessibleName(say("Targets by lines"))
         self.sightings = SightingsModel()

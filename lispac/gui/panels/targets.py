@@ -340,6 +340,7 @@ class TargetsPanel(QWidget):
 
 def _targets_table() -> QTableWidget:
     table = QTableWidget(0, 4)
+    table.setTabKeyNavigation(False)
     table.setObjectName("targets_table")
     table.setAccessibleName(say("Targets and validation planes"))
     table.setHorizontalHeaderLabels(say_all(["Name", "Role", "Shape", "Lines"]))

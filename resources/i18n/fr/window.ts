@@ -4895,6 +4895,10 @@
         <translation>Langue du rapport ; les nombres gardent le point décimal, le JSON reste en anglais</translation>
     </message>
     <message>
+        <source>As the window</source>
+        <translation>Comme la fenêtre</translation>
+    </message>
+    <message>
         <source>This program alone</source>
         <translation>Ce programme seul</translation>
     </message>
