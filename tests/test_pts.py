@@ -12,6 +12,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io import pts
 from lispac.io.static_scan import static_scan
+from lispac.workflow.reading import looks
 from tests.point_files import RING, XYZ
 from tests.static_scans import write_pts
 
@@ -87,6 +88,22 @@ def test_blanks_tabs_empty_rows_and_windows_line_ends(tmp_path: Path) -> None:
     np.testing.assert_array_equal(places(path), [[1.5, -2, 30], [4, 5, 6], [7, 8, 9]])
 
 
+def test_without_its_number_of_points(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As meshing programs and scripts write it: all rows are points, however many."""
+    monkeypatch.setattr(pts, "CHUNK", 7)
+    path = write_pts(tmp_path / "scan.pts", [XYZ], more=4)
+    count, rows = path.read_text().split("\n", 1)
+    assert count == str(len(XYZ))
+    path.write_text(rows)
+    np.testing.assert_allclose(places(path), XYZ, atol=1e-9)
+
+
+def test_it_is_looked_at_as_a_cloud_without_time(tmp_path: Path) -> None:
+    path = write_pts(tmp_path / "scan.pts", [XYZ], more=4)
+    with pytest.raises(InputError, match=r"have no times.* reference .*lispac check"):
+        looks(path)
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -99,7 +116,10 @@ def test_blanks_tabs_empty_rows_and_windows_line_ends(tmp_path: Path) -> None:
         ("1\n1 2\n", "row 2: 2 columns where 3 are needed"),
         ("1\n1 2 3\n4 5 6\n", "row 3: the points that row 1 promises (1) end above this row"),
         ("3\n1 2 3\n1\n4 5 6\n", "row 3: a new number of points stands here after 1 of the 3"),
-        ("1 2 3\n4 5 6\n", "row 1: a PTS file begins with its number of points, and this is '1 2"),
+        ("1 2 3\n4 5\n", "row 2: 2 columns where 3 are needed"),
+        ("1 2 3\n4 5 6\n1\n7 8 9\n", "row 3: 1 columns where 3 are needed"),
+        ("1 2 3\n4,5 5 6\n", "row 2: PTS has decimal points"),
+        ("1 2\n", "row 1: a PTS file begins with its number of points, and this is '1 2"),
         ("1,000\n", "row 1: a PTS file begins with its number of points"),
         ("-1\n", "row 1: a PTS file begins with its number of points"),
         ("9" * 5000 + "\n", "row 1: a PTS file begins with its number of points"),

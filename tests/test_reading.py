@@ -161,6 +161,21 @@ def test_what_makes_no_sense_is_refused(calibrated, tmp_path, capsys, options, s
     assert not (tmp_path / "p").exists()
 
 
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ("", "file is empty; copy or export it again"),
+        ("x y z\n1 2 3\n4 5 6\n", "its points have no times, so it is no line: export it with"),
+        ("1.5;2.5;3.5\n4.5;5.5;6.5\n", "its points have no times, so it is no line"),
+    ],
+)
+def test_why_a_file_is_no_line_is_said(tmp_path, capsys, content, said) -> None:
+    path = tmp_path / "quay.txt"
+    path.write_text(content)
+    assert main(["look", str(path)]) == 1
+    assert said in capsys.readouterr().err
+
+
 def test_a_file_nobody_knows_is_refused(tmp_path, capsys) -> None:
     path = tmp_path / "notes.doc"
     path.write_bytes(b"\x00\x01nothing" * 40)

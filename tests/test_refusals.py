@@ -171,6 +171,25 @@ def test_a_line_outside_the_trajectory_is_refused(copy: Project) -> None:
         load_survey(copy)
 
 
+@pytest.mark.parametrize(
+    ("moved", "remedy"),
+    [(0.0, "without it they lie inside"), (86_400.0, "give another, or leave the line out")],
+)
+def test_the_shift_that_takes_a_line_off_the_trajectory_is_named(
+    copy: Project, moved: float, remedy: str
+) -> None:
+    line = copy.lines[1]
+    las = laspy.read(line.path)
+    las.gps_time = np.asarray(las.gps_time) + moved
+    las.write(line.path)
+    shifted = replace(line, reading=replace(line.reading, time_shift=12_345.0))
+    with pytest.raises(InputError) as refused:
+        load_survey(replace(copy, lines=(copy.lines[0], shifted), targets=()))
+    said = str(refused.value)
+    assert "shifted by +12,345.000 s" in said
+    assert said.endswith(f"check the shift: {remedy}.")
+
+
 def test_points_partly_outside_are_left_out_and_said(copy: Project) -> None:
     path = copy.lines[1].path
     las = laspy.read(path)

@@ -2,13 +2,16 @@
 
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from lispac.errors import ProjectError
+from lispac.errors import InputError, ProjectError
+from lispac.io import project_file
 from lispac.io.las import write_points
 from lispac.io.project_file import write_project
 from lispac.progress import Progress
@@ -143,3 +146,34 @@ def test_a_damaged_column_is_not_copied(project: Project, tmp_path: Path) -> Non
     with pytest.raises(ProjectError, match=r"xyz\.npy.*checksum does not hold.*import the line"):
         save_project_as(project, survey, tmp_path / "office")
     assert not (tmp_path / "office").exists()
+
+
+def test_what_could_not_be_saved_leaves_its_folder_free(
+    calibrated: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Once there is room on the disk the same folder can be chosen again."""
+    project, survey = calibrated
+    real = project_file.written_whole
+
+    @contextmanager
+    def full(path: Path) -> Iterator[Path]:
+        if path.name == "project.json":
+            raise InputError(f"{path}: cannot be written (No space left on device).")
+        with real(path) as temporary:
+            yield temporary
+
+    with monkeypatch.context() as patched:
+        patched.setattr(project_file, "written_whole", full)
+        with pytest.raises(InputError, match="No space left"):
+            save_project_as(project, survey, tmp_path / "kept")
+    assert list(tmp_path.iterdir()) == []
+    save_project_as(project, survey, tmp_path / "kept")
+    assert open_project(tmp_path / "kept").targets
+
+
+def test_a_file_is_no_folder_to_save_in(calibrated: tuple[Project, Survey], tmp_path: Path) -> None:
+    file = tmp_path / "notes.txt"
+    file.write_text("mine")
+    with pytest.raises(ProjectError, match="this is a file"):
+        save_project_as(*calibrated, file)
+    assert file.read_text() == "mine"

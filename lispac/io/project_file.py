@@ -50,6 +50,7 @@ from lispac.validation.comparison import PlaneComparison
 
 FILE_NAME = "project.json"
 UNSAVED_NAME = "unsaved.json"
+SIGHTINGS = "sightings"
 OPENER = "project.lispac"
 OPENER_ENDING = ".lispac"
 OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
@@ -363,7 +364,7 @@ def _write_indices(folder: Path, target: Target) -> str:
     for array in arrays.values():
         digest.update(array.tobytes() + b"|")
     plain = re.sub(r"[^A-Za-z0-9_-]", "_", target.name)
-    name = f"sightings/{plain}-{digest.hexdigest()[:16]}.npz"
+    name = f"{SIGHTINGS}/{plain}-{digest.hexdigest()[:16]}.npz"
     if not (folder / name).exists():
         buffer = BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]
@@ -373,8 +374,8 @@ def _write_indices(folder: Path, target: Target) -> str:
 
 
 def _remove_unused(folder: Path, used: set[str]) -> None:
-    for path in (folder / "sightings").glob("*.npz"):
-        if f"sightings/{path.name}" not in used:
+    for path in (folder / SIGHTINGS).glob("*.npz"):
+        if f"{SIGHTINGS}/{path.name}" not in used:
             path.unlink(missing_ok=True)
 
 

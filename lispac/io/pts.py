@@ -1,13 +1,14 @@
 """Leica PTS: text of points without time, in blocks that begin with the number of their points.
 
 A row is x, y, z and perhaps intensity and red, green, blue, parted by blanks. Cyclone writes one
-block or several. Intensities (-2048 to 2047, 0 to 255 or 0 to 1) and colours are passed over.
-Nothing in the file says coordinate system or unit: metres, unless a system is stated.
+block or several; other programs write one and leave its number out. Intensities (-2048 to 2047,
+0 to 255 or 0 to 1) and colours are passed over. Nothing in the file says coordinate system or unit:
+metres, unless a system is stated.
 """
 
 import re
 from collections.abc import Iterator
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 
 import numpy as np
@@ -16,10 +17,12 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.points import CHUNK
 from lispac.io.text_layout import REMARKS
-from lispac.io.text_table import columns_of, lines_of, number
+from lispac.io.text_table import columns_of, is_number, lines_of, number
 
 Array = NDArray[np.float64]
 Row = tuple[int, str]
+
+ENDING = ".pts"
 
 _COUNT = re.compile(r"[0-9]{1,15}")
 _XYZ = tuple((k, number, axis) for k, axis in enumerate("xyz"))
@@ -38,6 +41,13 @@ def places(path: Path) -> Iterator[Array]:
         (row, text) for row, line in lines_of(path, "PTS")
         if (text := line.strip()) and not text.startswith(REMARKS)
     )  # fmt: skip
+    first = next(rows, None)
+    if first is None:
+        return
+    rows = chain([first], rows)
+    if _is_point(first[1]):
+        yield from _uncounted(path, rows)
+        return
     head = count = 0
     for row, text in rows:
         _require_count(path, row, text, head, count)
@@ -50,9 +60,40 @@ def places(path: Path) -> Iterator[Array]:
                     f"{head:,} promises, so it is cut short; copy or export it again."
                 )
             width = width or max(3, len(block[0][1].split()))
-            _require_rows(path, block, width, head, count, done)
+            _require_no_count(path, block, head, count, done)
+            _require_rows(path, block, width)
             yield _xyz(path, block)
             done += len(block)
+
+
+def has_count(path: Path) -> bool:
+    """Whether a file that ends so begins with its number of points, so that it has no times."""
+    if path.suffix.lower() != ENDING:
+        return False
+    try:
+        texts = (text for _, line in lines_of(path, "PTS") if (text := line.strip()))
+        return bool(_COUNT.fullmatch(next((t for t in texts if not t.startswith(REMARKS)), "")))
+    except InputError:
+        return False
+
+
+def _is_point(text: str) -> bool:
+    fields = text.split()
+    return len(fields) >= 3 and all(is_number(field) for field in fields)
+
+
+def _uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
+    """All rows as one block, since nothing says how many there are.
+
+    Raises
+    ------
+    InputError
+    """
+    width = 0
+    while block := list(islice(rows, CHUNK)):
+        width = width or len(block[0][1].split())
+        _require_rows(path, block, width)
+        yield _xyz(path, block)
 
 
 def _require_count(path: Path, row: int, text: str, head: int, count: int) -> None:
@@ -75,27 +116,35 @@ def _require_count(path: Path, row: int, text: str, head: int, count: int) -> No
     )
 
 
-def _require_rows(
-    path: Path, block: list[Row], width: int, head: int, count: int, done: int
-) -> None:
-    """Refuse rows of another width than the first of their block, commas and semicolons.
+def _require_no_count(path: Path, block: list[Row], head: int, count: int, done: int) -> None:
+    """Refuse a number of points where points are due still.
 
     Raises
     ------
     InputError
     """
     for k, (row, text) in enumerate(block, start=done):
+        if _COUNT.fullmatch(text):
+            raise InputError(
+                f"{path}, row {row:,}: a new number of points stands here after {k:,} of the "
+                f"{count:,} points that row {head:,} promises; copy or export it again."
+            )
+
+
+def _require_rows(path: Path, block: list[Row], width: int) -> None:
+    """Refuse rows of another width than the first of their block, commas and semicolons.
+
+    Raises
+    ------
+    InputError
+    """
+    for row, text in block:
         if "," in text or ";" in text:
             raise InputError(
                 f"{path}, row {row:,}: PTS has decimal points, and blanks between its columns; "
                 "this row has commas or semicolons: export it again."
             )
         columns = len(text.split())
-        if columns == 1 and _COUNT.fullmatch(text):
-            raise InputError(
-                f"{path}, row {row:,}: a new number of points stands here after {k:,} of the "
-                f"{count:,} points that row {head:,} promises; copy or export it again."
-            )
         if columns != width:
             raise InputError(
                 f"{path}, row {row:,}: {columns:,} columns where {width:,} are needed; copy or "

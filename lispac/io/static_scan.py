@@ -23,6 +23,8 @@ from lispac.io.text_table import fields_of, is_number, lines_of
 Array = NDArray[np.float64]
 
 WHAT = "static scan"
+LOOKED_AT = 20
+"""Rows of a text that tell whether it has times."""
 OTHERS = (".ply", ".pcd", ".ptx", ".rcp", ".fls", ".zfs")
 """Endings of clouds whose coordinates are not read without time."""
 
@@ -109,7 +111,7 @@ def _kind(path: Path) -> str:
         return "las"
     if e57.sniff(path) > NOT:
         return "e57"
-    return "pts" if path.suffix.lower() == ".pts" else ""
+    return "pts" if path.suffix.lower() == pts.ENDING else ""
 
 
 def _of_text(path: Path, local: bool) -> Array:
@@ -152,6 +154,19 @@ def _of_text(path: Path, local: bool) -> Array:
             path, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,
             comments=list(REMARKS), encoding="utf-8-sig",
         )  # fmt: skip
+
+
+def without_time(path: Path, *, or_text: bool) -> bool:
+    """Whether a file is a cloud without time: PTS, or text whose first rows are x, y, z alone."""
+    if pts.has_count(path) or not or_text:
+        return pts.has_count(path)
+    try:
+        texts = (line.strip() for _, line in islice(lines_of(path, WHAT), LOOKED_AT))
+        rows = [fields_of(text) for text in texts if text and not text.startswith(REMARKS)]
+    except InputError:
+        return False
+    body = rows[1:]  # below a row of names
+    return bool(body) and all(len(row) == 3 and all(map(is_number, row)) for row in body)
 
 
 def few_rows(path: Path, most: int) -> bool:

@@ -27,9 +27,8 @@ from lispac.survey.store.original import original_of
 from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, tidy, write_store
-from lispac.survey.time_base import matches, sentence
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.offers import offered
+from lispac.workflow.offers import offered, outside
 from lispac.workflow.reading import LAS_ENDINGS, line_stream, local_trajectory
 
 Array = NDArray[np.float64]
@@ -357,12 +356,7 @@ class _Source:
         path, known = self._line.path, self._trajectory.time
         if not len(times):
             return InputError(f"{path}: this line holds no points; leave it out.")
-        told = sentence(matches(times, known))
-        return InputError(
-            f"{path}: its points ({times.min():.1f} to {times.max():.1f} s) lie outside the "
-            f"trajectory ({known[0]:.1f} to {known[-1]:.1f} s); check the date and the time "
-            f"base, or leave the line out. {told}"
-        )
+        return InputError(f"{path}: {outside(self._line.reading, times, known)}")
 
 
 def _usable(time: Array, latency: float, trajectory: LocalTrajectory) -> NDArray[np.bool_] | None:

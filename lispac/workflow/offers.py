@@ -5,11 +5,39 @@ from numpy.typing import NDArray
 
 from lispac.project import Reading
 from lispac.survey.source import RESTART
-from lispac.survey.time_base import matches
+from lispac.survey.time_base import matches, sentence
 from lispac.survey.time_restart import PERIODS, restart_of
 from lispac.survey.time_stated import CLEARLY_MORE, offer
 
 Array = NDArray[np.float64]
+
+
+def outside(reading: Reading, times: Array, track: Array) -> str:
+    """That a line has no point on the trajectory and what to do, without the file.
+
+    Parameters
+    ----------
+    reading : Reading
+        Of the line.
+    times : ndarray of shape (n,), seconds
+        Of the line, as it is read.
+    track : ndarray of shape (m,), seconds, increasing
+        Of the trajectory.
+    """
+    first, last = times.min(), times.max()
+    if not reading.time_shift:
+        return (
+            f"its points ({first:.1f} to {last:.1f} s) lie outside the trajectory "
+            f"({track[0]:.1f} to {track[-1]:.1f} s); check the date and the time base, or leave "
+            f"the line out. {sentence(matches(times[:: max(1, len(times) // 1000)], track))}"
+        )
+    written = times - reading.time_shift
+    inside = ((written >= track[0]) & (written <= track[-1])).any()
+    remedy = "without it they lie inside" if inside else "give another, or leave the line out"
+    return (
+        f"shifted by {reading.time_shift:+,.3f} s, its points ({first:.1f} to {last:.1f} s) lie "
+        f"outside the trajectory ({track[0]:.1f} to {track[-1]:.1f} s); check the shift: {remedy}."
+    )
 
 
 def offered(reading: Reading, times: Array, track: Array) -> str:

@@ -12,9 +12,10 @@ from lispac.io.files import require_file
 from lispac.io.formats import format_of, recognised
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.las import read_scan
-from lispac.io.points import NO_SYSTEM, SCANNER, system_of
+from lispac.io.points import NO_SYSTEM, SCANNER, require_filled, system_of
 from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind, PointChunk
 from lispac.io.sbet import read_sbet, read_smrmsg
+from lispac.io.static_scan import without_time
 from lispac.io.text import ASSUMPTIONS as TEXT_ASSUMPTIONS
 from lispac.io.text import read_text_scan
 from lispac.project import LineSource, Project, Reading
@@ -57,10 +58,16 @@ def looks(path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "poin
     Raises
     ------
     InputError
-        Where the file is missing or no format knows it.
+        Where the file is missing or empty, no format knows it, or it is a cloud without time.
     """
-    path = require_file(Path(path), "survey")
+    path = require_filled(Path(path), "survey")
     found = [(format, sure) for kind in kinds for format, sure in recognised(path, kind)]
+    if without_time(path, or_text=not found):
+        raise InputError(
+            f"{path}: its points have no times, so it is no line: export it with the time of each "
+            "point. As it is it serves as a reference that the lines are checked against "
+            "(Validate > Check against a reference…, lispac check)."
+        )
     if not found:
         raise InputError(
             f"{path}: no format knows this file; export it in one that the manual names, or say "

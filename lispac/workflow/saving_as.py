@@ -9,7 +9,7 @@ from pathlib import Path
 from zlib import crc32
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.project_file import FILE_NAME, write_project
+from lispac.io.project_file import FILE_NAME, SIGHTINGS, write_project
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud, CloudOnDisk, Line
@@ -43,14 +43,16 @@ def save_project_as(
     Raises
     ------
     ProjectError
-        Where the folder holds a project already, or a line is damaged or was imported again since
-        it was opened.
+        Where the folder holds a project already or is a file, or a line is damaged or was imported
+        again since it was opened.
     InputError
         Where it cannot be written; nothing is left there then.
     """
     folder = Path(folder).absolute()
     if (folder / FILE_NAME).exists():
         raise ProjectError(f"{folder}: there is a project here already; choose another folder.")
+    if folder.is_file():
+        raise ProjectError(f"{folder}: this is a file; give the project's folder another name.")
     moved = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)
     on_disk = {name: scan for name, scan in scans.items() if isinstance(scan, StoredLine)}
@@ -70,8 +72,27 @@ def save_project_as(
                 f"{folder}: the project cannot be written here ({error.strerror or error}); "
                 "choose another folder."
             ) from error
-        write_project(moved)
+        with _sightings_taken_back(folder):
+            write_project(moved)
     return moved, replace(survey, scans=scans, clouds=clouds)
+
+
+@contextmanager
+def _sightings_taken_back(folder: Path) -> Iterator[None]:
+    """Remove the points of targets again where the project that they belong to is not written.
+
+    Raises
+    ------
+    InputError
+    """
+    sightings = folder / SIGHTINGS
+    new = not sightings.exists()
+    try:
+        yield
+    except InputError:
+        if new:
+            shutil.rmtree(sightings, ignore_errors=True)
+        raise
 
 
 @contextmanager

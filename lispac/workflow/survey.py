@@ -17,13 +17,12 @@ from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
 from lispac.survey.store.layout import is_import
-from lispac.survey.time_base import matches, sentence
 from lispac.survey.time_quality import coverage, left_out, short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.targets.alignment import Alignment, align
 from lispac.workflow.importing import import_line, line_folder
 from lispac.workflow.moved import require_files
-from lispac.workflow.offers import offered
+from lispac.workflow.offers import offered, outside
 from lispac.workflow.reading import LAS_ENDINGS, local_trajectory, read_accuracy, read_line
 
 LARGE = 4_000_000
@@ -239,12 +238,7 @@ def _inside(
     if inside.all() and not trajectory.has_gaps:
         return scan, ()
     if not inside.any():
-        told = sentence(matches(scan.time[:: max(1, len(scan) // 1000)], trajectory.time))
-        raise InputError(
-            f"{path}: its points ({scan.time.min():.1f} to {scan.time.max():.1f} s) lie outside "
-            f"the trajectory ({trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s); "
-            f"check the date and the time base, or leave the line out. {told}"
-        )
+        raise InputError(f"{path}: {outside(line.reading, scan.time, trajectory.time)}")
     kept = Scan(
         scan.points_lidar[inside],
         scan.time[inside],

@@ -4685,8 +4685,28 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Il manque encore une colonne : {missing}. Choisissez en tête de l&apos;aperçu ce qu&apos;est chaque colonne.</translation>
     </message>
     <message>
-        <source>{path:file}: its points ({times:n} to {times2:n} s) lie outside the trajectory ({known:n} to {known2:n} s); check the date and the time base, or leave the line out. {told}</source>
-        <translation>{path} : ses points (de {times} à {times2} s) sont hors de la trajectoire (de {known} à {known2} s) ; vérifiez la date et la base de temps, ou écartez la ligne. {told}</translation>
+        <source>its points ({first:n} to {last:n} s) lie outside the trajectory ({track:n} to {track2:n} s); check the date and the time base, or leave the line out. {sentence}</source>
+        <translation>ses points (de {first} à {last} s) sont hors de la trajectoire (de {track} à {track2} s) ; vérifiez la date et la base de temps, ou écartez la ligne. {sentence}</translation>
+    </message>
+    <message>
+        <source>shifted by {shift:n} s, its points ({first:n} to {last:n} s) lie outside the trajectory ({track:n} to {track2:n} s); check the shift: {remedy}.</source>
+        <translation>décalés de {shift} s, ses points (de {first} à {last} s) sont hors de la trajectoire (de {track} à {track2} s) ; vérifiez le décalage : {remedy}.</translation>
+    </message>
+    <message>
+        <source>without it they lie inside</source>
+        <translation>sans lui, ils sont dedans</translation>
+    </message>
+    <message>
+        <source>give another, or leave the line out</source>
+        <translation>donnez-en un autre, ou écartez la ligne</translation>
+    </message>
+    <message>
+        <source>{path:file}: its points have no times, so it is no line: export it with the time of each point. As it is it serves as a reference that the lines are checked against (Validate &gt; Check against a reference…, lispac check).</source>
+        <translation>{path} : ses points n&apos;ont pas de temps, ce n&apos;est donc pas une ligne : exportez-le avec le temps de chaque point. Tel quel, il sert de référence pour contrôler les lignes (Validation &gt; Contrôler par une référence…, lispac check).</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is a file; give the project&apos;s folder another name.</source>
+        <translation>{path} : c&apos;est un fichier ; donnez un autre nom au dossier du projet.</translation>
     </message>
     <message>
         <source>{said}; {first} comes first, then {second}: exchange the two</source>
