@@ -17,6 +17,8 @@ Kind = TypeVar("Kind", bound=QWidget)
 def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
     """Fill in what was typed and chosen in the steps; the open step is open again.
 
+    What was found and waits for a yes or a no waits on.
+
     Choices first: what is typed may be in the unit that one of them sets.
     """
     for before, after in (
@@ -28,6 +30,8 @@ def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
         _choices(before, after)
         _numbers(before, after)
     heir.workflow.open(former.workflow.opened)
+    if former.controller.candidate is not None:
+        heir.controller.offer(former.controller.candidate)
     if former.tour.on:
         heir.tour.go_on()
 

@@ -115,6 +115,8 @@ class Showing(QObject):
         if candidate is not None:
             window.workflow.open(TARGETS)
         window.targets.show_candidate(candidate, project)
+        if candidate is not None:
+            window.workflow.scroll_to(window.targets.candidate)
         for name in ("accept", "reject"):
             window.actions_[name].setEnabled(candidate is not None)
 

@@ -53,7 +53,7 @@ class TaskBar(QStatusBar):
         if task.cancel.is_set():
             self.text.setText(say(f"{task.title}: stopping …"))
         else:
-            self.text.setText(say(_words(task)))
+            self.text.setText(_words(task))
         self.bar.setValue(round(task.fraction * 1000))
         self.cancel.setEnabled(not task.cancel.is_set())
 
@@ -63,11 +63,13 @@ LEFT = re.compile(r", [^,]+ left$")
 
 
 def _words(task: Task) -> str:
+    """What is done and what is left, each said by itself: what is done may end with any name."""
     words = task.message or task.title
     elapsed = time.monotonic() - task.started
     left = task.seconds_left()
     if left is None or elapsed <= 1.0:
-        return words
+        return say(words)
     if LEFT.search(words):  # it says its rate as well; what is left counts for all of the task
-        return f"{LEFT.sub('', words)}  ·  {spoken(left)} left"
-    return f"{words}  ·  {100 * task.fraction / elapsed:.0f} %/s, {spoken(left)} left"
+        return f"{say(LEFT.sub('', words))}  ·  {say(f'{spoken(left)} left')}"
+    rate = 100 * task.fraction / elapsed
+    return f"{say(words)}  ·  {say(f'{rate:.0f} %/s, {spoken(left)} left')}"

@@ -6,8 +6,9 @@ from math import radians
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 
+from lispac.gui.main_window import TITLE_BAR
 from lispac.targets.settings import USUAL, FinderChoices
-from tests.gui.support import Driver, Left, click, open_step, seed, type_into
+from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
 from tests.gui.test_gui_seed_at import hand
 
 
@@ -64,3 +65,18 @@ def test_found_again_with_other_choices(picked: Driver) -> None:
     assert candidate.choices == replace(before, min_points=40)
     click(picked, picked.window.targets.candidate.accept)
     assert picked.project.target("T1").choices == replace(before, min_points=40)
+
+
+def test_the_answer_to_what_was_found_is_in_sight_on_a_low_screen(
+    opened: Driver, demo: Demo
+) -> None:
+    window = opened.window
+    window.resize(1366, 768 - TITLE_BAR)
+    opened.rest()
+    window.controller.offer(demo.picked.target("T1"))
+    for answer in (window.targets.candidate.accept, window.targets.candidate.reject):
+        opened.bot.waitUntil(
+            lambda answer=answer: answer.visibleRegion().boundingRect() == answer.rect(),
+            timeout=WAIT_MS,
+        )
+    click(opened, window.targets.candidate.reject)

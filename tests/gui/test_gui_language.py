@@ -169,6 +169,19 @@ def test_what_is_typed_and_not_applied_stays(session: Session, qtbot: QtBot, dem
     assert french.data.lever_arm.value() == used.lever_arm
 
 
+def test_what_was_found_waits_on_for_a_yes_or_a_no(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
+    session.window.document.open(demo.project, demo.survey)
+    found = demo.picked.target("T1")
+    session.window.controller.offer(found)
+    french = renewed(session, qtbot, "fr")
+    assert french.controller.candidate is found
+    assert french.targets.candidate.isVisible()
+    QTest.mouseClick(french.targets.candidate.accept, Qt.MouseButton.LeftButton)
+    assert [target.name for target in french.document.project.targets] == ["T1"]
+
+
 def test_panels_that_float_come_back_before_the_window(
     session: Session, qtbot: QtBot, qapp: QApplication
 ) -> None:

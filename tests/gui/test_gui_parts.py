@@ -17,6 +17,7 @@ from lispac.adjustment.result import Contradiction
 from lispac.errors import Cancelled, InputError
 from lispac.gui import status
 from lispac.gui.dialogs.error import describe, error_box
+from lispac.gui.language import speak
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.tasks import Task, TaskRunner
@@ -310,3 +311,18 @@ def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, mes
     task.report(0.5, message)
     bar.show_task(task)
     assert bar.text.text() == shown
+
+
+def test_time_left_is_french_after_a_name_that_stays(qtbot: QtBot) -> None:
+    bar = TaskBar()
+    qtbot.addWidget(bar)
+    task = Task("Adjusting", lambda progress: None, lambda value: None)
+    task.started = time.monotonic() - 10
+    task.report(0.5, "Cross-checking: line L5_315")
+    speak("fr")
+    try:
+        bar.show_task(task)
+    finally:
+        speak("en")
+    said = "Vérification croisée : ligne L5_315  ·  5 %/s, encore 10 s"
+    assert bar.text.text().replace("\u202f", " ").replace("\u00a0", " ") == said

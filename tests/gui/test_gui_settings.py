@@ -146,6 +146,13 @@ def answer_editor(monkeypatch: pytest.MonkeyPatch, bot: QtBot, **texts: str) -> 
     return opened
 
 
+def answer_box(bot: QtBot, button: str) -> None:
+    """Press a button of the question that is asked."""
+    box = QApplication.activeModalWidget()
+    found = next(each for each in box.buttons() if each.text().replace("&", "") == button)
+    bot.mouseClick(found, Left)
+
+
 def test_own_sensors_are_added_copied_edited_and_removed(
     page: SettingsDialog, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -180,6 +187,10 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     assert sensors.table.rowCount() == count + 2
 
     sensors.select("profiler-16")
+    QTimer.singleShot(200, lambda: answer_box(qtbot, "Cancel"))
+    qtbot.mouseClick(sensors.remove, Left)
+    assert library(folder).scanner("profiler-16").range_sigma == 0.006
+    QTimer.singleShot(200, lambda: answer_box(qtbot, "Remove"))
     qtbot.mouseClick(sensors.remove, Left)
     assert [s.name for s in library(folder).scanners if s.own] == []
     assert sensors.table.rowCount() == count + 1
@@ -286,13 +297,8 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
     assert page.cache.size.text() == "2.5 MB"
     assert page.cache.said.text() == ""
 
-    def answer(button: str) -> None:
-        box = QApplication.activeModalWidget()
-        found = next(each for each in box.buttons() if each.text().replace("&", "") == button)
-        qtbot.mouseClick(found, Left)
-
     for button, left in (("Cancel", True), ("Empty", False)):
-        QTimer.singleShot(200, lambda button=button: answer(button))
+        QTimer.singleShot(200, lambda button=button: answer_box(qtbot, button))
         qtbot.mouseClick(page.cache.empty, Left)
         assert (place / "numba").exists() is left
     assert page.cache.size.text() == "empty"

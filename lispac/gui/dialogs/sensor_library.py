@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
     QHeaderView,
+    QMessageBox,
     QTableWidget,
     QTableWidgetItem,
     QWidget,
@@ -95,7 +96,7 @@ class SensorLibraryPage(QWidget):
             "Copy…", "sensor_copy", tip="A sensor of your own that begins with these figures"
         )
         self.edit = widgets.button("Edit…", "sensor_edit", tip="Your own only; copy the others")
-        self.remove = widgets.button("Remove", "sensor_remove", tip="Your own only")
+        self.remove = widgets.button("Remove…", "sensor_remove", tip="Your own only")
         row = QHBoxLayout()
         for each, slot in (
             (self.add_scanner, lambda: self._ask(NEW_SCANNER)),
@@ -143,7 +144,7 @@ class SensorLibraryPage(QWidget):
             self._ask(self.current.figures, self.current.name)
 
     def _remove(self) -> None:
-        if self.current is None:
+        if self.current is None or not self._sure(self.current.figures.title):
             return
         try:
             remove(self._folder, self.current)
@@ -153,6 +154,24 @@ class SensorLibraryPage(QWidget):
             return
         self._fill()
         self.changed.emit()
+
+    def _sure(self, title: str) -> bool:
+        box = QMessageBox(
+            QMessageBox.Icon.Question, "LISPAC", say(f"Remove {title} from the library?"),
+            QMessageBox.StandardButton.Cancel, self,
+        )  # fmt: skip
+        box.setObjectName("remove_sensor")
+        box.setInformativeText(
+            say(
+                "Its figures go for good, also where the settings are cancelled. "
+                "Projects keep theirs."
+            )
+        )
+        sure = box.addButton(say("Remove"), QMessageBox.ButtonRole.DestructiveRole)
+        box.exec()
+        chosen = box.clickedButton()
+        box.deleteLater()
+        return chosen is sure
 
     def _ask(self, figures: Figures, name: str = "") -> None:
         editor = SensorEditor(self._folder, figures, name, self)

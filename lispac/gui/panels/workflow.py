@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -55,6 +55,11 @@ class WorkflowPanel(QWidget):
         if step != self.opened:
             self.opened = step
             self.step_opened.emit(step)
+
+    def scroll_to(self, widget: QWidget) -> None:
+        """Have a widget of the open step in sight, once it has its place."""
+        area = self._areas[self.opened]
+        QTimer.singleShot(0, area, lambda: area.ensureWidgetVisible(widget, 0, 0))
 
     def show_status(self, statuses: Sequence[StepStatus]) -> None:
         """Glyph and sentence of each step."""

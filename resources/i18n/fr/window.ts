@@ -2145,12 +2145,12 @@
         <translation>Acceptés de la proposition : {names}</translation>
     </message>
     <message>
-        <source>{words}  ·  {left} left</source>
-        <translation>{words}  ·  encore {left}</translation>
+        <source>{left} left</source>
+        <translation>encore {left}</translation>
     </message>
     <message>
-        <source>{words}  ·  {rate:n} %/s, {left} left</source>
-        <translation>{words}  ·  {rate} %/s, encore {left}</translation>
+        <source>{rate:n} %/s, {left} left</source>
+        <translation>{rate} %/s, encore {left}</translation>
     </message>
     <message>
         <source>Taking pictures of the view</source>
@@ -8963,6 +8963,18 @@ m/s</translation>
     <message>
         <source>Empty the cache…</source>
         <translation>Vider le cache…</translation>
+    </message>
+    <message>
+        <source>Remove {title} from the library?</source>
+        <translation>Retirer {title} de la bibliothèque ?</translation>
+    </message>
+    <message>
+        <source>Its figures go for good, also where the settings are cancelled. Projects keep theirs.</source>
+        <translation>Ses valeurs sont perdues pour de bon, même si les réglages sont annulés. Les projets gardent les leurs.</translation>
+    </message>
+    <message>
+        <source>Remove…</source>
+        <translation>Retirer…</translation>
     </message>
     <message>
         <source>Empty the cache?</source>
