@@ -46,11 +46,14 @@ def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
     window.resizeDocks(below, [3 * window.height() // 10], Qt.Orientation.Vertical)
 
 
-def raise_floating(docks: Mapping[str, QDockWidget]) -> None:
-    """Put panels that float before the window: those brought back come up behind it."""
-    for dock in docks.values():
-        if dock.isFloating() and dock.isVisible():
-            dock.raise_()
+def show_all(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
+    """Show a window, then the panels that float: those that are there before lie behind it."""
+    floating = [dock for dock in docks.values() if dock.isFloating() and dock.isVisible()]
+    for dock in floating:
+        dock.hide()
+    window.show()
+    for dock in floating:
+        dock.show()
 
 
 def _dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:

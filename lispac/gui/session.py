@@ -14,7 +14,7 @@ from lispac.gui import theme, units
 from lispac.gui.carrying import carry_over
 from lispac.gui.colouring import use_scale
 from lispac.gui.dialogs.service import Dialogs
-from lispac.gui.docks import raise_floating
+from lispac.gui.docks import show_all
 from lispac.gui.language import speak
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
@@ -66,8 +66,7 @@ class Session(QObject):
             carry_over(former, window)
         # Queued: the action that asks for it belongs to the window that goes.
         window.renewal_asked.connect(self.renew, Qt.ConnectionType.QueuedConnection)
-        window.show()
-        raise_floating(window.docks)
+        show_all(window, window.docks)
         window.activateWindow()
         return window
 
