@@ -5,9 +5,9 @@ import threading
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.design import edits
@@ -182,19 +182,33 @@ def test_what_was_found_waits_on_for_a_yes_or_a_no(
     assert [target.name for target in french.document.project.targets] == ["T1"]
 
 
-def test_panels_that_float_come_back_before_the_window(
+class Shown(QObject):
+    """Notes names of windows in the order they are shown in."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.names: list[str] = []
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Show and isinstance(watched, QWidget) and watched.isWindow():
+            self.names.append(watched.objectName())
+        return False
+
+
+def test_panels_that_float_come_back_after_the_window(
     session: Session, qtbot: QtBot, qapp: QApplication
 ) -> None:
-    """After a restart, or in another language: behind the window nobody would find them."""
-    dock = session.window.docks["Log"]
-    dock.raise_()
-    dock.setFloating(True)
-    dock.move(session.window.geometry().center())
-    renewed(session, qtbot, "fr")
-    again = session.window.docks["Log"]
-    assert again.isFloating()
-    place = again.mapToGlobal(again.rect().center())
-    qtbot.waitUntil(lambda: qapp.topLevelAt(place) is again, timeout=SOON_MS)
+    """In another language as after a restart: a window manager puts it over what was there."""
+    session.window.docks["Log"].setFloating(True)
+    shown = Shown()
+    qapp.installEventFilter(shown)
+    try:
+        french = renewed(session, qtbot, "fr")
+    finally:
+        qapp.removeEventFilter(shown)
+    assert french.docks["Log"].isFloating()
+    assert french.docks["Log"].isVisible()
+    assert shown.names[-2:] == ["main_window", "dock_log"]
 
 
 def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
