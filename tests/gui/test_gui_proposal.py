@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QDoubleSpinBox,
     QLabel,
     QPushButton,
+    QTableView,
     QTableWidget,
 )
 
@@ -80,12 +81,20 @@ def test_the_return_key_accepts_what_is_proposed(opened: Driver, proposal: Propo
     dialog = ProposalDialog(proposal)
     with opened.bot.waitExposed(dialog):
         dialog.open()
+    dialog.table.setFocus()
     for _ in range(2):
-        opened.bot.keyClick(dialog.focusWidget() or dialog, Qt.Key.Key_Tab)
+        opened.bot.keyClick(dialog.focusWidget(), Qt.Key.Key_Tab)
+    assert dialog.focusWidget() is dialog.accept_button
     dialog.table.setFocus()
     opened.bot.keyClick(dialog.table, Qt.Key.Key_Return)
     assert dialog.result() == QDialog.DialogCode.Accepted
     dialog.deleteLater()
+
+
+def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
+    tables = opened.window.findChildren(QTableView)
+    assert len(tables) > 5
+    assert [table.objectName() for table in tables if table.tabKeyNavigation()] == []
 
 
 def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
