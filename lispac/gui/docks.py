@@ -56,6 +56,13 @@ def show_all(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
         dock.show()
 
 
+def hide_floating(docks: Mapping[str, QDockWidget]) -> None:
+    """Hide the panels that float: they do not go with their window."""
+    for dock in docks.values():
+        if dock.isFloating():
+            dock.hide()
+
+
 def _dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:
     dock = QDockWidget(say(title), window)
     dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")

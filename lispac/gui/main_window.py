@@ -360,4 +360,5 @@ class MainWindow(QMainWindow):
         self.runner.close()
         self.safekeeping.stop()
         self.viewport.close()
+        docks.hide_floating(self.docks)
         self.hide()

@@ -12,6 +12,7 @@ from lispac.gui.language import say
 from lispac.gui.panels.patch_angles import WORDS
 from lispac.gui.panels.patch_test import EMPTY, NO_DATA, PatchTestPanel
 from lispac.gui.patch_objects import PatchObjects
+from lispac.gui.tasks import Task
 from lispac.gui.viewport.base import Array, Colour, Sketch
 from lispac.gui.viewport.clipping import EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
@@ -56,6 +57,7 @@ class Patching(QObject):
         self._answer: PatchTest | None = None
         self._survey: Survey | None = None
         self._dense: Sample | None = None
+        self._taking: Task | None = None
         self._live: Mismatch | None = None
         self._angle = 0
         self._curve_at: Array | None = None
@@ -76,7 +78,7 @@ class Patching(QObject):
         panel.curve.chosen.connect(self._choose)
         self._document.survey_changed.connect(self._begin)
         self._runner.changed.connect(self._enable)
-        self._runner.idle.connect(lambda: self._stale and self._rest.start())
+        self._runner.idle.connect(self._when_idle)
         adding = PatchObjects(window, self.panel, lambda: self._laid)
         adding.laid.connect(self._take)
         self._begin()
@@ -127,14 +129,34 @@ class Patching(QObject):
         self._draw(Sketch(tuple((float(x), float(y), float(z)) for x, y, z in corners), EDGES,
                           COLOUR, label=each.name, at=tuple(each.box.centre.tolist())))  # fmt: skip
         one = self._laid.sample.of_objects([each.name])
-        if self._dense is None or self._dense.seen[0].object is not each:
-            shown = placed_at(self._laid, survey)
-            self._dense = Sample.of([each], shown, survey.scans, most=DENSE)
         self._live = Mismatch(one, Laid((each,), self._laid.boresight, one).blocks(
             [each.name], self._pairs()))  # fmt: skip
         self._curve_at = None
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
+        if self._dense is None or self._dense.seen[0].object is not each:
+            self._dense = None
+            self._take_dense(each, self._laid, survey)
         self._follow()
+
+    def _take_dense(self, each: PatchObject, laid: Laid, survey: Survey) -> None:
+        """Take the points that are drawn; until they are there the picture stays as it is."""
+
+        def work(_progress: Progress) -> Sample:
+            return Sample.of([each], placed_at(laid, survey), survey.scans, most=DENSE)
+
+        def done(dense: Sample) -> None:
+            if self._object(self.panel.shown) is each:
+                self._dense = dense
+                self._follow()
+
+        title = f"Taking the points of {each.name}"
+        self._taking = self._runner.run(title, work, done, quiet=True, key="patching")
+
+    def _when_idle(self) -> None:
+        if self._dense is None and self._taking is not None and self._taking.gave_way:
+            self._show_object()
+        if self._stale:
+            self._rest.start()
 
     def _turned(self, angle: int) -> None:
         self._angle = angle

@@ -78,8 +78,9 @@ def collect_all() -> None:
     """Collect what went with a window, though it was there when modules came."""
     if Tidying.with_windows:
         gc.unfreeze()
-        Tidying.left_alone, Tidying.with_windows = 0, False  # until all is looked at next
     gc.collect()
+    if Tidying.with_windows:
+        gc.freeze()
 
 
 class GivingBack:

@@ -37,7 +37,7 @@ def places(path: Path) -> Iterator[Array]:
         Where the file is missing, empty or cut short, a number of points does not fit, or a row
         is not of numbers.
     """
-    rows = (
+    rows: Iterator[Row] = (
         (row, text) for row, line in lines_of(path, "PTS")
         if (text := line.strip()) and not text.startswith(REMARKS)
     )  # fmt: skip

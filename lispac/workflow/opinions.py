@@ -98,7 +98,8 @@ def ask_missing(
 
     Those that have been asked before are not asked again.
     """
-    found, refused, wanted = project, {}, missing(project)
+    found, wanted = project, missing(project)
+    refused: dict[str, str] = {}
     for k, method in enumerate(wanted):
         step = part(progress, k / len(wanted), (k + 1) / len(wanted))
         try:

@@ -209,6 +209,8 @@ def test_panels_that_float_come_back_after_the_window(
     assert french.docks["Log"].isFloating()
     assert french.docks["Log"].isVisible()
     assert shown.names[-2:] == ["main_window", "dock_log"]
+    french.retire()
+    assert [each for each in QApplication.topLevelWidgets() if each.isVisible()] == []
 
 
 def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(

@@ -1897,6 +1897,10 @@
         <translation>Évaluation de {name}</translation>
     </message>
     <message>
+        <source>Taking the points of {name:kept}</source>
+        <translation>Extraction des points de {name}</translation>
+    </message>
+    <message>
         <source>Draw around points to add to {what}</source>
         <translation>Entourez les points à ajouter à {what}</translation>
     </message>
