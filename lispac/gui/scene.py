@@ -41,7 +41,6 @@ class Scene(QObject):
         self.candidate: Target | None = None
         self.selected: tuple[str, str] | None = None
         self.colouring: Colouring = "line"
-        self._fit_next = True
         self._drawn: Mapping[str, Cloud] = {}
         self._residuals: Mapping[tuple[str, str], NDArray[np.uint8]] = {}
         self._reach: float | None = None
@@ -179,7 +178,6 @@ class Scene(QObject):
         self.candidate = self.selected = None
         self._viewport.clear()  # nothing of it is drawn once more on the way to another
         self._drawn = {}
-        self._fit_next = True
 
     def _reload(self) -> None:
         self._estimated = None
@@ -208,6 +206,11 @@ class Scene(QObject):
         self._draw_targets()
 
     @property
+    def awaits_lines(self) -> bool:
+        """Whether lines are drawn in one of the next turns; `drawn` follows."""
+        return self._lines_due.isActive()
+
+    @property
     def is_drawn(self) -> bool:
         """Whether nothing is to be drawn in the next turns."""
         return not (self._lines_due.isActive() or self._targets_due.isActive())
@@ -223,9 +226,6 @@ class Scene(QObject):
         self._lines_due.stop()
         if self._document.survey is not None:
             self._draw_clouds()
-            if self._fit_next:
-                self._viewport.fit()
-                self._fit_next = False
         self._draw_targets()
 
     def _draw_clouds(self) -> None:

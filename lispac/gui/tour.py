@@ -105,10 +105,13 @@ class Tour(QObject):
         self._window, self._card = window, card
         self._at: int | None = None
         self._starting = False
+        self._place: str | None = None
+        """What is to be brought into view once the lines are drawn."""
         card.ended.connect(self.end)
         window.document.opened.connect(self._opened)
         window.document.changed.connect(self._follow)
         window.controller.candidate_changed.connect(self._follow)
+        window.scene.drawn.connect(self._look)
 
     @property
     def on(self) -> bool:
@@ -132,7 +135,7 @@ class Tour(QObject):
 
     def end(self) -> None:
         """Leave the user alone."""
-        self._at = None
+        self._at = self._place = None
         self._card.hide()
 
     def _opened(self) -> None:
@@ -159,9 +162,14 @@ class Tour(QObject):
         if at != self._at:
             self._at = at
             self._card.show_step(at, STEPS[at].text)
-            self._look(STEPS[at].place)
+            self._place = STEPS[at].place
+            if not self._window.scene.awaits_lines:
+                self._look()
 
-    def _look(self, place: str) -> None:
+    def _look(self) -> None:
+        place, self._place = self._place, None
+        if place is None:
+            return
         if place:
             centre = np.array(demo_seeds()[place][1])
             corners = centre + AROUND * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
