@@ -21,6 +21,9 @@ NO_PLAN = 2 * BY_EYE
 """Number of a plan whose boards hang over each other, whose lines come too near the wall, or whose
 targets all face one way, which the adjustment refuses: worse than any."""
 
+DIGITS = 9
+"""Of the number of a plan: plans that mirror each other are equal, whichever processor rounds."""
+
 
 def faces_one_way(plan: Plan) -> bool:
     """Whether all targets are planes that face one way: the adjustment would refuse them."""
@@ -82,12 +85,12 @@ class Space:
         return self.site.plan(boards, [self.lines[k] for k in choice.lines])
 
     def value(self, choice: Choice) -> float:
-        """The objective's number of a choice, radians."""
+        """The objective's number of a choice, radians, to `DIGITS` digits."""
         plan = self.plan(choice)
         boards = [target for target in plan.targets if isinstance(target, Board)]
         if not apart(boards) or faces_one_way(plan) or not self.site.keeps_off(plan):
             return NO_PLAN
-        return self.objective.of(plan)
+        return float(f"{self.objective.of(plan):.{DIGITS}g}")
 
     @cached_property
     def widths(self) -> tuple[int, ...]:

@@ -1,8 +1,8 @@
 """The best site: which boards to hang where, and which lines to sail past them.
 
 Where the plans are few, all are looked at, and the best is the best. Where they are many,
-differential evolution (Storn and Price 1997, as scipy has it) searches among them, and what it
-finds is improved by exchanging one board or line at a time for any other that is allowed
+differential evolution (Storn and Price 1997, as scipy has it) searches among them, and the best
+that it finds are improved by exchanging one board or line at a time for any other that is allowed
 (coordinate exchange: Meyer and Nachtsheim 1995), until no exchange helps.
 """
 
@@ -30,6 +30,9 @@ EXACTLY = 20_000
 
 POPULATION = 8
 """Plans a generation for each choice that is open."""
+
+IMPROVED = 2
+"""Plans of the last generation that are improved: each leads to the best one near it."""
 
 HARDLY = 1e-3
 """Relative gain that is worth an exchange."""
@@ -125,7 +128,8 @@ def search(
     if exact:
         chosen = _enumerated(space, counted)
     else:
-        chosen = _exchanged(space, _evolved(space, counted, plans, seed, start), counted)
+        evolved = _evolved(space, counted, plans, seed, start)
+        chosen = min((_exchanged(space, each, counted) for each in evolved), key=space.value)
     plan = space.plan(chosen)
     prediction = predict(plan)
     if not prediction.determined or space.value(chosen) >= NO_PLAN:
@@ -202,7 +206,10 @@ class _OfGenes:
         return self.space.value(self.space.choice(genes))
 
 
-def _evolved(space: Space, mapper: Mapper, plans: int, seed: int, start: Plan | None) -> Choice:
+def _evolved(
+    space: Space, mapper: Mapper, plans: int, seed: int, start: Plan | None
+) -> list[Choice]:
+    """The best of the last generation, no two alike."""
     from scipy.optimize import differential_evolution
 
     known = None if start is None else space.nearest(start)
@@ -221,7 +228,9 @@ def _evolved(space: Space, mapper: Mapper, plans: int, seed: int, start: Plan | 
         workers=mapper,
         tol=0.0,
     )
-    return space.choice(result.x)
+    best_first = np.argsort(result.population_energies, kind="stable")
+    choices = dict.fromkeys(space.choice(result.population[k]) for k in best_first)
+    return list(choices)[:IMPROVED]
 
 
 def _exchanged(space: Space, choice: Choice, mapper: Mapper) -> Choice:
