@@ -97,20 +97,28 @@ class ImportDialog(QDialog):
         outer.setContentsMargins(14, 12, 14, 12)
         self.empty = EmptyState()
         self._stack = QStackedLayout()
-        self._stack.addWidget(self.empty)
-        self._stack.addWidget(self._filled())
         outer.addLayout(self._stack, 1)
+        self._stack.addWidget(self.empty)
+        # From the outside in: with each new parent Qt looks up the style of all that is inside
+        filled = QWidget(self)
+        self._stack.addWidget(filled)
+        self._fill(filled)
         outer.addLayout(self._bottom())
 
-    def _filled(self) -> QWidget:
-        filled = QWidget()
+    def _fill(self, filled: QWidget) -> None:
         layout = QVBoxLayout(filled)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(theme.SPACE)
         layout.addLayout(self._bar())
+        self._split = split = QSplitter(Qt.Orientation.Vertical, filled)
+        layout.addWidget(split, 1)
+        split.setChildrenCollapsible(False)
         self.table = FileTable()
         self.tabs = QTabWidget()
         self.tabs.setObjectName("import_tabs")
+        split.addWidget(self.table)
+        split.addWidget(self.tabs)
+        split.setStretchFactor(1, 1)
         self.file_page, self.timeline = FilePage(), TimelinePage()
         self.quality, self.mounting = QualityPage(), MountingPage(library(self._settings.sensors))
         self.mounting.sensors.choose(*self._settings.usual_sensors)
@@ -118,14 +126,6 @@ class ImportDialog(QDialog):
         self.tabs.addTab(self.timeline, say("Timeline"))
         self.tabs.addTab(self.quality, say("Trajectory quality"))
         self.tabs.addTab(self.mounting, say("Mounting and accuracies"))
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.setChildrenCollapsible(False)
-        split.addWidget(self.table)
-        split.addWidget(self.tabs)
-        split.setStretchFactor(1, 1)
-        self._split = split
-        layout.addWidget(split, 1)
-        return filled
 
     def _bar(self) -> QHBoxLayout:
         row = QHBoxLayout()
