@@ -129,7 +129,7 @@ def test_a_worker_killed_from_outside_loses_no_result(
     cluster: distributed.LocalCluster,
 ) -> None:
     """In the middle of a campaign, by the operating system."""
-    here = surveyed(SMALL, 40)
+    here = surveyed(SMALL, 20)
     killed: list[int] = []
     with (
         distributed.Client(cluster.scheduler_address, set_as_default=False) as client,
@@ -142,7 +142,7 @@ def test_a_worker_killed_from_outside_loses_no_result(
                 killed.append(workers[0])
                 os.kill(workers[0], signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
 
-        assert same(surveyed(SMALL, 40, mapper=mapper, progress=kill), here)
+        assert same(surveyed(SMALL, 20, mapper=mapper, progress=kill), here)
         client.wait_for_workers(2, timeout=30)
         assert workers[0] not in client.run(os.getpid).values()
 

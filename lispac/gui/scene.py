@@ -19,6 +19,9 @@ from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
 
 Which = Literal["prior", "estimated"]
+Residuals = Mapping[tuple[str, str], NDArray[np.uint8]]
+"""Colours of the points of a sighting, by target and line."""
+Shaded = tuple[Shading | None, Residuals]
 
 
 class Scene(QObject):
@@ -42,8 +45,10 @@ class Scene(QObject):
         self.selected: tuple[str, str] | None = None
         self.colouring: Colouring = "line"
         self._drawn: Mapping[str, Cloud] = {}
-        self._residuals: Mapping[tuple[str, str], NDArray[np.uint8]] = {}
+        self._residuals: Residuals = {}
         self._reach: float | None = None
+        self._shaded: Shaded | None = None
+        """Colours that wait to be drawn."""
         # Once for all that changes in one: a new project has enough to show.
         self._lines_due = Turn(self._put_lines, self)
         self._targets_due = Turn(self._put_targets, self)
@@ -107,10 +112,10 @@ class Scene(QObject):
         ValueError
             Where a line has nothing to colour by; nothing changes then.
         """
-        self._shades(colouring)
+        shaded = self._shades(colouring)
         self.colouring = colouring
         if self._document.survey is not None:
-            self._draw_clouds()
+            self._draw_clouds(shaded)
             self._draw_targets()
 
     def keep_estimated(self, result: object, clouds: Mapping[str, Cloud]) -> None:
@@ -189,7 +194,7 @@ class Scene(QObject):
         else:
             # Standard views look from the water, where the vessel was while it scanned.
             self._viewport.set_station(_vessel(survey))
-        self._lines_due.start()
+        self._draw_lines()
         self.which_changed.emit(self.which)
 
     def _project_changed(self) -> None:
@@ -202,7 +207,7 @@ class Scene(QObject):
                 self.which_changed.emit(self.which)
         stale = self.colouring == "residual" and not self._document.awaits_result
         if stale or self.clouds is not self._drawn:
-            self._lines_due.start()
+            self._draw_lines()
         self._draw_targets()
 
     @property
@@ -217,30 +222,41 @@ class Scene(QObject):
 
     def draw_due(self) -> None:
         """Draw now what would be drawn in the next turns."""
-        if self._lines_due.isActive():
+        while self._lines_due.isActive():
             self._put_lines()
         if self._targets_due.isActive():
             self._put_targets()
 
+    def _draw_lines(self) -> None:
+        self._shaded = None
+        self._lines_due.start()
+
     def _put_lines(self) -> None:
         self._lines_due.stop()
         if self._document.survey is not None:
-            self._draw_clouds()
+            if self.colouring != "line" and self._shaded is None:
+                self._shaded = self._shades_of_any()  # in a turn of its own
+                self._lines_due.start()
+                return
+            self._draw_clouds(self._shaded)
         self._draw_targets()
 
-    def _draw_clouds(self) -> None:
+    def _draw_clouds(self, shaded: Shaded | None = None) -> None:
         clouds = self._drawn = self.clouds
         samples = {name: cloud.sample for name, cloud in clouds.items()}
-        try:
-            shaded, self._residuals = self._shades(self.colouring)
-        except ValueError:  # another survey, without intensities or a result
-            self.colouring, shaded, self._residuals = "line", None, {}
-        self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shaded)
+        shading, self._residuals = shaded or self._shades_of_any()
+        self._shaded = None
+        self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shading)
         self.drawn.emit()
 
-    def _shades(
-        self, colouring: Colouring
-    ) -> tuple[Shading | None, Mapping[tuple[str, str], NDArray[np.uint8]]]:
+    def _shades_of_any(self) -> Shaded:
+        try:
+            return self._shades(self.colouring)
+        except ValueError:  # another survey, without intensities or a result
+            self.colouring = "line"
+            return None, {}
+
+    def _shades(self, colouring: Colouring) -> Shaded:
         """Colours of the lines' points, and of the sightings' where these have their own."""
         if colouring != "residual":
             return shading(colouring, self.clouds), {}

@@ -104,8 +104,7 @@ class DesignWindow(QMainWindow):
         self.workspace, self._make_viewport = workspace, make_viewport
         self.view3d: View3D | None = None
         self.actions_ = {name: self._action(name) for name in ACTIONS}
-        with theme.undressed():
-            self._build()
+        self._build()
         workspace.changed.connect(self._show)
         workspace.refused.connect(self.note)
         for name, slot in {
@@ -125,42 +124,45 @@ class DesignWindow(QMainWindow):
         return QSize(1480, 920)
 
     def _build(self) -> None:
+        # From the outside in: with each new parent Qt looks up the style of all that is inside
+        both = QSplitter(Qt.Orientation.Horizontal)
+        self.setCentralWidget(both)
+        left, above = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
+        both.addWidget(left)
+        left.addWidget(above)
         work = self.workspace
         self.plan_view, self.wall_view = PlanView(work), WallView(work)
-        self.lines, self.targets = LinesList(work), TargetsList(work)
-        self.system, self.search = SystemPanel(work), SearchPanel(work)
-        self.results, self.pictures = ResultsPanel(work), PicturesPanel()
-        self.surveys = SurveysPanel()
-        self.compared = AnglesTable("design_compared", COMPARE)
-        self.views = _tabs("design_views", (("Wall from the water", self.wall_view),))
-        self._stage = QWidget()
-        QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
-        self.views.addTab(self._stage, say("3D"))
-        self.views.addTab(self.pictures, say("Figures"))
-        self.views.currentChanged.connect(self._view_chosen)
-        above = QSplitter(Qt.Orientation.Horizontal)
         above.addWidget(_titled("From above", self.plan_view))
+        self.views = _tabs("design_views")
         above.addWidget(self.views)
         above.setSizes([500, 500])
-        self.tabs = _tabs("design_tabs", (
-            ("Lines", self.lines), ("Targets", self.targets), ("POS and scanner", self.system),
-            ("Find the best plan", self.search), ("Simulate surveys", self.surveys),
-            ("Compare", _scrolled(self.compared)),
+        self._stage, self.pictures = QWidget(), PicturesPanel()
+        QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
+        _fill(self.views, (
+            ("Wall from the water", self.wall_view), ("3D", self._stage),
+            ("Figures", self.pictures),
         ))  # fmt: skip
-        left = QSplitter(Qt.Orientation.Vertical)
-        left.addWidget(above)
+        self.views.currentChanged.connect(self._view_chosen)
+        self.tabs = _tabs("design_tabs")
         left.addWidget(self.tabs)
         left.setStretchFactor(0, 3)
         left.setStretchFactor(1, 2)
         left.setSizes([520, 330])
-        both = QSplitter(Qt.Orientation.Horizontal)
-        both.addWidget(left)
+        self.lines, self.targets = LinesList(work), TargetsList(work)
+        self.system, self.search = SystemPanel(work), SearchPanel(work)
+        self.surveys = SurveysPanel()
+        self.compared = AnglesTable("design_compared", COMPARE)
+        _fill(self.tabs, (
+            ("Lines", self.lines), ("Targets", self.targets), ("POS and scanner", self.system),
+            ("Find the best plan", self.search), ("Simulate surveys", self.surveys),
+            ("Compare", _scrolled(self.compared)),
+        ))  # fmt: skip
+        self.results = ResultsPanel(work)
         both.addWidget(self.results)
         both.setStretchFactor(0, 1)
         both.setSizes([1100, 360])
         for splitter in (above, left, both):
             splitter.setChildrenCollapsible(False)
-        self.setCentralWidget(both)
         self.task_bar = TaskBar()
         self.mistake = widgets.label("", "error", name="design_mistake")
         self.task_bar.addWidget(self.mistake, 1)
@@ -284,13 +286,16 @@ class DesignWindow(QMainWindow):
         event.accept()
 
 
-def _tabs(name: str, pages: Sequence[tuple[str, QWidget]]) -> QTabWidget:
+def _tabs(name: str) -> QTabWidget:
     tabs = QTabWidget()
     tabs.setObjectName(name)
     tabs.setDocumentMode(True)
+    return tabs
+
+
+def _fill(tabs: QTabWidget, pages: Sequence[tuple[str, QWidget]]) -> None:
     for title, page in pages:
         tabs.addTab(page, say(title))
-    return tabs
 
 
 def _scrolled(page: QWidget) -> QScrollArea:
@@ -303,4 +308,6 @@ def _scrolled(page: QWidget) -> QScrollArea:
 
 def _titled(title: str, view: QWidget) -> QTabWidget:
     """One page with a tab of its own, so that it stands level with its neighbours."""
-    return _tabs(f"{view.objectName()}_tab", ((title, view),))
+    tabs = _tabs(f"{view.objectName()}_tab")
+    _fill(tabs, ((title, view),))
+    return tabs

@@ -3,7 +3,7 @@
 Knows no 3D library but by the functions of `actors`.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -125,29 +125,39 @@ class Layer:
         for actor in actors:
             self._renderer.AddActor(actor)
 
-    def refine(self, camera: Camera, size: Size, budget: int) -> bool:
-        """Draw the points in view with rims, so many in all; whether they were others so far."""
+    def refining(self, camera: Camera, size: Size, budget: int) -> Iterator[None]:
+        """Draw the points in view with rims, so many in all.
+
+        Works from step to step, a line in each, and changes what is drawn in the last.
+        """
         if self._fine_of is not None and self._fine_of[0] is camera and self._fine_of[1] == budget:
-            return False
-        self._remove_fine()
-        self._fine_of = camera, budget
-        found = {line: in_view(points, camera, size) for line, points in self.seen.items()}
+            return
+        found = {}
+        for line, points in self.seen.items():
+            found[line] = in_view(points, camera, size)
+            yield
         share = shares({line: len(indices) for line, indices in found.items()}, budget)
         shaded = self.shading is not None
+        detail: dict[str, Array] = {}
+        fine: list[Any] = []
+        rims: list[Any] = []
         for line, indices in found.items():
             if share[line] < len(indices):
                 indices = indices[foremost(self._places(line)[indices], share[line])]
             chosen = indices
-            self.detail[line] = self.seen[line].take(chosen, axis=0)
-            data = point_data(self.detail[line] - self.origin, self._shades(line, chosen))
-            self._fine.append(point_actor(data, self.colours[line], shaded=shaded))
+            detail[line] = self.seen[line].take(chosen, axis=0)
+            data = point_data(detail[line] - self.origin, self._shades(line, chosen))
+            fine.append(point_actor(data, self.colours[line], shaded=shaded))
             # The same points larger, darker and a little behind: they draw an edge where something
             # near stands before something far, and vanish inside a surface.
-            self._rims.append(point_actor(data, EDGE if shaded else dark(self.colours[line])))
-        confine([*self._fine, *self._rims], self.half)
-        for actor in (*self._fine, *self._rims):
+            rims.append(point_actor(data, EDGE if shaded else dark(self.colours[line])))
+            yield
+        self._remove_fine()
+        self._fine_of = camera, budget
+        self.detail, self._fine, self._rims = detail, fine, rims
+        confine([*fine, *rims], self.half)
+        for actor in (*fine, *rims):
             self._renderer.AddActor(actor)
-        return True
 
     def show_detail(self, *, fine: bool, coarse: int | None) -> None:
         """Show the detail where the camera rested, slices of the coarse points, or both.

@@ -5,7 +5,7 @@ requests, and paints in its own time.
 """
 
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 from PySide6.QtGui import QImage, QPainter
@@ -38,6 +38,9 @@ from lispac.gui.viewport.sketching import Sketching
 
 REST_MS = 180
 """Stillness after which the detail is drawn."""
+
+STEP_S = 0.04
+"""Longer than this, the detail is not sought without keys and the mouse being heard."""
 
 QUICK_S = 0.03
 """A rendering of all the detail in less than this is shown while the camera moves, too."""
@@ -81,7 +84,9 @@ class VtkViewport:
             self.canvas.ren_win.AddObserver(event, slot)
             for event, slot in (("StartEvent", self._on_frame), ("EndEvent", self._on_framed))
         ]
-        self._rest = Turn(lambda: self._show_detail(self._pace.resting), self._stage, REST_MS)
+        self._rest = Turn(self._seek_detail, self._stage, REST_MS)
+        self._steps: Iterator[None] = iter(())
+        self._step = Turn(self._go_on, self._stage)
         self._stage.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
         self._navigator.moved.connect(self._on_moved)
@@ -269,6 +274,7 @@ class VtkViewport:
         for observer in self._observers:
             self.canvas.ren_win.RemoveObserver(observer)
         self._rest.stop()
+        self._step.stop()
         self._sketching.clear()
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
@@ -286,6 +292,7 @@ class VtkViewport:
             layer.show_detail(fine=False, coarse=self._pace.slice)
         self._navigator.clouds, self._navigator.coarse = self._layer.seen, self._layer.sparse
         self._detailed = False
+        self._step.stop()
         self._style_points()
         self._rest.start()
 
@@ -325,17 +332,39 @@ class VtkViewport:
             self._pace.took("moving", drawn, took, whole)
 
     def _show_detail(self, points: int) -> None:
+        """Show so many points now."""
         self._rest.stop()
-        budget = points // len(self._layers)
-        size = self._navigator.size
-        if any([layer.refine(self.camera, size, budget) for layer in self._layers]):
-            self._style_points()
+        self._step.stop()
+        for _ in self._refining(points):
+            pass
+        self._put_detail()
+
+    def _seek_detail(self) -> None:
+        """Show the detail after some turns of the event loop, where the view rests until then."""
+        self._steps = self._refining(self._pace.resting)
+        self._go_on()
+
+    def _go_on(self) -> None:
+        end = time.perf_counter() + STEP_S
+        for _ in self._steps:
+            if time.perf_counter() > end:
+                self._step.start()
+                return
+        self._put_detail()
+
+    def _refining(self, points: int) -> Iterator[None]:
+        camera, size, budget = self.camera, self._navigator.size, points // len(self._layers)
+        for layer in self._layers:
+            yield from layer.refining(camera, size, budget)
+
+    def _put_detail(self) -> None:
         self._detailed = True
         for layer in self._layers:
             layer.show_detail(fine=True, coarse=None)
-        self._update()
+        self._style_points()
 
     def _on_moved(self) -> None:
+        self._step.stop()
         if self._detail_s > QUICK_S:
             self._detailed = False
         for layer in self._layers:
