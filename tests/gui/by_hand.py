@@ -115,7 +115,7 @@ def _told(dialog: QWidget) -> str:
 
 def _reject(dialog: QWidget) -> None:
     if isinstance(dialog, QDialog):
-        dialog.reject()
+        dialog.done(QDialog.DialogCode.Rejected)
     else:
         dialog.close()
 

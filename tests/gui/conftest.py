@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
@@ -137,7 +137,7 @@ def dialog(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[ImportD
     made.activateWindow()
     qtbot.waitUntil(made.isActiveWindow, timeout=WAIT_MS)
     yield made
-    made.close()
+    made.done(QDialog.DialogCode.Rejected)
     made.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     QCoreApplication.processEvents()

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
     QComboBox,
+    QDialog,
     QDockWidget,
     QFileDialog,
     QFormLayout,
@@ -114,7 +115,7 @@ class Reader(QObject):
             error.add_note(f"at line {self.at.line} of the page: {self.at.kind} {self.at.text!r}")
         self.error, self.done = error, True
         while (dialog := QApplication.activeModalWidget()) is not None:
-            dialog.close()
+            dialog.done(0) if isinstance(dialog, QDialog) else dialog.close()
 
     def _through(self, steps: list[Step]) -> Iterator[Act | None]:
         for step in steps:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox, QPushButton
 
 from lispac.errors import InputError, ProjectError
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
@@ -128,7 +128,7 @@ def test_what_cannot_be_added_is_said_in_the_dialogue(
     def drive(dialog: AddLinesDialog) -> None:
         told.append(dialog.reason.text())
         assert not dialog.ok.isEnabled()
-        dialog.reject()
+        short.bot.mouseClick(dialog.buttons.button(QDialogButtonBox.StandardButton.Cancel), Left)
 
     Real(short, "Add to harbour", drive)
     drop(short.window, [shorter.lines[0].path])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.import_files.dialog import QUALITY, ImportDialog
@@ -19,6 +19,37 @@ from tests.gui.import_support import drop, raw
 from tests.gui.support import WAIT_MS, Demo, Driver, Left
 
 Tab = Qt.Key.Key_Tab
+
+# -- leaving ---------------------------------------------------------------------------------------
+
+
+def test_escape_leaves_no_files_unasked(filled: ImportDialog, qtbot: QtBot) -> None:
+    rows = filled.table.rowCount()
+    assert rows > 1
+    for name in (None, "Stay here", "Leave"):
+        asked: list[str] = []
+
+        def answer(name: str | None = name, asked: list[str] = asked) -> None:
+            box = QApplication.activeModalWidget()
+            assert isinstance(box, QMessageBox)
+            asked.append(box.text())
+            if name is None:
+                QTest.keyClick(box, Qt.Key.Key_Escape)
+            else:
+                qtbot.mouseClick(next(b for b in box.buttons() if b.text() == name), Left)
+
+        QTimer.singleShot(100, answer)
+        QTest.keyClick(filled, Qt.Key.Key_Escape)
+        assert asked == ["Leave without these files?"]
+        assert filled.isVisible() == (name != "Leave")
+        assert filled.table.rowCount() == rows
+    assert filled.result() == QDialog.DialogCode.Rejected
+
+
+def test_escape_leaves_an_empty_dialogue_at_once(dialog: ImportDialog) -> None:
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    assert not dialog.isVisible()
+
 
 # -- quality ---------------------------------------------------------------------------------------
 

@@ -157,6 +157,21 @@ class Questions:
         return self._asked(box, anyway, default=box.button(QMessageBox.StandardButton.Cancel))
 
     @staticmethod
+    def leave(dialog: QWidget) -> bool:
+        """Whether a dialogue in which files were put is to be left without them."""
+        box = QMessageBox(
+            QMessageBox.Icon.Question, "LISPAC", say("Leave without these files?"), parent=dialog
+        )
+        box.setObjectName("leave_dialog")
+        box.setInformativeText(
+            say("What was set for them here is forgotten. The files themselves stay as they are.")
+        )
+        stay = box.addButton(say("Stay here"), QMessageBox.ButtonRole.RejectRole)
+        leave = box.addButton(say("Leave"), QMessageBox.ButtonRole.DestructiveRole)
+        box.setEscapeButton(stay)
+        return Questions._asked(box, leave, default=stay)
+
+    @staticmethod
     def _asked(box: QMessageBox, yes: QPushButton, default: QPushButton | None = None) -> bool:
         box.setDefaultButton(default or yes)
         box.exec()

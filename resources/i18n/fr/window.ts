@@ -290,6 +290,22 @@
         <translation>Le fermer ici</translation>
     </message>
     <message>
+        <source>Leave without these files?</source>
+        <translation>Quitter sans ces fichiers ?</translation>
+    </message>
+    <message>
+        <source>What was set for them here is forgotten. The files themselves stay as they are.</source>
+        <translation>Ce qui a été réglé ici pour eux est oublié. Les fichiers eux-mêmes restent tels quels.</translation>
+    </message>
+    <message>
+        <source>Stay here</source>
+        <translation>Rester ici</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
         <source>Open it all the same</source>
         <translation>L&apos;ouvrir quand même</translation>
     </message>

@@ -31,6 +31,7 @@ from lispac.gui.dialogs.import_files.mounting_page import MountingPage
 from lispac.gui.dialogs.import_files.quality_page import QualityPage
 from lispac.gui.dialogs.import_files.timeline_page import TimelinePage
 from lispac.gui.dialogs.import_files.work import Work
+from lispac.gui.dialogs.questions import Questions
 from lispac.gui.drops import FileDrops
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
@@ -229,7 +230,7 @@ class ImportDialog(QDialog):
         self.folder.textEdited.connect(self._folder_typed)
         self.browse.clicked.connect(self._ask_project_folder)
         self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
+        self.buttons.rejected.connect(self._drop)
 
     # -- what is shown -----------------------------------------------------------------------
 
@@ -324,7 +325,7 @@ class ImportDialog(QDialog):
 
     def _open_instead(self, project: Path) -> None:
         self.project = project
-        self.reject()
+        self._drop()
 
     def _failed(self, error: BaseException) -> None:
         """A folder that cannot be listed: the one thing that has no row to stand in."""
@@ -344,6 +345,14 @@ class ImportDialog(QDialog):
                 focused.click()
             return
         super().keyPressEvent(event)
+
+    def reject(self) -> None:
+        """On Escape, or where the window is closed: what was put in is not lost unasked."""
+        if all(entry.given is not None for entry in self.intake.entries) or Questions.leave(self):
+            self._drop()
+
+    def _drop(self) -> None:
+        self.done(QDialog.DialogCode.Rejected)
 
     def done(self, result: int) -> None:
         """Stop the worker, and remember columns where the project is made."""
