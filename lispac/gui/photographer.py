@@ -42,19 +42,23 @@ class Photographer(QObject):
     def take(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
         """Take both pictures, by caption; both states of the lines are at hand.
 
-        Showing and taking have a turn each, for all at once would hold up the window. An edit
-        meanwhile, or cancelling, ends it.
+        Showing, the detail and taking have a turn each, for all at once would hold up the window.
+        An edit meanwhile, or cancelling, ends it.
         """
         pictures: dict[str, QImage] = {}
 
-        def take(which: Which) -> None:
+        def prepare(which: Which) -> None:
             self._show(which)  # the user may have switched
             self._scene.draw_due()
+            self._viewport.prepare()
+
+        def take(which: Which) -> None:
+            prepare(which)  # which is nothing more where nothing has changed since
             with units.standard():
                 pictures[CAPTIONS[which]] = self._viewport.picture()
 
         steps: list[tuple[Callable[[Which], None], Which]] = [
-            (act, which) for which in CAPTIONS for act in (self._show, take)
+            (act, which) for which in CAPTIONS for act in (self._show, prepare, take)
         ]
 
         def step(_nothing: None) -> None:

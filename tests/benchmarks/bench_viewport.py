@@ -74,7 +74,7 @@ def test_frames(qtbot):
 
     def rested():
         mouse.rotated.emit(3.0, 0.0)
-        view._show_detail(view._pace.resting)
+        view._detailing.now(view._refining(view._pace.resting))
         view.canvas.grabFramebuffer()
 
     moved()

@@ -123,7 +123,7 @@ def report(folder: Path) -> None:
 
     def rested() -> None:
         viewport._navigator.mouse.rotated.emit(3.0, 0.0)
-        viewport._show_detail(viewport._pace.resting)
+        viewport._detailing.now(viewport._refining(viewport._pace.resting))
         viewport.canvas.grabFramebuffer()
 
     viewport.fit()

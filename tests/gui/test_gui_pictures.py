@@ -152,7 +152,7 @@ def test_arrows_and_pages_move_the_view(viewport) -> None:
     assert viewport.camera.distance == pytest.approx(0.85 * far, rel=0.3)
     assert viewport.camera.distance < far
     QTest.keyClick(canvas, Key.Key_PageDown)
-    assert viewport._rest.isActive(), "the detail follows"
+    assert viewport._detailing.is_due, "the detail follows"
 
 
 def test_control_and_arrows_move_the_line_between_before_and_after(viewport) -> None:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.panels.report import ReportPanel
 from lispac.gui.panels.widgets import Choice
+from lispac.gui.viewport.pace import Pace
 from lispac.identity import NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
@@ -337,7 +338,11 @@ def test_colours_mean_the_same_in_both_pictures(adjusted: Driver, tmp_path: Path
     assert float(own.high) < float(ends["prior"][1]) / 2
 
 
-def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(real: Driver, demo: Demo) -> None:
+def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(
+    real: Driver, demo: Demo, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # How many points fit into a picture is measured with each frame, and is another each time
+    monkeypatch.setattr(Pace, "picture", property(lambda _: 20_000))
     real.window.document.open(demo.project, demo.survey)
     real.rest()
     overlay = real.viewport.widget.overlay

@@ -238,6 +238,9 @@ class Viewport(Protocol):
     def set_point_budget(self, points: int) -> None:
         """Draw so many points at most while the view rests."""
 
+    def prepare(self) -> None:
+        """Show all the detail of a picture, which then only needs to be drawn."""
+
     def picture(self) -> QImage:
         """What is shown, with all its detail and what is written over it but the mouse's help."""
 

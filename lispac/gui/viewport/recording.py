@@ -184,6 +184,9 @@ class RecordingViewport:
         self._record("set_point_budget", points)
         self.point_budget = points
 
+    def prepare(self) -> None:
+        """There is no detail."""
+
     def picture(self) -> QImage:
         """Show the plain widget."""
         self._record("picture")

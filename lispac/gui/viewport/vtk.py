@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.geometry.neighbours import points_within
 from lispac.gui import theme
-from lispac.gui.turns import Turn
 from lispac.gui.viewport.actors import aim, half_space, place_half
 from lispac.gui.viewport.base import (
     Array,
@@ -29,18 +28,13 @@ from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.canvas import Canvas
 from lispac.gui.viewport.clipping import Box, right_of
 from lispac.gui.viewport.decimation import Budget
+from lispac.gui.viewport.detailing import Detailing
 from lispac.gui.viewport.highlighting import Highlighting
 from lispac.gui.viewport.layer import Layer, common_origin
 from lispac.gui.viewport.navigation import Navigator
 from lispac.gui.viewport.overlay import Stage
 from lispac.gui.viewport.pace import SLICES, Pace
 from lispac.gui.viewport.sketching import Sketching
-
-REST_MS = 180
-"""Stillness after which the detail is drawn."""
-
-STEP_S = 0.04
-"""Longer than this, the detail is not sought without keys and the mouse being heard."""
 
 QUICK_S = 0.03
 """A rendering of all the detail in less than this is shown while the camera moves, too."""
@@ -84,13 +78,13 @@ class VtkViewport:
             self.canvas.ren_win.AddObserver(event, slot)
             for event, slot in (("StartEvent", self._on_frame), ("EndEvent", self._on_framed))
         ]
-        self._rest = Turn(self._seek_detail, self._stage, REST_MS)
-        self._steps: Iterator[None] = iter(())
-        self._step = Turn(self._go_on, self._stage)
+        self._detailing = Detailing(
+            self._stage, lambda: self._refining(self._pace.resting), self._put_detail
+        )
         self._stage.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
         self._navigator.moved.connect(self._on_moved)
-        self._navigator.settled.connect(self._rest.start)
+        self._navigator.settled.connect(self._detailing.later)
         self._navigator.picked.connect(self.signals.seed_clicked)
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)
@@ -242,14 +236,18 @@ class VtkViewport:
             self._pace = Pace(budget)
             self._draw_clouds()
 
+    def prepare(self) -> None:
+        """Show all the detail of a picture, which then only needs to be drawn."""
+        self._detailing.now(self._refining(self._pace.picture))
+
     def picture(self) -> QImage:
         """What is shown, with all its detail and what is written over it but the mouse's help."""
-        self._show_detail(self._pace.picture)
+        self.prepare()
         image: QImage = self.canvas.grabFramebuffer()
         painter = QPainter(image)
         self._overlay.paint(painter)
         painter.end()
-        self._rest.start()  # with as many points as can be drawn again and again
+        self._detailing.later()  # with as many points as can be drawn again and again
         return image
 
     def clear(self) -> None:
@@ -273,8 +271,7 @@ class VtkViewport:
         self._closed = True
         for observer in self._observers:
             self.canvas.ren_win.RemoveObserver(observer)
-        self._rest.stop()
-        self._step.stop()
+        self._detailing.stop()
         self._sketching.clear()
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
@@ -292,9 +289,8 @@ class VtkViewport:
             layer.show_detail(fine=False, coarse=self._pace.slice)
         self._navigator.clouds, self._navigator.coarse = self._layer.seen, self._layer.sparse
         self._detailed = False
-        self._step.stop()
         self._style_points()
-        self._rest.start()
+        self._detailing.later()
 
     def _style_points(self) -> None:
         scale = self.canvas.devicePixelRatioF()
@@ -331,27 +327,6 @@ class VtkViewport:
             drawn = int(SLICES[self._pace.slice] * whole)
             self._pace.took("moving", drawn, took, whole)
 
-    def _show_detail(self, points: int) -> None:
-        """Show so many points now."""
-        self._rest.stop()
-        self._step.stop()
-        for _ in self._refining(points):
-            pass
-        self._put_detail()
-
-    def _seek_detail(self) -> None:
-        """Show the detail after some turns of the event loop, where the view rests until then."""
-        self._steps = self._refining(self._pace.resting)
-        self._go_on()
-
-    def _go_on(self) -> None:
-        end = time.perf_counter() + STEP_S
-        for _ in self._steps:
-            if time.perf_counter() > end:
-                self._step.start()
-                return
-        self._put_detail()
-
     def _refining(self, points: int) -> Iterator[None]:
         camera, size, budget = self.camera, self._navigator.size, points // len(self._layers)
         for layer in self._layers:
@@ -364,7 +339,7 @@ class VtkViewport:
         self._style_points()
 
     def _on_moved(self) -> None:
-        self._step.stop()
+        self._detailing.abandon()
         if self._detail_s > QUICK_S:
             self._detailed = False
         for layer in self._layers:
@@ -393,7 +368,7 @@ class VtkViewport:
     def _refine_later(self) -> None:
         """Show a coarse picture at once and the detail in a moment."""
         self._on_moved()
-        self._rest.start()
+        self._detailing.later()
 
 
 def _count(drawn: Iterable[Mapping[str, Array]]) -> int:
