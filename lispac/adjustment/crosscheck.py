@@ -38,20 +38,7 @@ def cross_checks(
         As it went into the adjustment of ``result``.
     """
     start = mounting.with_boresight(result.boresight)
-    # The parts are judged by what the whole has told of noise, surfaces and blunders: told anew
-    # from fewer sightings, they would differ by more than the answers do.
-    kept = np.array([s not in result.suspects for s in observations.sightings])
-    observations = observations.of_sightings(kept)
-    noise = {target.target: target.noise for target in result.targets}
-    factors = np.array([noise[target] for target in observations.targets])
-    owners = observations.target_of_sighting[observations.sighting]
-    observations = replace(
-        observations, sigma_lidar=observations.sigma_lidar * factors[owners][:, None]
-    )
-    if result.model.correlated:
-        surface, _, offset = np.maximum(result.surfaces, 1e-5 if result.model.surface != 0 else 0.0)
-        model = replace(result.model, surface=float(surface), offset=float(offset))
-        result = replace(result, model=model)
+    observations, result = as_judged(observations, result)
     result, parameters = _without_unseen(observations, start, result, parameters)
     parts = [*_left_out(observations), *_halves(observations)]
     found: list[CrossCheck] = []
@@ -65,6 +52,29 @@ def cross_checks(
         _jackknife([c.boresight for c in found if c.kind == "target"]),
         result.sigma,
     )
+
+
+def as_judged(
+    observations: Observations, result: AdjustmentResult
+) -> tuple[Observations, AdjustmentResult]:
+    """Points and model as the whole has judged them, for a part of them to be judged alike.
+
+    Told anew of noise, surfaces and blunders from fewer sightings, parts would differ by more than
+    the answers do.
+    """
+    kept = np.array([s not in result.suspects for s in observations.sightings])
+    observations = observations.of_sightings(kept)
+    noise = {target.target: target.noise for target in result.targets}
+    factors = np.array([noise[target] for target in observations.targets])
+    owners = observations.target_of_sighting[observations.sighting]
+    observations = replace(
+        observations, sigma_lidar=observations.sigma_lidar * factors[owners][:, None]
+    )
+    if result.model.correlated:
+        surface, _, offset = np.maximum(result.surfaces, 1e-5 if result.model.surface != 0 else 0.0)
+        model = replace(result.model, surface=float(surface), offset=float(offset))
+        result = replace(result, model=model)
+    return observations, result
 
 
 def _without_unseen(

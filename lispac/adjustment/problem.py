@@ -304,7 +304,11 @@ class Linearised:
 
     def without(self, sightings: NDArray[np.bool_]) -> Normal:
         """Normal equations as they would be without some sightings, shape (sightings,)."""
-        kept = self.sums * ~sightings[self.problem.groups.sighting][:, None, None]
+        return self.without_groups(sightings[self.problem.groups.sighting])
+
+    def without_groups(self, groups: NDArray[np.bool_]) -> Normal:
+        """Normal equations as they would be without some groups of points, shape (groups,)."""
+        kept = self.sums * ~groups[:, None, None]
         return self.problem.equations(self.state, kept, self.bases, self.departures)
 
     def of(self, problem: Problem) -> "Linearised":

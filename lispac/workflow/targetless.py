@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.components import FEWEST_LINES
 from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.scatter import with_scatter
 from lispac.adjustment.shown import listed
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
@@ -41,6 +42,8 @@ SURPRISE = 0.05
 """Chance that any line is named where nothing is wrong with one."""
 TOLD = 0.05
 """Share of its variance that the adjustment must tell of a POS error."""
+RAISED = 1.3
+"""Factor on a sigma beyond which it is told that it was raised."""
 DISAGREES = 0.3
 """Share of its sightings that do not agree by which a line is named."""
 
@@ -62,6 +65,8 @@ class Targetless:
         Lines that share no surface with the others, or do not agree with them as a whole.
     targets : int
         Of the project, adjusted with the scene.
+    raised : float
+        Largest factor on the sigma of an angle for what the model of errors does not foresee.
     """
 
     project: Project
@@ -70,6 +75,7 @@ class Targetless:
     candidates: int
     disagreeing: tuple[str, ...]
     targets: int = 0
+    raised: float = 1.0
 
     @property
     def result(self) -> AdjustmentResult:
@@ -92,6 +98,11 @@ class Targetless:
                 "Two lines alone: the sigmas do not hold. On two real surveys of this kind the "
                 "angles were off by 0.1 and 0.25 deg, several times what the sigmas said; add "
                 "lines in other directions."
+            )
+        if self.raised > RAISED:
+            found.append(
+                "Parts of the data differ by more than the model of errors foresees; the sigmas "
+                f"are raised for it, by up to {100 * (self.raised - 1):.0f} %."
             )
         if not self.settled:
             found.append(
@@ -177,10 +188,19 @@ def targetless(
         parameters=settings.parameters,
         components=settings.variance_components,
         accept_one_facing=settings.accept_one_facing,
-        progress=part(progress, 0.5, 1.0),
+        progress=part(progress, 0.5, 0.9),
     )
-    solved = replace(picked, result=replace(result, elapsed=perf_counter() - started))
-    return Targetless(solved, rounds, settled, found, disagreeing(result, survey.clouds), mixed)
+    told = with_scatter(
+        result,
+        observations.with_sigmas(*result.sigma_factors),
+        project.mounting("prior"),
+        settings.parameters,
+        progress=part(progress, 0.9, 1.0),
+    )
+    raised = float((told.sigma / result.sigma).max())
+    solved = replace(picked, result=replace(told, elapsed=perf_counter() - started))
+    named = disagreeing(result, survey.clouds)
+    return Targetless(solved, rounds, settled, found, named, mixed, raised)
 
 
 def _targets_alone(project: Project) -> Project:

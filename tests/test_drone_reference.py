@@ -1,0 +1,184 @@
+"""What the reference of the two drone surveys is worth, and what the scene alone says of them.
+
+The reference rests on labelled points. These lie within 4 to 5 cm of one plane a label through both
+lines; the surfaces go farther, up to 10 cm of cloth, grass and noise. So they were cut where the
+lines lay with a boresight that was known already, and what is cut there answers there.
+"""
+
+import json
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from scipy.spatial import KDTree
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.geometry.planes import fit_plane, in_plane_axes
+from lispac.project import LineSource, Settings
+from lispac.survey.cloud import placed_with
+from lispac.workflow.projects import create_project
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.targetless import Targetless, targetless
+
+Labels = dict[str, np.ndarray]
+NAMES = ("lanl_truck", "lanl_tent")
+WIDE = 0.15
+"""Metres off a label's plane within which all of its surface lies."""
+LEAST = 10
+"""Points of a label on each line."""
+
+
+class Drone(NamedTuple):
+    survey: Survey
+    found: Targetless
+    reference: np.ndarray  # degrees
+    labels: Labels
+    inside: list[Labels]  # of each label, the points of each line that lie in its outline
+
+
+@pytest.fixture(scope="module")
+def drone(shared_data: Path, tmp_path_factory: pytest.TempPathFactory):  # type: ignore[no-untyped-def]
+    @cache
+    def opened(name: str) -> Drone:
+        data = shared_data / name
+        site = json.loads((data / "site.json").read_text())
+        project = create_project(
+            tmp_path_factory.mktemp(name) / "p",
+            trajectory=data / "trajectory.sbet",
+            lines=[LineSource(path.stem, path) for path in sorted(data.glob("*.laz"))],
+            settings=Settings(
+                lever_arm=tuple(site["lever_arm_m"]),
+                origin_deg_m=tuple(site["origin_deg_m"]),
+                position_sigma=(0.02, 0.02, 0.02),
+                attitude_sigma_deg=(0.015, 0.015, 0.015),
+                lidar_sigma=0.02,
+            ),
+        )
+        survey = load_survey(project)
+        reference = json.loads((data / "reference.json").read_text())["boresight_deg"]
+        labels = {line: values for line, values in np.load(data / "labels.npz").items()}
+        placed = places(survey, np.array(reference))
+        inside = [
+            outlined(placed, {line: labels[line] == k for line in placed})
+            for k in range(int(labels["line1"].max()) + 1)
+            if min((labels[line] == k).sum() for line in placed) >= LEAST
+        ]
+        return Drone(survey, targetless(project, survey), np.array(reference), labels, inside)
+
+    return opened
+
+
+def places(survey: Survey, boresight_deg: np.ndarray) -> Labels:
+    """All points of each line placed with a boresight."""
+    one = next(iter(survey.clouds.values())).place.mounting
+    clouds = placed_with(survey.clouds, one.with_boresight(np.radians(boresight_deg)))
+    return {line: cloud[np.arange(len(survey.scans[line].time))] for line, cloud in clouds.items()}
+
+
+def outlined(placed: Labels, own: Labels) -> Labels:
+    """Numbers of the points that labelled ones surround within their plane, however far off it."""
+    labelled = np.concatenate([placed[line][own[line]] for line in placed])
+    plane = fit_plane(labelled)
+    axes = in_plane_axes(plane.normal).T
+    tree, found = KDTree(labelled @ axes), {}
+    for line, points in placed.items():
+        near = np.flatnonzero(np.abs(plane.distances(points)) < 2 * WIDE)
+        along = points[near] @ axes
+        around = np.zeros((len(near), 4), dtype=bool)
+        for i, beside in enumerate(tree.query_ball_point(along, 0.12)):
+            east, north = (tree.data[beside] > along[i]).T if beside else (np.zeros(0, int),) * 2
+            around[i, 2 * east.astype(int) + north.astype(int)] = True
+        found[line] = near[around.all(axis=1)]
+    return found
+
+
+def cut(drone: Drone, boresight_deg: np.ndarray, band: float) -> list[Labels]:
+    """The points of each outline within a band about the densest plane of both lines."""
+    placed, found = places(drone.survey, boresight_deg), []
+    for inside in drone.inside:
+        points = np.concatenate([placed[line][own] for line, own in inside.items()])
+        even = np.concatenate([np.full(len(own), 1 / len(own)) for own in inside.values()])
+        weights = even
+        for wide in (0.3, 0.2, 0.15, 0.12, 0.1, 0.08, 0.06, *(band,) * 10):
+            off = fit_plane(points, weights).distances(points) / max(wide, band)
+            weights = even * np.maximum(1 - off**2, 0.0) ** 2
+        on = np.split(np.abs(off) < 1, np.cumsum([len(own) for own in inside.values()])[:-1])
+        found.append(
+            {line: own[kept] for (line, own), kept in zip(inside.items(), on, strict=True)}
+        )
+    return found
+
+
+def answer(drone: Drone, chosen: list[Labels], model: StochasticModel) -> AdjustmentResult:
+    survey = drone.survey
+    parts = [(k, line, own) for k, each in enumerate(chosen) for line, own in each.items()]
+    points = np.concatenate([survey.scans[line].points_lidar[own] for _, line, own in parts])
+    time = np.concatenate([survey.scans[line].time[own] for _, line, own in parts])
+    poses, (position, attitude) = survey.trajectory.at(time), survey.accuracy.at(time)
+    observations = Observations(
+        points_lidar=points, position=poses.position, attitude=poses.attitude,
+        sigma_lidar=np.full(points.shape, 0.02), sigma_position=position, sigma_attitude=attitude,
+        time=time, sighting=np.repeat(np.arange(len(parts)), [len(own) for *_, own in parts]),
+        sightings=tuple(Sighting(f"P{k}", line) for k, line, _ in parts),
+    )  # fmt: skip
+    start = next(iter(survey.clouds.values())).place.mounting
+    start = start.with_boresight(np.radians(drone.reference))
+    if model.correlated:
+        observations = averaged(observations, start, 0.10)
+    return adjust(observations, start, model, diagnostics=False)
+
+
+THESIS = StochasticModel("independent", loss="huber")
+"""As the reference's own adjustments were."""
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_its_points_were_cut_to_a_band(drone, name: str) -> None:  # type: ignore[no-untyped-def]
+    here: Drone = drone(name)
+    placed = places(here.survey, here.reference)
+    beyond = 0
+    for k, inside in enumerate(here.inside):
+        own = {line: here.labels[line] == k for line in placed}
+        plane = fit_plane(np.concatenate([placed[line][own[line]] for line in placed]))
+        for line, numbers in inside.items():
+            off = np.abs(plane.distances(placed[line]))
+            assert off[own[line]].max() < 0.055
+            beyond += int((~own[line][numbers] & (off[numbers] < WIDE)).sum())
+    total = sum(len(own) for inside in here.inside for own in inside.values())
+    assert beyond / total > 0.15, beyond / total
+
+
+@pytest.mark.parametrize(("name", "follows"), [("lanl_truck", 0.5), ("lanl_tent", 0.6)])
+def test_what_is_cut_elsewhere_answers_elsewhere(drone, name: str, follows: float) -> None:  # type: ignore[no-untyped-def]
+    """Cut with another boresight, the same surfaces give back most of the change."""
+    here: Drone = drone(name)
+    aside = np.array([0.0, 0.0, 0.1])
+    ends = [
+        answer(here, cut(here, here.reference + sign * aside, 0.04), THESIS).boresight
+        for sign in (1, -1)
+    ]
+    assert np.degrees(ends[0] - ends[1])[2] / 0.2 > follows
+    wide = [
+        answer(here, cut(here, here.reference + sign * aside, WIDE), THESIS).boresight
+        for sign in (1, -1)
+    ]
+    assert abs(np.degrees(wide[0] - wide[1])[2]) / 0.2 < 0.2
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_scene_alone_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
+    """And with the reference within the sigmas in all that the cut does not decide."""
+    here: Drone = drone(name)
+    whole = answer(here, cut(here, here.reference, WIDE), StochasticModel(loss="tukey"))
+    result = here.found.result
+    off = np.abs(result.boresight - whole.boresight) / np.hypot(result.sigma, whole.sigma)
+    assert (off < 3).all(), off
+    assert np.degrees(np.abs(result.boresight - whole.boresight)).max() < 0.1
+    assert here.found.raised > 1.3
+    assert any(said.startswith("Two lines alone") for said in here.found.sentences)
