@@ -143,7 +143,7 @@ def test_a_worker_killed_from_outside_loses_no_result(
                 os.kill(workers[0], signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
 
         assert same(surveyed(SMALL, 20, mapper=mapper, progress=kill), here)
-        client.wait_for_workers(2, timeout=30)
+        client.wait_for_workers(2, timeout=120)
         assert workers[0] not in client.run(os.getpid).values()
 
 
@@ -244,11 +244,20 @@ def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) 
         with pytest.raises(LispacError, match="has no workers; start one"), cluster_of(address):
             pass
         empty.scale(1)
-        empty.wait_for_workers(1)
+        empty.wait_for_workers(1, timeout=120)
         monkeypatch.setattr(cluster_module, "LOOK", 0.1)
         monkeypatch.setattr(cluster_module, "PATIENCE", 0.3)
         with cluster_of(address) as mapper:
-            empty.scale(0)
+            answers = mapper(abs, range(3))
+            assert next(answers) == 0
+            tasks = empty.scheduler.tasks
+            while sum(task.state == "memory" for task in list(tasks.values())) < 2:
+                time.sleep(0.05)
+            empty.scale(0)  # it takes along what it has found already
+            while empty.scheduler.workers:
+                time.sleep(0.05)
+            with pytest.raises(LispacError, match="all workers are gone"):
+                list(answers)
             with pytest.raises(LispacError, match="all workers are gone"):
                 list(mapper(abs, range(3)))
 

@@ -194,9 +194,7 @@ class _Cluster:
             else:
                 alone_since = alone_since or monotonic()
                 if monotonic() - alone_since > PATIENCE:
-                    raise LispacError(
-                        f"{self.address}: all workers are gone; start them and the campaign again."
-                    )
+                    raise self._gone()
 
     def _answer(self, sent: "_Sent") -> list[Any] | None:
         """What came back; None where the scheduler gave it up, and it is worth another try.
@@ -204,17 +202,17 @@ class _Cluster:
         Raises
         ------
         LispacError
-            Where it was sent too often already.
+            Where it was sent too often already, or all workers are gone.
         """
         import distributed
 
         answer = None
         with self._talk():
-            error = sent.future.exception()
+            error = self._asked(sent.future.exception)
             if error is None:
                 # Its worker may have been lost since: others do it again, or are lost by it, too
                 try:
-                    answer = list(sent.future.result(timeout=PATIENCE))
+                    answer = list(self._asked(sent.future.result))
                 except distributed.scheduler.KilledWorker as lost:
                     error = lost
         if error is not None and not isinstance(error, distributed.scheduler.KilledWorker):
@@ -226,6 +224,26 @@ class _Cluster:
                 "and again; it has too little memory, or is stopped from outside."
             )
         return answer
+
+    def _asked(self, ask: Callable[..., Any]) -> Any:
+        """What a future says that came back; where its worker took it along, it is done again.
+
+        Raises
+        ------
+        LispacError
+            Where nobody is left to do it.
+        """
+        while True:
+            try:
+                return ask(timeout=PATIENCE)
+            except TimeoutError:
+                if not self._workers():
+                    raise self._gone() from None
+
+    def _gone(self) -> LispacError:
+        return LispacError(
+            f"{self.address}: all workers are gone; start them and the campaign again."
+        )
 
     def _workers(self) -> int:
         """Threads of all workers there are now."""
