@@ -143,7 +143,7 @@ def test_files_that_are_looked_into(french: Driver, demo: Demo, tmp_path: Path) 
         all_french(dialog, more)
     finally:
         for each in (dialog, more):
-            each.close()
+            each.done(QDialog.DialogCode.Rejected)
             each.deleteLater()
 
 
