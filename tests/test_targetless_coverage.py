@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.project import Settings
+from lispac.project import Project, Settings
 from lispac.simulation.survey import port_survey
+from lispac.survey.georeferencing import Mounting
 from lispac.workflow.projects import create_project
 from lispac.workflow.simulate import RAW, triple, write_lines, write_trajectory
-from lispac.workflow.survey import load_survey
+from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.targetless import targetless
 
 NOISE = 0.0019
@@ -20,8 +21,8 @@ NOISE = 0.0019
 SCENES = 200
 
 
-def over_sigma(folder: Path, seed: int) -> np.ndarray:
-    """Errors of roll, pitch, yaw over their sigmas."""
+def surveyed(folder: Path, seed: int) -> tuple[Project, Survey, Mounting]:
+    """A quay, and the mounting that it was surveyed with."""
     made = port_survey(points_per_second=20_000.0, seed=seed)
     trajectory, accuracy = write_trajectory(made, folder / RAW)
     latitude, longitude, height = made.origin
@@ -32,8 +33,15 @@ def over_sigma(folder: Path, seed: int) -> np.ndarray:
             origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
         ),
     )  # fmt: skip
-    found = targetless(project, load_survey(project), count=16).result
-    return (found.boresight - np.asarray(made.boresight)) / found.sigma
+    truth = project.mounting("prior").with_boresight(np.asarray(made.boresight))
+    return project, load_survey(project), truth
+
+
+def over_sigma(folder: Path, seed: int) -> np.ndarray:
+    """Errors of roll, pitch, yaw over their sigmas."""
+    *opened, truth = surveyed(folder, seed)
+    found = targetless(*opened, count=16).result
+    return (found.boresight - truth.boresight) / found.sigma
 
 
 @pytest.mark.long

@@ -8,6 +8,7 @@ from lispac.gui.actions import Actions
 from lispac.gui.computing import Computing
 from lispac.gui.document import Document
 from lispac.gui.scene import Scene
+from lispac.gui.turns import Turn
 from lispac.gui.viewport.base import Viewport
 
 
@@ -28,7 +29,8 @@ class Comparing(QObject):
         self._viewport, self._note = viewport, note
         self._action = actions["wipe"]
         self._action.triggered.connect(self._switch)
-        scene.drawn.connect(self._follow)
+        self._due = Turn(self._follow, self)
+        scene.drawn.connect(self._due.start)
         document.opened.connect(self._end)
 
     def _switch(self, on: bool) -> None:

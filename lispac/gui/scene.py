@@ -277,10 +277,11 @@ class Scene(QObject):
             targets = [t for t in targets if t.name != self.candidate.name] + [self.candidate]
         highlights, markers = [], []
         for target in targets:
+            groups = self._points_by_line(target, "")
             for sighting in target.sightings:
                 used = target.used and sighting.used
                 colour = self._colour(target) if used else theme.UNUSED_COLOUR
-                points = self._points(target, sighting.line)
+                points = groups.get(sighting.line)
                 if points is not None:
                     key = target.name, sighting.line
                     shades = self._residuals.get(key)
@@ -288,7 +289,7 @@ class Scene(QObject):
                         shades = None  # edited since the adjustment
                     highlights.append(Highlight(key, points, colour, shades))
             label = f"{target.name}?" if target is self.candidate else target.name
-            markers.append(Marker(label, self._centre(target), self._colour(target)))
+            markers.append(Marker(label, _centre(target, groups), self._colour(target)))
         self._viewport.show_highlights(highlights)
         self._viewport.show_markers(markers)
 
@@ -304,17 +305,18 @@ class Scene(QObject):
             if s.line in clouds and line in ("", s.line)
         }
 
-    def _centre(self, target: Target) -> tuple[float, float, float]:
-        points = self._points(target, "")
-        if points is None or not len(points):
-            return target.seed
-        x, y, z = (float(v) for v in points.mean(axis=0))
-        return x, y, z
-
     def _colour(self, target: Target):
         if target is self.candidate:
             return theme.CANDIDATE_COLOUR
         return theme.TARGET_COLOUR if target.role == "target" else theme.VALIDATION_COLOUR
+
+
+def _centre(target: Target, groups: dict[str, Array]) -> tuple[float, float, float]:
+    """Where the label of a target stands: amid its points of each line, or at its seed."""
+    if not any(len(points) for points in groups.values()):
+        return target.seed
+    x, y, z = (float(v) for v in np.concatenate(list(groups.values())).mean(axis=0))
+    return x, y, z
 
 
 def _vessel(survey) -> tuple[float, float, float]:

@@ -17,16 +17,19 @@ WAITS_MS = 200
 
 
 class Heartbeat:
-    """How long the window does nothing else."""
+    """How long the window's thread computes without hearing of anything else.
+
+    Of what other programs take from the processor meanwhile it knows nothing.
+    """
 
     def __init__(self, parent) -> None:
         self._timer = QTimer(parent, interval=5, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._beat)
-        self._last, self.longest = time.perf_counter(), 0.0
+        self._last, self.longest = time.thread_time(), 0.0
         self._timer.start()
 
     def _beat(self) -> None:
-        now = time.perf_counter()
+        now = time.thread_time()
         self.longest = max(self.longest, 1000 * (now - self._last))
         self._last = now
 

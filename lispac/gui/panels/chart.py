@@ -1,17 +1,34 @@
 """A plot in the window. Imported where the first one is made: Matplotlib takes half a second."""
 
+from collections.abc import Callable
+
 from matplotlib.artist import Artist
 from matplotlib.backend_bases import DrawEvent
+from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPixmap, QResizeEvent
 
 from lispac.gui.panels.ticks import spoken_ticks
+from lispac.gui.slices import Slices
 from lispac.gui.turns import Turn
 
 AFTER_MS = 20
-"""A plot takes 0.2 s, half of it to find room for all texts. What else changes with it is painted
-before, and keys are heard between its parts."""
+"""A plot takes 0.2 to 0.5 s, half of it to find room for all texts. What else changes with it is
+painted before, and keys are heard between its parts."""
+
+
+class _Renderer(RendererAgg):
+    """Agg, which may be interrupted while room is found for texts."""
+
+    rest: Callable[[], None] | None = None
+
+    def points_to_pixels(self, points: float) -> float:
+        """Called for every text and tick."""
+        if self.rest is not None:
+            self.rest()
+        pixels: float = super().points_to_pixels(points)
+        return pixels
 
 
 class Chart(FigureCanvasQTAgg):
@@ -21,11 +38,17 @@ class Chart(FigureCanvasQTAgg):
         """Make one that is at least so many pixels large, on a ground of this colour."""
         self._due: Turn | None = None
         self._stale = True
+        self._layout = Slices()
+        """Room for texts is being found."""
+        self._hurried = False
+        """It was not found in time: the plot had changed by then."""
         self._left: list[Artist] = []
         """What is still to be drawn of a picture that was begun."""
         self._last: QImage | None = None
         """What was drawn last as a whole, of the size it had then."""
+        self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
+        self.destroyed.connect(self._layout.abandon)
         self._due = Turn(self._begin, self, AFTER_MS)
         self._next = Turn(self._go_on, self)
         self.setMinimumSize(width, height)
@@ -37,20 +60,45 @@ class Chart(FigureCanvasQTAgg):
 
     def draw(self) -> None:
         """Draw now."""
-        self._stale, self._left = False, []
+        self._abandon()
+        self._stale = False
         spoken_ticks(self.figure)
         super().draw()
         self._last = self._drawn()
 
+    def get_renderer(self) -> _Renderer:
+        """Return what draws a picture of the size that it has now."""
+        width, height = self.get_width_height(physical=True)
+        key = width, height, self.figure.dpi
+        if key != self._drawn_with:
+            self._drawn_with = key
+            self.renderer = _Renderer(*key)
+            self.renderer.rest = self._layout.rest
+        return self.renderer
+
+    def _abandon(self) -> None:
+        """Leave off what was begun."""
+        self._left = []
+        self._layout.abandon()
+
     def _begin(self) -> None:
-        """Find room for all texts, in a turn of its own; each plot has one, too."""
+        """Find room for all texts, in turns of its own; each plot has some, too."""
         if not self._stale or self.width() <= 0 or self.height() <= 0:
             return
+        self._abandon()
         self._stale = False
         spoken_ticks(self.figure)
-        self.figure.get_layout_engine().execute(self.figure)
-        self.renderer = self.get_renderer()
-        self.renderer.clear()
+        figure, layout = self.figure, self.figure.get_layout_engine()
+        if self._hurried:  # else what changes again and again would never be drawn
+            layout.execute(figure)
+            self._begin_parts()
+        else:
+            self._layout.begin(lambda: layout.execute(figure))
+            self._go_on()
+
+    def _begin_parts(self) -> None:
+        self._hurried = False
+        self.get_renderer().clear()
         self.figure.patch.draw(self.renderer)
         self._left = self._parts()
         self._next.start()
@@ -61,7 +109,17 @@ class Chart(FigureCanvasQTAgg):
         return sorted(parts, key=lambda each: each.get_zorder())
 
     def _go_on(self) -> None:
-        """Draw one more part; what was changed meanwhile is drawn once this picture is there."""
+        """Do a little more; what was changed meanwhile is drawn once this picture is there."""
+        if self._layout.under_way:
+            if self._stale:
+                self._abandon()
+                self._hurried = True
+                self.update()
+            elif self._layout.go_on():
+                self._begin_parts()
+            else:
+                self._next.start()
+            return
         if not self._left:  # begun again, in another size
             return
         if self._left[0] not in self.figure.get_children():  # taken away with the rest
@@ -75,6 +133,11 @@ class Chart(FigureCanvasQTAgg):
             self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
         self.update()
 
+    @property
+    def is_drawing(self) -> bool:
+        """Whether a picture was begun and is not there yet."""
+        return self._layout.under_way or bool(self._left)
+
     def _drawn(self) -> QImage:
         pixels = self.buffer_rgba()
         height, width, _ = pixels.shape
@@ -84,21 +147,21 @@ class Chart(FigureCanvasQTAgg):
 
     def picture(self) -> QPixmap:
         """Return what is or will be shown."""
-        if (self._stale or self._left) and self.width() > 0 and self.height() > 0:
+        if (self._stale or self.is_drawing) and self.width() > 0 and self.height() > 0:
             self.draw()
         return self.grab()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Begin again what was begun in another size."""
-        self._left = []
+        self._abandon()
         super().resizeEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint what is drawn; until the new is, what was drawn last."""
-        if not self._stale and not self._left:
+        if not self._stale and not self.is_drawing:
             super().paintEvent(event)
             return
-        if self._due is not None and not self._left and not self._due.isActive():
+        if self._due is not None and not self.is_drawing and not self._due.isActive():
             self._due.start()
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor.fromRgbF(*self.figure.get_facecolor()))

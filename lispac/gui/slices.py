@@ -1,0 +1,82 @@
+"""A long calculation of a library, done a little at a time between keys and the mouse.
+
+For what neither has steps of its own nor can go to the worker, since the window uses the same
+objects: the thread it has runs only while its caller waits, so never two at a time.
+"""
+
+import threading
+import time
+from collections.abc import Callable
+
+SLICE_S = 0.03
+"""After so long the calculation rests, where it says that it may."""
+
+
+class _Abandoned(BaseException):
+    """Ends a calculation that nobody waits for any more."""
+
+
+class Slices:
+    """A calculation that rests now and then, until its caller lets it go on."""
+
+    def __init__(self) -> None:
+        self._turn, self._back = threading.Semaphore(0), threading.Semaphore(0)
+        self._thread: threading.Thread | None = None
+        self._done = self._given_up = False
+        self._error: BaseException | None = None
+        self._until = 0.0
+
+    @property
+    def under_way(self) -> bool:
+        """Whether one was begun and is not done."""
+        return self._thread is not None
+
+    def begin(self, work: Callable[[], object]) -> None:
+        """Take a calculation, which calls `rest` where it may be interrupted; `go_on` starts it."""
+        self.abandon()
+        self._done = self._given_up = False
+        self._error = None
+
+        def run() -> None:
+            self._turn.acquire()
+            self._until = time.perf_counter() + SLICE_S
+            try:
+                if not self._given_up:
+                    work()
+            except _Abandoned:
+                pass
+            except BaseException as error:
+                self._error = error
+            self._done = True
+            self._back.release()
+
+        self._thread = threading.Thread(target=run, daemon=True, name="slices")
+        self._thread.start()
+
+    def go_on(self) -> bool:
+        """Calculate for a while; true where it is done. Raises what the calculation raises."""
+        if self._thread is None:
+            return True
+        self._turn.release()
+        self._back.acquire()
+        if self._done:
+            self._thread.join()
+            self._thread = None
+        if self._error is not None:
+            raise self._error
+        return self._done
+
+    def rest(self) -> None:
+        """Called in the calculation: let its caller go on, where it has waited long enough."""
+        if threading.current_thread() is not self._thread or time.perf_counter() < self._until:
+            return
+        self._back.release()
+        self._turn.acquire()
+        if self._given_up:
+            raise _Abandoned
+        self._until = time.perf_counter() + SLICE_S
+
+    def abandon(self) -> None:
+        """End what is under way."""
+        self._given_up = True
+        self.go_on()

@@ -1,0 +1,145 @@
+"""Calculations done a little at a time, and plots drawn so."""
+
+import threading
+import time
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
+
+from lispac.gui import slices
+from lispac.gui.panels.chart import Chart
+from lispac.gui.slices import Slices
+
+
+@pytest.fixture(autouse=True)
+def _none_is_left() -> Iterator[None]:
+    yield
+    assert not [each for each in threading.enumerate() if each.name == "slices"]
+
+
+def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slices, "SLICE_S", 0.0)
+    steps, did = Slices(), []
+
+    def work() -> None:
+        for k in range(3):
+            did.append(k)
+            steps.rest()
+
+    assert not steps.under_way
+    assert steps.go_on()
+    steps.begin(work)
+    assert did == []
+    seen = []
+    while not steps.go_on():
+        assert steps.under_way
+        seen.append(list(did))
+    assert seen == [[0], [0, 1], [0, 1, 2]]
+    assert not steps.under_way
+
+
+def test_what_is_short_does_not_rest() -> None:
+    steps = Slices()
+    steps.begin(steps.rest)
+    assert steps.go_on()
+
+
+def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slices, "SLICE_S", 0.0)
+    steps, did = Slices(), []
+
+    def work() -> None:
+        try:
+            while True:
+                steps.rest()
+        finally:
+            did.append("tidied")
+
+    steps.begin(work)
+    assert not steps.go_on()
+    steps.abandon()
+    assert did == ["tidied"]
+    assert not steps.under_way
+    steps.begin(lambda: did.append("never"))
+    steps.abandon()
+    assert did == ["tidied"]
+    steps.begin(lambda: did.append("again"))
+    assert steps.go_on()
+    assert did == ["tidied", "again"]
+
+
+def test_errors_come_to_the_caller() -> None:
+    steps = Slices()
+    steps.begin(lambda: 1 // 0)
+    with pytest.raises(ZeroDivisionError):
+        steps.go_on()
+    assert not steps.under_way
+
+
+@pytest.fixture
+def chart(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> Iterator[Chart]:
+    monkeypatch.setattr(slices, "SLICE_S", 0.0)
+    made = filled(3)
+    yield made
+    if isValid(made):
+        remove(made)
+
+
+def filled(count: int) -> Chart:
+    chart = Chart(400, 300)
+    chart.resize(400, 300)
+    for k, axes in enumerate(np.atleast_1d(chart.figure.subplots(1, count))):
+        axes.plot(np.arange(100) ** k)
+        axes.set(xlabel="Distance (m)", ylabel="Points", title=f"Line {k}")
+    return chart
+
+
+def remove(chart: Chart) -> None:
+    chart.deleteLater()
+    QCoreApplication.sendPostedEvents(chart, QEvent.Type.DeferredDelete)
+
+
+def pixels(chart: Chart) -> np.ndarray:
+    return np.array(chart.buffer_rgba())
+
+
+def test_a_plot_is_the_same_drawn_in_slices_and_at_once(chart: Chart, qtbot: QtBot) -> None:
+    drawn: list[object] = []
+    chart.mpl_connect("draw_event", drawn.append)
+    chart.show()
+    qtbot.waitUntil(lambda: bool(drawn))
+    other = filled(3)
+    other.show()
+    other.draw()
+    assert (pixels(chart) == pixels(other)).all()
+    assert len(np.unique(pixels(chart))) > 10
+    remove(other)
+
+
+def test_what_changes_again_and_again_is_drawn(chart: Chart, qtbot: QtBot) -> None:
+    """As by the wheel or by a hand that drags, faster than room is found for texts."""
+    drawn: list[object] = []
+    chart.mpl_connect("draw_event", drawn.append)
+    chart.show()
+    until, k = time.monotonic() + 20, 1
+    while len(drawn) < 3:
+        assert time.monotonic() < until
+        chart.figure.axes[0].set_xlim(0, k)
+        chart.draw_idle()
+        k += 1
+        qtbot.wait(10)
+
+
+def test_a_plot_may_go_or_change_its_size_while_room_is_found(chart: Chart, qtbot: QtBot) -> None:
+    chart.show()
+    qtbot.waitUntil(lambda: chart.is_drawing)
+    chart.resize(500, 320)
+    assert not chart.is_drawing
+    qtbot.waitUntil(lambda: chart.is_drawing)
+    remove(chart)
+    assert not isValid(chart)
