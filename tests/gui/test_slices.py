@@ -143,3 +143,14 @@ def test_a_plot_may_go_or_change_its_size_while_room_is_found(chart: Chart, qtbo
     qtbot.waitUntil(lambda: chart.is_drawing)
     remove(chart)
     assert not isValid(chart)
+
+
+def test_what_was_emptied_shows_nothing(chart: Chart, qtbot: QtBot) -> None:
+    drawn: list[object] = []
+    chart.mpl_connect("draw_event", drawn.append)
+    chart.show()
+    qtbot.waitUntil(lambda: len(drawn) == 1)
+    chart.figure.clear()
+    chart.draw_idle()
+    qtbot.waitUntil(lambda: len(drawn) == 2)
+    assert (pixels(chart) == 255).all()

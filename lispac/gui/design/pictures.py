@@ -10,6 +10,7 @@ from lispac.design.scenarios import OF_THE_THESIS, Outcome
 from lispac.design.search import Step
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.gui.turns import Turn
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -41,8 +42,9 @@ class PicturesPanel(QWidget):
         layout.addWidget(self.which)
         layout.addWidget(self.pages, 1)
         self._waiting: dict[QWidget, Callable[[Figure], object]] = {}
+        self._due = Turn(self._draw, self)
         self.which.currentIndexChanged.connect(self.pages.setCurrentIndex)
-        self.pages.currentChanged.connect(lambda _index: self._draw())
+        self.pages.currentChanged.connect(lambda _index: self._due.start())
 
     def show_outcomes(self, found: Sequence[Outcome]) -> None:
         """One figure for each scenario."""
@@ -88,7 +90,7 @@ class PicturesPanel(QWidget):
             self.which.addItem(say(title), title)
         self.empty.hide()
         self.which.show()
-        self._draw()
+        self._due.start()
 
     def _draw(self) -> None:
         """Draw the figure that is shown, if it is not yet; all at once would hold up the window."""

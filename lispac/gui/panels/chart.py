@@ -89,7 +89,9 @@ class Chart(FigureCanvasQTAgg):
         self._stale = False
         spoken_ticks(self.figure)
         figure, layout = self.figure, self.figure.get_layout_engine()
-        if self._hurried:  # else what changes again and again would never be drawn
+        if not figure.axes:  # nothing is in it yet
+            self._begin_parts()
+        elif self._hurried:  # else what changes again and again would never be drawn
             layout.execute(figure)
             self._begin_parts()
         else:
@@ -101,7 +103,10 @@ class Chart(FigureCanvasQTAgg):
         self.get_renderer().clear()
         self.figure.patch.draw(self.renderer)
         self._left = self._parts()
-        self._next.start()
+        if self._left:
+            self._next.start()
+        else:
+            self._finish()
 
     def _parts(self) -> list[Artist]:
         """All that is drawn on the ground, in the order in which it is."""
@@ -129,8 +134,13 @@ class Chart(FigureCanvasQTAgg):
             if self._left:
                 self._next.start()
                 return
-            self._last = self._drawn()
-            self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
+            self._finish()
+        self.update()
+
+    def _finish(self) -> None:
+        """Show the picture that is there now."""
+        self._last = self._drawn()
+        self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
         self.update()
 
     @property

@@ -104,7 +104,7 @@ class Layer:
         for line, points in shown.items():
             if line not in self._kept:
                 self._kept[line] = None if box is None else box.inside(points)
-        self.seen = {line: p if box is None else p[self._kept[line]] for line, p in shown.items()}
+        self.seen = {line: self._of_box(line, points) for line, points in shown.items()}
         share = shares({line: len(points) for line, points in self.seen.items()}, budget)
         shaded = self.shading is not None
         self.sparse, self._coarse = {}, []
@@ -216,7 +216,11 @@ class Layer:
     def _places(self, line: str) -> NDArray[np.float32]:
         """Ranks of the points that are seen of a line."""
         kept = self._kept[line]
-        return self._ranks[line] if kept is None else self._ranks[line][kept]
+        return self._ranks[line] if kept is None else self._ranks[line].take(kept)
+
+    def _of_box(self, line: str, points: Array) -> Array:
+        kept = self._kept[line]
+        return points if kept is None else points.take(kept, axis=0)
 
     def _shades(self, line: str, chosen: NDArray[np.int64]) -> NDArray[np.uint8] | None:
         if self.shading is None:

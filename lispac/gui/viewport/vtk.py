@@ -11,7 +11,6 @@ import numpy as np
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
-from lispac.geometry.neighbours import points_within
 from lispac.gui import theme
 from lispac.gui.viewport.actors import aim, half_space, place_half
 from lispac.gui.viewport.base import (
@@ -217,7 +216,8 @@ class VtkViewport:
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
         """Those of a line's points that are drawn now and lie within a sphere, shape (n, 3)."""
         points = self._navigator.drawn().get(line, np.empty((0, 3)))
-        return points[points_within(points, centre, radius)]
+        off = points - centre  # few, and nothing that would first be compiled while the mouse waits
+        return points[np.einsum("ij,ij->i", off, off) <= radius**2]
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
         """Draw something over the picture, or take it away."""
