@@ -13,6 +13,7 @@ from lispac.gui.dialogs.questions import Answer, CandidateAnswer, DropAnswer
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
+from lispac.gui.turns import Turn
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.project import LineSource, Project
 from lispac.survey.trajectory import LocalTrajectory
@@ -160,9 +161,14 @@ class Driver:
         return self.window.document.project
 
     def rest(self) -> None:
-        """Wait until no work is left."""
+        """Wait until no work is left, and all that follows from it is drawn."""
         QCoreApplication.processEvents()
         self.bot.waitUntil(lambda: not self.window.runner.active, timeout=WAIT_MS)
+        self.bot.waitUntil(lambda: not self._turns, timeout=WAIT_MS)
+
+    @property
+    def _turns(self) -> list[Turn]:
+        return [turn for turn in self.window.findChildren(Turn) if turn.isActive()]
 
     def leave(self) -> None:
         """Close the window and see that nothing of it is left."""

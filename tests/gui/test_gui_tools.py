@@ -266,6 +266,7 @@ def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
     press(adjusted, Key.Key_W)
     assert view.beside is not None
     press(adjusted, Key.Key_B)  # before alone ends it
+    adjusted.rest()
     assert view.beside is None
     assert not window.actions_["wipe"].isChecked()
 
