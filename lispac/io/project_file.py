@@ -24,16 +24,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.stochastic import POS_ERRORS
 from lispac.errors import InputError, ProjectError
 from lispac.identity import Identity
+from lispac.io.consistency import require_consistent
 from lispac.io.files import remove_abandoned, written_whole
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
 from lispac.io.values import Unfit, decoded, encoded, in_one_line
 from lispac.opinions import Opinion
 from lispac.project import (
-    ROLES,
-    SHAPES,
     LineSource,
     PickedSighting,
     Project,
@@ -41,7 +39,6 @@ from lispac.project import (
     Settings,
     Target,
     Triple,
-    require_target,
 )
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.settings import USUAL, FinderChoices
@@ -59,15 +56,16 @@ OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
 def write_project(project: Project) -> None:
     """Write the project into its folder; the old state stays until the new one is complete.
 
+    What is kept against a crash stays: it may be of another window, or not have been asked for yet.
+
     Raises
     ------
     InputError
         Where the folder cannot be written.
     """
     used = _write(project, FILE_NAME)
-    forget_unsaved(project.folder)
     _write_opener(project.folder / OPENER)
-    _remove_unused(project.folder, used)
+    _remove_unused(project.folder, used | _used_unsaved(project.folder))
     remove_abandoned(project.folder / FILE_NAME)
 
 
@@ -150,7 +148,7 @@ def _read(path: Path) -> Project:
                 f"{path}: made by a newer version of the program (schema {version}); update it."
             )
         project = _decode(path.parent.resolve(), upgraded(content))
-        _require_consistent(project)
+        require_consistent(project)
     except InputError as error:
         raise ProjectError(f"{path}: {error}") from error
     except (
@@ -174,34 +172,6 @@ def _plainly(error: Exception) -> str:
     if isinstance(error, OSError):
         return error.strerror or "it cannot be read"
     return str(error) if isinstance(error, Unfit) else "something in it is of the wrong kind"
-
-
-def _require_consistent(project: Project) -> None:
-    """Refuse values that only an edit by hand can have brought in.
-
-    Raises
-    ------
-    Unfit
-    """
-    project.settings.require_sound()
-    project.identity.require_sound()
-    lines = {line.name for line in project.lines}
-    for target in project.targets:
-        if target.role not in ROLES:
-            raise Unfit(f"{target.name} has the role {target.role!r}")
-        if target.shape not in SHAPES:
-            raise Unfit(f"{target.name} has the shape {target.shape!r}")
-        require_target(target)
-        if not (np.isfinite(target.seed).all() and target.threshold > 0 and target.radius > 0):
-            raise Unfit(f"seed, threshold or radius of {target.name}")
-        for sighting in target.sightings:
-            if sighting.line not in lines:
-                raise Unfit(f"{target.name} is on a line {sighting.line} that is not listed")
-    if project.result is not None and project.result.model.pos_errors not in POS_ERRORS:
-        raise Unfit(f"model {project.result.model.pos_errors!r}")
-    for opinion in project.opinions:
-        if not opinion.is_sound():
-            raise Unfit(f"the answer of {opinion.method}")
 
 
 def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
@@ -371,6 +341,15 @@ def _write_indices(folder: Path, target: Target) -> str:
         with written_whole(folder / name) as temporary:
             temporary.write_bytes(buffer.getvalue())
     return name
+
+
+def _used_unsaved(folder: Path) -> set[str]:
+    """The files that what is not saved yet has its points in."""
+    try:
+        content = json.loads((folder / UNSAVED_NAME).read_text(encoding="utf-8"))
+        return {target["indices"] for target in content["targets"]}
+    except (OSError, ValueError, KeyError, TypeError):
+        return set()  # there is none, or it cannot be opened either
 
 
 def _remove_unused(folder: Path, used: set[str]) -> None:

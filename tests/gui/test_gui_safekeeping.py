@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.safekeeping import LOCK_NAME
 from lispac.gui.viewport.recording import RecordingViewport
-from lispac.io.project_file import FILE_NAME, UNSAVED_NAME, read_project
+from lispac.io.project_file import FILE_NAME, UNSAVED_NAME, read_project, read_unsaved
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import WAIT_MS, Control, Driver, Key, press
 
@@ -93,6 +93,9 @@ def test_a_project_open_twice_is_noticed(
     other.window.controller.rename("T2", "South wall")
     other.window.actions_["save"].trigger()
     assert "South wall" in names(read_project(folder))
+    kept = read_unsaved(folder)
+    assert kept is not None
+    assert "North wall" in names(kept), "the first window's work, with its points"
     other.window.hide()
     other.window.close()
     other.window.deleteLater()
