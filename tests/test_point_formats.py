@@ -227,11 +227,13 @@ def test_chunks_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
         np.testing.assert_allclose(np.concatenate([c.xyz for c in chunks]), files.XYZ, atol=1e-7)
 
 
-def test_feet_of_a_scanner_become_metres(valid: tuple[Format, Path]) -> None:
+def test_other_units_of_a_scanner_become_metres(valid: tuple[Format, Path]) -> None:
     format_, path = valid
     scanner = {"frame": "scanner"}
     metres, feet = whole(format_, path, scanner), whole(format_, path, scanner | {"unit": "foot"})
+    small = whole(format_, path, scanner | {"unit": "millimetre"})
     np.testing.assert_allclose(feet.xyz, metres.xyz * 0.3048)
+    np.testing.assert_allclose(small.xyz, metres.xyz / 1000)
 
 
 @pytest.mark.parametrize(

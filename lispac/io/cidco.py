@@ -21,12 +21,12 @@ from lispac.io.points import (
     require_filled,
     require_points,
     scale_of,
-    sight,
     sniffer,
     table,
     time_base,
 )
 from lispac.io.registry import LIKELY, NOT, Choice, Finding, Format, PointChunk
+from lispac.io.sight import sight
 
 COLUMNS = 22
 RECORD = 8 * COLUMNS

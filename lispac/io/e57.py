@@ -28,12 +28,12 @@ from lispac.io.points import (
     require_filled,
     require_points,
     scale_of,
-    sight,
     sniffer,
     table,
     time_base,
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, Option, PointChunk
+from lispac.io.sight import sight
 
 Array = NDArray[np.float64]
 

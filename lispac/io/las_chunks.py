@@ -22,12 +22,12 @@ from lispac.io.points import (
     require_filled,
     require_points,
     scale_of,
-    sight,
     sniffer,
     table,
     time_base,
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.io.sight import sight
 from lispac.survey.kernels import scaled
 
 LARGEST_CHUNK = 1 << 28

@@ -12,12 +12,12 @@ from lispac.io.points import (
     require_filled,
     require_points,
     scale_of,
-    sight,
     sniffer,
     table,
     time_base,
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.io.sight import sight
 
 PARTS = {
     "points_local": slice(1, 4), "attitude": slice(8, 11), "sigma_attitude": slice(11, 14),

@@ -18,11 +18,11 @@ from lispac.io.points import (
     place_facts,
     require_points,
     scale_of,
-    sight,
     table,
     time_base,
 )
 from lispac.io.registry import Choice, Finding, Format, PointChunk
+from lispac.io.sight import sight
 
 LARGEST = 1 << 28  # bytes of records read at once
 Columns = Mapping[str, NDArray[Any]]

@@ -24,11 +24,11 @@ from lispac.io.points import (
     require_filled,
     require_points,
     scale_of,
-    sight,
     sniffer,
     time_base,
 )
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding, Format, Option, PointChunk
+from lispac.io.sight import sight
 from lispac.io.text_layout import REQUIRED, SEPARATORS, Layout, layout_of, rows_of
 from lispac.io.text_table import clock, is_clock
 from lispac.io.text_units import height_unit_of, unit_doubts, units_in

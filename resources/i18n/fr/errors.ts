@@ -973,6 +973,10 @@
         <translation>Des coordonnées jusqu&apos;à {farthest} sont trop grandes pour le repère du scanneur et le fichier {NO_SYSTEM} : indiquez son code EPSG.</translation>
     </message>
     <message>
+        <source>The points lie all around the origin, as a scanner&apos;s do: where these are millimetres, choose the scanner frame and that unit.</source>
+        <translation>Les points entourent l&apos;origine, comme ceux d&apos;un scanneur : si ce sont des millimètres, choisissez le repère du scanneur et cette unité.</translation>
+    </message>
+    <message>
         <source>The file names a coordinate system, but its coordinates are small enough for the scanner frame: check which it is.</source>
         <translation>Le fichier nomme un système de coordonnées, mais ses coordonnées sont assez petites pour le repère du scanneur : vérifiez duquel il s&apos;agit.</translation>
     </message>

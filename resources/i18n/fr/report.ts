@@ -2862,6 +2862,10 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>pieds</translation>
     </message>
     <message>
+        <source>millimetre</source>
+        <translation>millimètres</translation>
+    </message>
+    <message>
         <source>US survey feet</source>
         <translation>pieds d&apos;arpentage américains</translation>
     </message>
