@@ -289,16 +289,29 @@ def disagreeing(result: AdjustmentResult, lines: Iterable[str]) -> tuple[str, ..
 
     count = Counter(residual.sighting.line for residual in result.sightings)
     gone = Counter(sighting.line for sighting in result.suspects)
-    found = []
-    for line in lines:
-        own = [item for item in result.reliability if item.sighting.line == line]
-        errors = np.array([item.pos_error for item in own]).reshape(-1, 6)
-        before = np.array([item.pos_sigma for item in own]).reshape(-1, 6)
-        after = np.array([item.pos_sigma_after for item in own]).reshape(-1, 6)
-        told = before**2 - after**2
-        squares = errors**2 / np.maximum(told, TOLD * before**2)
-        size = float(np.median(squares[:, :3].sum(axis=1))) if len(own) else 0.0
-        let_go = gone[line] >= max(2.0, DISAGREES * count[line])
-        if not count[line] or let_go or chdtrc(3, size) < SURPRISE / len(count):
-            found.append(line)
-    return tuple(found)
+    errors, told = {}, {}
+    for line in count:
+        if not (own := [item for item in result.reliability if item.sighting.line == line]):
+            continue
+        errors[line] = np.array([item.pos_error[:3] for item in own])
+        before = np.array([item.pos_sigma[:3] for item in own]) ** 2
+        after = np.array([item.pos_sigma_after[:3] for item in own]) ** 2
+        told[line] = np.maximum(before - after, TOLD * before)
+    jumped: set[str] = set()
+    while errors:
+        size = {k: float(np.median((errors[k] ** 2 / told[k]).sum(axis=1))) for k in errors}
+        worst = max(size, key=size.__getitem__)
+        if chdtrc(3, size[worst]) >= SURPRISE / len(count):
+            break
+        if len(errors) == 2:  # which of two is wrong cannot be told
+            jumped.update(errors)
+            break
+        jumped.add(worst)
+        # Seen are differences of lines alone, so its jump has pushed the others the other way.
+        push = errors.pop(worst).mean(axis=0)
+        errors = {line: own + push / len(errors) for line, own in errors.items()}
+    return tuple(
+        line
+        for line in lines
+        if not count[line] or line in jumped or gone[line] >= max(2.0, DISAGREES * count[line])
+    )
