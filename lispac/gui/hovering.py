@@ -91,7 +91,8 @@ class Hovering(QObject):
         radius = wanted.radius or usual.radius
         seed = np.array(point.position)
         near = self._viewport.drawn_near(point.line, seed, radius)
-        near = near[:: -(-len(near) // MOST) or 1]
+        # In one piece: the finder would be compiled anew for every other one, in this thread
+        near = np.ascontiguousarray(near[:: -(-len(near) // MOST) or 1])
         settings = FinderSettings(
             threshold=wanted.threshold or project.settings.threshold, radius=radius,
             min_points=min(FEWEST, usual.min_points),

@@ -229,7 +229,6 @@ class MainWindow(QMainWindow):
         self.report.lines_asked.connect(self.life.export)
         self.stage.start.chosen.connect(lambda name: self.actions_[name].trigger())
         self.stage.start.project_chosen.connect(self.open_project)
-        self.workflow.step_opened.connect(lambda _step: self.showing.refresh())
 
     def _join_actions(self) -> None:
         actions = self.actions_

@@ -21,10 +21,12 @@ class Showing(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
+        self._opening = False
         window.document.changed.connect(self.refresh)
         window.document.changed.connect(self._count)
         window.document.modified.connect(lambda _modified: self._name_window())
-        window.document.opened.connect(lambda: window.workflow.open(self._first_open_step()))
+        window.workflow.step_opened.connect(lambda _step: self.refresh())
+        window.document.opened.connect(self._open_step)
         window.runner.changed.connect(self._show_task)
         window.runner.moved.connect(self._show_progress)
         window.controller.candidate_changed.connect(self._show_candidate)
@@ -33,6 +35,8 @@ class Showing(QObject):
 
     def refresh(self) -> None:
         """Show the document as it stands, everywhere."""
+        if self._opening:
+            return
         window = self._window
         project, survey, statuses = self._state()
         leave_alone(project)
@@ -57,6 +61,14 @@ class Showing(QObject):
         window.histograms.show_project(project)
         self._enable(statuses, busy)
         self._name_window()
+
+    def _open_step(self) -> None:
+        """Open the first step that is not done; what all panels show then follows at once."""
+        self._opening = True
+        try:
+            self._window.workflow.open(self._first_open_step())
+        finally:
+            self._opening = False
 
     def _state(self) -> tuple[Project | None, Survey | None, tuple[status.StepStatus, ...]]:
         window = self._window

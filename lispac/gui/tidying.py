@@ -23,9 +23,9 @@ ALL_S = 15.0
 """Between two looks at everything, which take 0.06 s with all libraries loaded. A dialogue that has
 gone lies in cycles with the lines it was asked about: by counts alone that came to 1.2 GB."""
 
-NEW_MODULES = 100
-"""So many that came since make it worth while to look at them no more: those of the 3D library and
-of what it imports take 0.1 s."""
+NEW_MODULES = 30
+"""So many that came since, and they are looked at once and no more. While a library is imported,
+every tenth of a second brings some: all of them at once take a quarter of a second."""
 
 REST_S = 5.0
 """Between two times that memory is given back: it takes 0.01 to 0.04 s."""
@@ -56,17 +56,18 @@ class Tidying(QObject):
     def tidy(self) -> None:
         """Collect what is due."""
         young, middle, _old = gc.get_count()
-        if young <= YOUNG:
+        if young <= YOUNG or Turn.taken:
             return
-        due = time.monotonic() > self._looked + ALL_S and not Turn.taken
+        new = len(sys.modules) - Tidying.left_alone
+        # A dialogue that is open will go, with the lines it was asked about
+        came = new > NEW_MODULES and QApplication.activeModalWidget() is None
+        due = came or time.monotonic() > self._looked + ALL_S
         gc.collect(2 if due else 1 if middle > MIDDLE else 0)
         if due:
             self._looked = time.monotonic()
-            # A dialogue that is open will go, with the lines it was asked about
-            new = len(sys.modules) - Tidying.left_alone
-            if new > NEW_MODULES and QApplication.activeModalWidget() is None:
-                Tidying.left_alone, Tidying.with_windows = len(sys.modules), True
-                gc.freeze()
+        if came:
+            Tidying.left_alone, Tidying.with_windows = len(sys.modules), True
+            gc.freeze()
 
     def end(self) -> None:
         """Leave it to Python again."""

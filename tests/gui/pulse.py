@@ -163,7 +163,9 @@ def _place(frame: object) -> str:
     if frame is None:
         return "gone"
     stack = traceback.extract_stack(frame)  # type: ignore[arg-type]
-    told = [f"{Path(each.filename).name}:{each.lineno} {each.name}" for each in stack[-DEPTH:]]
+    ours = [k for k, each in enumerate(stack[:-DEPTH]) if "lispac" in Path(each.filename).parts]
+    shown = [*(stack[k] for k in ours[-1:]), *stack[-DEPTH:]]
+    told = [f"{Path(each.filename).name}:{each.lineno} {each.name}" for each in shown]
     return " < ".join(reversed(told))
 
 
