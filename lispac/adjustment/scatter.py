@@ -99,7 +99,7 @@ def unforeseen(
             here = end.problem.linearised(end.state, end.loss, tangent=True)
             whole = _without(here, np.zeros(len(here.sums), dtype=bool))
             for parts in _kinds(here, origins):
-                more += _beyond(here, whole, parts)
+                more += _beyond(here, whole, parts, progress)
     except (AdjustmentError, np.linalg.LinAlgError):
         return np.zeros(3)  # without a whole to compare with, nothing is known
     return more
@@ -123,17 +123,17 @@ def _kinds(here: Linearised, origins: Array) -> Iterator[list[Flags]]:
         yield [own & (stretch == part) for part in range(STRETCHES)]
 
 
-def _beyond(here: Linearised, whole: tuple[Array, Array], parts: list[Flags]) -> Array:
+def _beyond(
+    here: Linearised, whole: tuple[Array, Array], parts: list[Flags], progress: Progress
+) -> Array:
     """By how much parts scatter more than foreseen, shape (3,), square radians."""
     found = []
     for part in parts:
+        progress(0.9, "Leaving out parts of the data")
         try:
             found.append(_without(here, part))
-        except (
-            AdjustmentError,
-            np.linalg.LinAlgError,
-        ):  # the answer hangs on this part: its sigma says so already
-            continue
+        except (AdjustmentError, np.linalg.LinAlgError):
+            continue  # the answer hangs on this part: its sigma says so already
     if len(found) < FEWEST:
         return np.zeros(3)
     differences = np.array([answer - whole[0] for answer, _ in found])

@@ -352,12 +352,15 @@ class MainWindow(QMainWindow):
         self.settings.sync()
 
     def retire(self) -> None:
-        """Stop all work, and go without asking."""
+        """Stop all work, and go without asking.
+
+        Out of sight first: work that was asked to stop may take seconds to hear of it.
+        """
+        docks.hide_floating(self.docks)
+        self.hide()
         self.adjust.stop()
         self.estimating.stop()
         self.cautioning.stop()
         self.runner.close()
         self.safekeeping.stop()
         self.viewport.close()
-        docks.hide_floating(self.docks)
-        self.hide()

@@ -7,7 +7,7 @@ same document: the project, its data and every undo step stay.
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui import theme, units
@@ -118,6 +118,8 @@ class Session(QObject):
         former.safekeeping.stop()
         self.window = self._made(former)  # shown before the other goes: the last one ends Qt
         former.retire()
-        # Its points and graphics: nothing else frees so much, so this does not wait until due
-        former.destroyed.connect(lambda: QTimer.singleShot(0, collect_all))
         former.deleteLater()
+        # Its points and graphics: nothing else frees so much, and now everybody waits anyhow
+        QCoreApplication.sendPostedEvents(former, QEvent.Type.DeferredDelete)
+        del former
+        collect_all()

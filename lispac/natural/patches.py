@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.natural.clutter import is_surface, is_water
 from lispac.natural.planes import LOOKED_AT, LinePlanes, line_planes
 from lispac.natural.regions import Regions
+from lispac.progress import Progress, no_progress
 from lispac.survey.cloud import Cloud, CloudInMemory
 
 Array = NDArray[np.float64]
@@ -73,7 +74,13 @@ class Patches:
         return own[::step], step * one_in
 
 
-def patches_of(clouds: Mapping[str, Cloud], noise: float, threshold: float) -> Patches:
+def patches_of(
+    clouds: Mapping[str, Cloud],
+    noise: float,
+    threshold: float,
+    *,
+    progress: Progress = no_progress,
+) -> Patches:
     """Find every patch.
 
     Parameters
@@ -85,7 +92,7 @@ def patches_of(clouds: Mapping[str, Cloud], noise: float, threshold: float) -> P
     threshold : float, metres
         Farthest that a line may be off what all lines have in common.
     """
-    regions, planes, numbers = line_planes(clouds, noise, threshold)
+    regions, planes, numbers = line_planes(clouds, noise, threshold, progress=progress)
     planes = planes.where(is_surface(planes, noise))
     planes = planes.where(~is_water(planes))
     return _agreeing(regions, planes, numbers, threshold)

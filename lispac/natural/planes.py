@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.natural.regions import Regions
+from lispac.progress import Progress, no_progress
 from lispac.survey.cloud import Cloud
 
 Array = NDArray[np.float64]
@@ -83,7 +84,11 @@ class LinePlanes:
 
 
 def line_planes(
-    clouds: Mapping[str, Cloud], noise: float, threshold: float
+    clouds: Mapping[str, Cloud],
+    noise: float,
+    threshold: float,
+    *,
+    progress: Progress = no_progress,
 ) -> tuple[Regions, LinePlanes, Indices]:
     """The regions of a scene, the planes that all lines see of them, and the points on these.
 
@@ -112,7 +117,9 @@ def line_planes(
     sampled = np.concatenate(taken)
     finite = np.isfinite(points).all(axis=1)
     points, time, line, sampled = points[finite], time[finite], line[finite], sampled[finite]
+    progress(0.1)
     regions = Regions.of(points, threshold)
+    progress(0.5)
     region = regions.at(points)
     on = np.flatnonzero(region >= 0)
     both = region[on] * len(taken) + line[on]
@@ -130,7 +137,8 @@ def line_planes(
     local = found - origin[owner]
     # With the biweight (Beaton and Tukey 1974) a plane settles on the densest layer of the points.
     weights, far = np.ones(len(local)), np.full(len(counts), np.inf)
-    for _ in range(LOOKS):
+    for look in range(LOOKS):
+        progress(0.6 + 0.4 * look / LOOKS)
         centre, variances, axes = _fitted(local, owner, weights, len(counts))
         normal = axes[:, :, 0]
         apart = local - centre[owner]

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from lispac.natural.choice import chosen
 from lispac.natural.patches import patches_of
 from lispac.patchtest.boxes import Box, PatchObject
+from lispac.progress import Progress, no_progress, part
 from lispac.survey.cloud import Cloud
 from lispac.survey.trajectory import TrajectoryAccuracy
 
@@ -36,6 +37,7 @@ def proposed(
     noise: float,
     *,
     count: int = COUNT,
+    progress: Progress = no_progress,
 ) -> tuple[PatchObject, ...]:
     """Objects that lines share.
 
@@ -49,8 +51,9 @@ def proposed(
     count : int
         Most of them.
     """
-    patches = patches_of(clouds, noise, max(OFF, 3 * noise))
+    patches = patches_of(clouds, noise, max(OFF, 3 * noise), progress=part(progress, 0.0, 0.8))
     found: list[PatchObject] = []
+    progress(0.8)
     for rows in chosen(patches, clouds, accuracy, count).rows:
         normal = patches.normal[patches.patch[rows[0]]]
         wide = float(np.clip(2 * patches.planes.reach[rows].max(), SMALLEST, LARGEST))

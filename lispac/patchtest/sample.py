@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.geometry.knn import build_tree
 from lispac.patchtest.boxes import PatchObject
+from lispac.progress import Progress, no_progress
 from lispac.survey.cloud import Cloud, Line
 from lispac.survey.georeferencing import Mounting, place
 from lispac.survey.trajectory import Poses
@@ -108,6 +109,7 @@ class Sample:
         *,
         margin: float = MARGIN,
         most: int = MOST_POINTS,
+        progress: Progress = no_progress,
     ) -> "Sample":
         """Take the points about objects.
 
@@ -130,7 +132,8 @@ class Sample:
         position: list[Array] = []
         attitude: list[Array] = []
         begin = 0
-        for each in objects:
+        for k, each in enumerate(objects):
+            progress(k / len(objects))
             near, radius = {}, each.box.reach + 2 * margin
             for line, cloud in clouds.items():
                 region = cloud.within(each.box.centre, radius, most=READ * most)

@@ -94,7 +94,10 @@ def propose(
     boresight = survey.aligned.mounting.boresight
     clouds = placed(project, survey, boresight)
     progress(0.4, "Looking for objects that lines share")
-    objects = proposed(clouds, survey.accuracy, project.settings.lidar_sigma, count=count)
+    objects = proposed(
+        clouds, survey.accuracy, project.settings.lidar_sigma, count=count,
+        progress=part(progress, 0.4, 0.6),
+    )  # fmt: skip
     if not objects:
         raise AdjustmentError(
             f"{project.name}: the lines share no flat surface; lay boxes about objects that two "
@@ -121,7 +124,7 @@ def lay(
     """
     progress(0.0, "Taking the points about the objects")
     clouds = placed(project, survey, boresight)
-    sample = Sample.of(objects, clouds, survey.scans, margin=margin)
+    sample = Sample.of(objects, clouds, survey.scans, margin=margin, progress=progress)
     return Laid(tuple(objects), np.asarray(boresight, dtype=float), sample)
 
 
@@ -156,7 +159,9 @@ def find(
         laid.sample, laid.blocks(names, chosen), at, progress=part(progress, 0.0, 0.4)
     )
     if not np.abs(together.boresight - laid.boresight).max() <= MOVED:
-        laid = lay(project, survey, laid.objects, together.boresight)
+        laid = lay(
+            project, survey, laid.objects, together.boresight, progress=part(progress, 0.4, 0.5)
+        )
         step = part(progress, 0.5, 0.7)
         together = minimise(
             laid.sample, laid.blocks(names, chosen), together.boresight, progress=step

@@ -156,7 +156,10 @@ def targetless(
         step = part(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
         step(0.0, f"Matching the lines, round {rounds}")
         clouds = placed_with(survey.clouds, mounting)
-        patches = patches_of(clouds, settings.lidar_sigma, max(threshold, settings.threshold))
+        patches = patches_of(
+            clouds, settings.lidar_sigma, max(threshold, settings.threshold),
+            progress=part(step, 0.0, 0.6),
+        )  # fmt: skip
         choice = chosen(patches, clouds, survey.accuracy, count)
         found = len(patches)
         if len(choice.rows) < FEWEST:
@@ -169,6 +172,7 @@ def targetless(
         result = adjust(
             observations, mounting, judged,
             accept_one_facing=settings.accept_one_facing, diagnostics=False,
+            progress=part(step, 0.7, 1.0),
         )  # fmt: skip
         moved = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)

@@ -60,6 +60,10 @@
         <translation>Compensation : itération {n}</translation>
     </message>
     <message>
+        <source>Leaving out parts of the data</source>
+        <translation>Exclusion de parties des données</translation>
+    </message>
+    <message>
         <source>Cross-checking: half first</source>
         <translation>Vérification croisée : première moitié</translation>
     </message>
