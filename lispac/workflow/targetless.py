@@ -302,16 +302,18 @@ def disagreeing(result: AdjustmentResult, lines: Iterable[str]) -> tuple[str, ..
         after = np.array([item.pos_sigma_after[:3] for item in own]) ** 2
         told[line] = np.maximum(before - after, TOLD * before)
     jumped: set[str] = set()
-    while errors:
+    # Seen are differences of lines alone: which is wrong can be told while the others are more.
+    most = max(1, (len(errors) - 1) // 2)
+    while len(jumped) < most:
         size = {k: float(np.median((errors[k] ** 2 / told[k]).sum(axis=1))) for k in errors}
-        worst = max(size, key=size.__getitem__)
-        if chdtrc(3, size[worst]) >= SURPRISE / len(count):
+        worst = max(size, key=size.__getitem__, default="")
+        if not worst or chdtrc(3, size[worst]) >= SURPRISE / len(count):
             break
-        if len(errors) == 2:  # which of two is wrong cannot be told
+        if len(errors) == 2:
             jumped.update(errors)
             break
         jumped.add(worst)
-        # Seen are differences of lines alone, so its jump has pushed the others the other way.
+        # Its jump has pushed the others the other way.
         push = errors.pop(worst).mean(axis=0)
         errors = {line: own + push / len(errors) for line, own in errors.items()}
     return tuple(

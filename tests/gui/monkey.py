@@ -56,7 +56,7 @@ class Seen:
     drawn : other pauses over 200 ms: VTK drew, or others had the processors
     renewed : pauses in which a window was made in place of another
     memory_mb, widgets : before and after, the program standing alike
-    course_mb : memory while it played, every ten seconds
+    course_mb : memory while it played and no work ran, every ten seconds or as soon as that was
     left : threads and windows after the end
     """
 
@@ -165,7 +165,8 @@ class Monkey(QObject):
     def _tick(self) -> None:
         faulthandler.dump_traceback_later(HANGS_S, exit=True)
         self.note_pauses()
-        if time.monotonic() > self._weighed + 10:
+        # What a search takes in passing, gigabytes about a target of 45 m, is no growth
+        if time.monotonic() > self._weighed + 10 and not self._works():
             self._weighed = time.monotonic()
             self.seen.course_mb.append(round(resident_mb(), 1))
         if time.monotonic() > self._until:
@@ -242,13 +243,17 @@ class Monkey(QObject):
             self.ending and not self._waits() and not any(runner.busy for runner in self._runners())
         )
 
+    def _works(self) -> bool:
+        """Whether any work runs or waits."""
+        return any(runner.active for runner in self._runners())
+
     def rest(self) -> None:
         """Let what runs come to its end."""
         until = time.monotonic() + 120
         while time.monotonic() < until:
             QCoreApplication.processEvents()
             time.sleep(0.001)
-            if not any(runner.active for runner in self._runners()):
+            if not self._works():
                 break
 
     def stand(self, project: Path) -> None:
