@@ -28,6 +28,7 @@ from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.status import STEPS
 from lispac.gui.tasks import TaskRunner
+from lispac.gui.turns import Turn
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.vtk import VtkViewport
 from lispac.workflow.demo import run_demo
@@ -75,12 +76,13 @@ class Photographer:
         return self._session.window
 
     def rest(self, seconds: float = SETTLING_S) -> None:
-        """Wait for work, and then a little."""
+        """Wait for work and what is drawn in turns, and then a little."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             self._application.processEvents()
             time.sleep(0.01)
-            if self.window.runner.active:
+            drawn = not any(turn.isActive() for turn in self.window.findChildren(Turn))
+            if self.window.runner.active or not drawn:
                 end = time.monotonic() + seconds
 
     def take(self, widget: QWidget, name: str) -> None:

@@ -103,6 +103,7 @@ class StartPage(QScrollArea):
     def show_recent(self, folders: Iterable[Path]) -> None:
         """List projects, the one opened last first."""
         for old in self._projects:
+            old.hide()  # until it goes, it would stand where it was
             self._recent.removeWidget(old)
             old.deleteLater()
         self._projects = [self._project(folder) for folder in folders] or [_nothing()]
