@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
 LOCK_NAME = "open.lock"
+ELSEWHERE = (
+    "Unsaved work of this window is not kept against a crash: another window has the project open."
+)
 Signature = tuple[int, int]
 
 
@@ -72,7 +75,9 @@ class Safekeeping(QObject):
         self._settings.left_open = project.folder
         if not self._alone(project):
             self._keeps = False
-            if not self._dialogs.open_elsewhere(project.name, self._holder()):
+            if self._dialogs.open_elsewhere(project.name, self._holder()):
+                self._tell(ELSEWHERE)
+            else:
                 self._document.open(None, None)
         elif not self._document.is_modified:
             self._offer(project)
@@ -154,7 +159,7 @@ class Safekeeping(QObject):
         """The project on the disk is ours."""
         assert self._folder is not None
         self._saved = _signature(self._folder)
-        self._tell("")
+        self._tell("" if self._keeps else ELSEWHERE)
 
     def _may_save(self, project: Project) -> bool:
         """Whether a save overwrites nothing that somebody else wrote; asks where it does."""

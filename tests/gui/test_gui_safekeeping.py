@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.safekeeping import LOCK_NAME
+from lispac.gui.safekeeping import ELSEWHERE, LOCK_NAME
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME, read_project, read_unsaved
 from tests.gui.killed import killed_after_editing
@@ -93,6 +93,8 @@ def test_a_project_open_twice_is_noticed(
     other.window.controller.rename("T2", "South wall")
     other.window.actions_["save"].trigger()
     assert "South wall" in names(read_project(folder))
+    assert other.window.safekeeping.trouble == ELSEWHERE, "for as long as it has no protection"
+    assert driver.window.safekeeping.trouble == ""
     kept = read_unsaved(folder)
     assert kept is not None
     assert "North wall" in names(kept), "the first window's work, with its points"

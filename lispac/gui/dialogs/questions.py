@@ -133,7 +133,7 @@ class Questions:
         box.setInformativeText(
             say(
                 f"It is open in {where}. Of two windows the one that saves last overwrites "
-                "the other."
+                "the other, and unsaved work of the second is not kept against a crash."
             )
         )
         stay = box.addButton(say("Close it here"), QMessageBox.ButtonRole.RejectRole)

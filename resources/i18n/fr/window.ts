@@ -282,8 +282,12 @@
         <translation>{name} est déjà ouvert dans une autre fenêtre.</translation>
     </message>
     <message>
-        <source>It is open in {where:kept}. Of two windows the one that saves last overwrites the other.</source>
-        <translation>Il est ouvert ici : {where}. De deux fenêtres, celle qui enregistre en dernier écrase l&apos;autre.</translation>
+        <source>It is open in {where:kept}. Of two windows the one that saves last overwrites the other, and unsaved work of the second is not kept against a crash.</source>
+        <translation>Il est ouvert ici : {where}. De deux fenêtres, celle qui enregistre en dernier écrase l&apos;autre, et le travail non enregistré de la seconde n&apos;est pas protégé contre un plantage.</translation>
+    </message>
+    <message>
+        <source>Unsaved work of this window is not kept against a crash: another window has the project open.</source>
+        <translation>Le travail non enregistré de cette fenêtre n&apos;est pas protégé contre un plantage : une autre fenêtre a le projet ouvert.</translation>
     </message>
     <message>
         <source>Close it here</source>
