@@ -68,7 +68,7 @@ class Designing(QObject):
         self.window.activateWindow()
 
     def _made(self) -> DesignWindow:
-        window = DesignWindow(self.workspace, type(self._main.viewport), self._main)
+        window = DesignWindow(self.workspace, self._main.viewport.another, self._main)
         for name, slot in {
             "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
             "page": self.write_page, "scenarios": self.scenarios, "cancel": self.runner.cancel,

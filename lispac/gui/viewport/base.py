@@ -163,6 +163,9 @@ class Viewport(Protocol):
     def widget(self) -> QWidget:
         """The widget to put into the window."""
 
+    def another(self) -> "Viewport":
+        """One more of its kind, with nothing in it."""
+
     def show_clouds(
         self,
         clouds: Mapping[str, Array],

@@ -50,6 +50,10 @@ class LateViewport:
             return
         self._made().show_clouds(clouds, colours, shading)
 
+    def another(self) -> "LateViewport":
+        """One more that makes its own when it is needed."""
+        return LateViewport(self._make)
+
     def close(self) -> None:
         """Release the graphics, if there are any."""
         self._place.seen = None

@@ -199,6 +199,10 @@ class RecordingViewport:
         self.highlights, self.markers, self.selected = [], [], None
         self.sketches, self.box, self.beside = {}, None, None
 
+    def another(self) -> "RecordingViewport":
+        """One more, with nothing in it."""
+        return RecordingViewport()
+
     def close(self) -> None:
         """Remember that the graphics are released."""
         self._record("close")

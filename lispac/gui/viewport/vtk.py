@@ -264,6 +264,10 @@ class VtkViewport:
         self.show_highlights([])
         self._draw_clouds()
 
+    def another(self) -> "VtkViewport":
+        """One more, with nothing in it."""
+        return VtkViewport()
+
     def close(self) -> None:
         """Release the graphics; called before the window closes, and harmless when repeated."""
         if self._closed:
