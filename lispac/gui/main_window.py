@@ -7,7 +7,7 @@ from PySide6.QtCore import QSize, Qt, QUrl, Signal
 from PySide6.QtGui import QCloseEvent, QDesktopServices
 from PySide6.QtWidgets import QMainWindow
 
-from lispac.gui import docks, status
+from lispac.gui import docks, status, tabbing
 from lispac.gui.actions import Actions
 from lispac.gui.cautioning import Cautioning
 from lispac.gui.computing import Computing
@@ -195,6 +195,10 @@ class MainWindow(QMainWindow):
     def sizeHint(self) -> QSize:
         """The size it likes best, in pixels."""
         return QSize(1600, 1000)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Tab and Shift+Tab."""
+        return tabbing.go_on(self, forward)
 
     def _join_panels(self) -> None:
         data, targets, control = self.data, self.targets, self.controller

@@ -47,6 +47,8 @@ class StartPage(QScrollArea):
         super().__init__()
         self.setObjectName("start_page")
         self.setAccessibleName(say("Start page"))
+        # It would have the focus at first, unseen; keys scroll it from the ways, too
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         body = QWidget()

@@ -1,0 +1,105 @@
+"""Tab and Shift+Tab all the way round the window: the focus is always where it is seen."""
+
+from itertools import pairwise
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QListWidget, QScrollArea, QWidget
+
+from lispac.gui.panels.convention import TITLE as CONVENTION
+from tests.gui.support import WAIT_MS, Driver, Key, open_step
+
+MOST = 200
+"""More than there are stops in the window."""
+SMALL = 1366, 740
+
+
+def round_trip(driver: Driver, key: Qt.Key) -> list[QWidget]:
+    """Where the key leads until it comes to a widget for the second time, which is the first."""
+    stops: list[QWidget] = []
+    for _ in range(MOST):
+        driver.bot.keyClick(QApplication.focusWidget(), key)
+        focused = QApplication.focusWidget()
+        if focused in stops:
+            assert focused is stops[0]
+            return stops
+        assert is_seen(focused), focused
+        stops.append(focused)
+    raise AssertionError(names(stops))
+
+
+def is_seen(widget: QWidget) -> bool:
+    """Whether something of it is drawn; what scrolls is covered by what is in it."""
+    inner = widget.viewport() if hasattr(widget, "viewport") else widget
+    return not inner.visibleRegion().isEmpty()
+
+
+def names(stops: list[QWidget]) -> list[str]:
+    return [each.objectName() for each in stops]
+
+
+def bring(driver: Driver, title: str) -> None:
+    """Have a dock before those it shares its place with."""
+    dock = driver.window.docks[title]
+    dock.show()
+    dock.raise_()
+    driver.bot.waitUntil(lambda: not dock.visibleRegion().isEmpty(), timeout=WAIT_MS)
+
+
+def test_without_a_project_tab_goes_round_what_is_in_sight(driver: Driver) -> None:
+    driver.bot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=WAIT_MS)
+    assert QApplication.focusWidget().objectName() == "start_tour"
+    stops = round_trip(driver, Key.Key_Tab)
+    assert {"start_design", "step_data", "step_report", "sightings_table"} <= set(names(stops))
+    assert not any(isinstance(each, QScrollArea) for each in stops)
+    after = dict(pairwise(names(stops)))
+    assert (after["step_data"], after["empty_demo"]) == ("empty_new", "step_targets")
+    assert round_trip(driver, Key.Key_Backtab) == stops[::-1]
+
+
+def test_a_dock_is_gone_through_in_front_only(driver: Driver) -> None:
+    for front in ("Results", CONVENTION, "Results"):
+        bring(driver, front)
+        found = "convention_system" in names(round_trip(driver, Key.Key_Tab))
+        assert found == (front == CONVENTION)
+
+
+def test_every_stop_of_a_calibrated_project_is_seen(adjusted: Driver) -> None:
+    window = adjusted.window
+    window.resize(*SMALL)
+    for step, header in enumerate(window.workflow.headers):
+        open_step(adjusted, step)
+        header.setFocus()
+        stops = round_trip(adjusted, Key.Key_Tab)
+        assert set(names(window.workflow.headers)) <= set(names(stops))
+        round_trip(adjusted, Key.Key_Backtab)
+    for title in window.docks:
+        bring(adjusted, title)
+        window.workflow.headers[0].setFocus()
+        round_trip(adjusted, Key.Key_Tab)
+        round_trip(adjusted, Key.Key_Backtab)
+
+
+def test_what_is_scrolled_out_comes_into_sight(adjusted: Driver) -> None:
+    window = adjusted.window
+    window.resize(*SMALL)
+    open_step(adjusted, 0)
+    window.workflow.headers[1].setFocus()
+    adjusted.bot.keyClick(window.workflow.headers[1], Key.Key_Backtab)
+    focused = QApplication.focusWidget()
+    assert window.data.isAncestorOf(focused)
+    assert focused.visibleRegion().boundingRect() == focused.rect()
+
+
+def test_lists_that_are_passed_choose_nothing(adjusted: Driver) -> None:
+    """A list that gets the focus would choose its first row."""
+    window = adjusted.window
+    behind = [
+        each
+        for dock in window.docks.values()
+        if dock.visibleRegion().isEmpty()
+        for each in dock.findChildren(QListWidget)
+    ]
+    rows = [each.currentRow() for each in behind]
+    assert behind
+    round_trip(adjusted, Key.Key_Tab)
+    assert [each.currentRow() for each in behind] == rows
