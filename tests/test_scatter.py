@@ -8,6 +8,7 @@ import pytest
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.scatter import unforeseen, with_scatter
+from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.geometry.rotations import rotation_matrix
@@ -42,11 +43,17 @@ def adjusted(
     return adjust(observations, prior, model), observations, prior
 
 
+def solved(result: AdjustmentResult, observations: Observations, prior: Mounting) -> Solved:
+    found = Solved.of(result, observations, prior)
+    assert found is not None
+    return found
+
+
 def test_where_the_model_holds_the_sigmas_stay(thinned: Opened, clean: Targetless) -> None:
     """On 26 simulated quays they rose by 5 % in the mean and 19 % at most."""
     model = thinned[0].settings.stochastic_model
     plain, observations, prior = adjusted(clean, thinned[1], model)
-    raised = with_scatter(plain, observations, prior)
+    raised = with_scatter(plain, solved(plain, observations, prior))
     factors = raised.sigma / plain.sigma
     assert (factors >= 1).all()
     assert factors.max() < 1.25, factors
@@ -80,7 +87,7 @@ def test_without_a_model_of_common_errors_nothing_is_raised(
 ) -> None:
     model = replace(thinned[0].settings.stochastic_model, pos_errors="independent")
     plain, observations, prior = adjusted(clean, thinned[1], model)
-    assert with_scatter(plain, observations, prior) is plain
+    assert Solved.of(plain, observations, prior) is None
 
 
 def test_two_surfaces_tell_nothing_of_surfaces(thinned: Opened, clean: Targetless) -> None:
@@ -90,6 +97,6 @@ def test_two_surfaces_tell_nothing_of_surfaces(thinned: Opened, clean: Targetles
     prior = few.mounting("prior")
     observations = observations_of(few, thinned[1], mounting=clean.result.mounting)
     result = adjust(observations, prior, model, accept_one_facing=True)
-    more = unforeseen(result, observations, prior)
+    more = unforeseen(solved(result, observations, prior))
     assert np.isfinite(more).all()
     assert (more >= 0).all()

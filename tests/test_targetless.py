@@ -4,7 +4,6 @@ import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ from lispac.survey.georeferencing import Mounting, place, to_lidar
 from lispac.survey.scan import Scan
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import Targetless, disagreeing, targetless
+from lispac.workflow.targetless import Targetless, targetless
 from tests.test_cli import answer, run
 from tests.test_reference_surveys import angles, make
 
@@ -146,46 +145,6 @@ def test_a_line_whose_position_jumped_is_named(thinned: Opened, clean: Targetles
     assert (off < 3 * sigma).all(), (off, sigma)
     assert found.disagreeing == (wrong,)
     assert wrong in found.sentences[-1]
-
-
-def adjusted(jumps: dict[str, float]) -> SimpleNamespace:
-    """An answer in which each line has jumped northwards by so many sigmas, and pushed the rest."""
-    mean = sum(jumps.values()) / len(jumps)
-    sightings = {line: SimpleNamespace(line=line) for line in jumps}
-    return SimpleNamespace(
-        suspects=[],
-        sightings=[SimpleNamespace(sighting=each) for each in sightings.values()],
-        reliability=[
-            SimpleNamespace(
-                sighting=sightings[line],
-                pos_error=0.02 * (off - mean) * np.eye(6)[0],
-                pos_sigma=np.full(6, 0.02),
-                pos_sigma_after=np.full(6, 0.01),
-            )
-            for line, off in jumps.items()
-        ],
-    )
-
-
-@pytest.mark.parametrize(
-    ("jumps", "named"),
-    [
-        ((0.5, -0.5, 0.3, -0.3, 0.6, -0.6), ""),
-        ((12.0, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
-        ((12.0, 0.0, 0.0, -12.0, 0.0, 0.0), "AD"),
-        # It has pushed the others by 4 sigmas, which is none of their doing
-        ((24.0, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
-        # As many against as for it: the rest is not called wrong, too
-        ((9.0, -9.0, 9.0, -9.0, 20.0, -20.0), "EF"),
-        ((12.0, 0.0, 0.0), "A"),
-        ((12.0, 0.0), "AB"),
-    ],
-)
-def test_lines_that_jumped_are_named_while_they_are_fewer(
-    jumps: tuple[float, ...], named: str
-) -> None:
-    result = adjusted(dict(zip("ABCDEF", jumps, strict=False)))
-    assert "".join(disagreeing(result, "ABCDEF"[: len(jumps)])) == named  # type: ignore[arg-type]
 
 
 def test_one_line_and_lines_that_share_nothing_are_refused(thinned: Opened) -> None:

@@ -18,17 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
-from lispac.adjustment.crosscheck import as_judged
-from lispac.adjustment.iteration import iterate
 from lispac.adjustment.normal import inverse
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.problem import Linearised, Problem
+from lispac.adjustment.problem import Linearised
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.shapes import about, fit_shapes, middles
+from lispac.adjustment.solved import Solved
 from lispac.errors import AdjustmentError
 from lispac.progress import Progress, no_progress
-from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -44,64 +39,25 @@ LOOSE = 10.0
 
 
 def with_scatter(
-    result: AdjustmentResult,
-    observations: Observations,
-    mounting: Mounting,
-    parameters: tuple[Parameter, ...] = (),
-    *,
-    progress: Progress = no_progress,
+    result: AdjustmentResult, solved: Solved, *, progress: Progress = no_progress
 ) -> AdjustmentResult:
-    """The result with the sigmas of its angles raised by what parts of the data tell.
-
-    Parameters
-    ----------
-    mounting : Mounting
-        As it went into the adjustment of ``result``.
-    parameters : tuple of Parameter
-        Estimated besides the boresight.
-    """
-    if not result.model.correlated:
-        return result
-    more = unforeseen(result, observations, mounting, parameters, progress=progress)
+    """The result with the sigmas of its angles raised by what parts of the data tell."""
+    more = unforeseen(solved, progress=progress)
     factors = np.ones(len(result.covariance_all))
     factors[:3] = np.sqrt(1.0 + more / np.diag(result.covariance))
     return replace(result, covariance_all=result.covariance_all * np.outer(factors, factors))
 
 
-def unforeseen(
-    result: AdjustmentResult,
-    observations: Observations,
-    mounting: Mounting,
-    parameters: tuple[Parameter, ...] = (),
-    *,
-    progress: Progress = no_progress,
-) -> Array:
-    """Variance of the angles that the model does not foresee, shape (3,), square radians.
-
-    Parameters
-    ----------
-    mounting : Mounting
-        As it went into the adjustment of ``result``.
-    parameters : tuple of Parameter
-        Estimated besides the boresight.
-    """
-    observations, result = as_judged(observations, result)
-    own = tuple(each for each in parameters if each.name in result.estimated)
-    origins = middles(observations, result.mounting)
-    few = about(observations, origins)
-    problem = Problem.of(few, mounting, result.model, own)
-    start = problem.start(result.mounting, fit_shapes(few, result.mounting))
-    more = np.zeros(3)
-    try:
-        with one_thread():
-            end = iterate(problem, start, progress).linearised
-            # Weights follow an answer; held fast, the answers of parts would scatter too little.
-            here = end.problem.linearised(end.state, end.loss, tangent=True)
+def unforeseen(solved: Solved, *, progress: Progress = no_progress) -> Array:
+    """Variance of the angles that the model does not foresee, shape (3,), square radians."""
+    here, more = solved.here, np.zeros(3)
+    with one_thread():
+        try:
             whole = _without(here, np.zeros(len(here.sums), dtype=bool))
-            for parts in _kinds(here, origins):
-                more += _beyond(here, whole, parts, progress)
-    except (AdjustmentError, np.linalg.LinAlgError):
-        return np.zeros(3)  # without a whole to compare with, nothing is known
+        except (AdjustmentError, np.linalg.LinAlgError):
+            return more  # without a whole to compare with, nothing is known
+        for parts in _kinds(here, solved.origins):
+            more += _beyond(here, whole, parts, progress)
     return more
 
 

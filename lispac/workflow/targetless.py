@@ -6,7 +6,7 @@ again, until the angles stay.
 """
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from time import perf_counter
 
@@ -14,9 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.components import FEWEST_LINES
+from lispac.adjustment.line_shifts import Scores
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.scatter import with_scatter
 from lispac.adjustment.shown import listed
+from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
 from lispac.natural.choice import COUNT, Choice, chosen
@@ -38,10 +40,6 @@ SETTLED = 0.1
 """Share of its sigma by which an angle may move when no further round is worth its time."""
 FEWEST = 4
 """Patches below which nothing of them can be checked."""
-SURPRISE = 0.05
-"""Chance that any line is named where nothing is wrong with one."""
-TOLD = 0.05
-"""Share of its variance that the adjustment must tell of a POS error."""
 RAISED = 1.3
 """Factor on a sigma beyond which it is told that it was raised."""
 DISAGREES = 0.3
@@ -194,17 +192,21 @@ def targetless(
         accept_one_facing=settings.accept_one_facing,
         progress=part(progress, 0.5, 0.9),
     )
-    told = with_scatter(
+    solved = Solved.of(
         result,
         observations.with_sigmas(*result.sigma_factors),
         project.mounting("prior"),
         settings.parameters,
-        progress=part(progress, 0.9, 1.0),
+        progress=part(progress, 0.9, 0.95),
     )
+    told, shifted = result, tuple[str, ...]()
+    if solved is not None:
+        told = with_scatter(result, solved, progress=part(progress, 0.95, 1.0))
+        shifted = Scores.of(solved.here).shifted()
     raised = float((told.sigma / result.sigma).max())
-    solved = replace(picked, result=replace(told, elapsed=perf_counter() - started))
-    named = disagreeing(result, survey.clouds)
-    return Targetless(solved, rounds, settled, found, named, mixed, raised)
+    answer = replace(picked, result=replace(told, elapsed=perf_counter() - started))
+    named = disagreeing(result, survey.clouds, shifted)
+    return Targetless(answer, rounds, settled, found, named, mixed, raised)
 
 
 def _targets_alone(project: Project) -> Project:
@@ -277,47 +279,25 @@ def _targets(
     return tuple(found)
 
 
-def disagreeing(result: AdjustmentResult, lines: Iterable[str]) -> tuple[str, ...]:
-    """Lines whose POS error is surprisingly large, or of which many sightings had to be let go of.
+def disagreeing(
+    result: AdjustmentResult, lines: Iterable[str], shifted: Collection[str]
+) -> tuple[str, ...]:
+    """Lines that are shifted, share no surface, or of which many sightings had to be let go of.
 
-    A jump of the position that all sightings of a line share is taken up by the line's POS error;
-    what is found of that has the variance before less the variance after the adjustment. A line
-    that is farther off shares no surface at all.
+    A line that is too far off for its POS error shows by its sightings: there are none, or others
+    are not agreed with.
 
     Parameters
     ----------
     lines : iterable of str
         All that there are.
+    shifted : collection of str
+        Those whose position is shifted as a whole.
     """
-    from scipy.special import chdtrc
-
     count = Counter(residual.sighting.line for residual in result.sightings)
     gone = Counter(sighting.line for sighting in result.suspects)
-    errors, told = {}, {}
-    for line in count:
-        if not (own := [item for item in result.reliability if item.sighting.line == line]):
-            continue
-        errors[line] = np.array([item.pos_error[:3] for item in own])
-        before = np.array([item.pos_sigma[:3] for item in own]) ** 2
-        after = np.array([item.pos_sigma_after[:3] for item in own]) ** 2
-        told[line] = np.maximum(before - after, TOLD * before)
-    jumped: set[str] = set()
-    # Seen are differences of lines alone: which is wrong can be told while the others are more.
-    most = max(1, (len(errors) - 1) // 2)
-    while len(jumped) < most:
-        size = {k: float(np.median((errors[k] ** 2 / told[k]).sum(axis=1))) for k in errors}
-        worst = max(size, key=size.__getitem__, default="")
-        if not worst or chdtrc(3, size[worst]) >= SURPRISE / len(count):
-            break
-        if len(errors) == 2:
-            jumped.update(errors)
-            break
-        jumped.add(worst)
-        # Its jump has pushed the others the other way.
-        push = errors.pop(worst).mean(axis=0)
-        errors = {line: own + push / len(errors) for line, own in errors.items()}
     return tuple(
         line
         for line in lines
-        if not count[line] or line in jumped or gone[line] >= max(2.0, DISAGREES * count[line])
+        if not count[line] or line in shifted or gone[line] >= max(2.0, DISAGREES * count[line])
     )

@@ -1,0 +1,123 @@
+"""Lines whose position is shifted as a whole, as after a jump of the GNSS between two lines.
+
+The POS error takes a jump up as far as its prior allows, and as lines are seen against each other,
+it pushes the other lines the other way. Whether a line's POS error has a mean b of its own is a
+score test (Rao 1948): with the estimated errors e, their prior precision W, their covariance C
+after the adjustment, and the line's knots G, the score G'We has the variance Q = G'(W - WCW)G
+where nothing is shifted. A shift that is named becomes an unknown, which takes its push off the
+others.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import NDArray
+
+from lispac.adjustment.blunders import FAMILY
+from lispac.adjustment.problem import Linearised
+
+Array = NDArray[np.float64]
+
+TOLD = 0.05
+"""Share of what the prior knows of a shift that the data must tell in a direction for it to be
+tested: less is told by the prior alone."""
+AXES = 3
+"""North, west, up."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scores:
+    """What the data say of a shift of each line.
+
+    Attributes
+    ----------
+    lines : tuple of str
+    score : ndarray of shape (3 lines,)
+        Divided by the root of the prior's own, so that all have one unit.
+    variance : ndarray of shape (3 lines, 3 lines)
+        Between 0, nothing is told, and 1, all is.
+    """
+
+    lines: tuple[str, ...]
+    score: Array
+    variance: Array
+
+    @classmethod
+    def of(cls, here: Linearised) -> "Scores":
+        """Score every line.
+
+        Parameters
+        ----------
+        here : Linearised
+            Of the correlated model, at its solution.
+        """
+        problem, normal = here.problem, here.normal
+        observations, knots = problem.observations, problem.groups.knots
+        assert knots is not None
+        lines = tuple(observations.lines)
+        place = {line: k for k, line in enumerate(lines)}
+        of_sighting = np.array([place[each.line] for each in observations.sightings])
+        line = of_sighting[problem.groups.sighting]
+        shifts = np.zeros((len(lines), AXES, len(knots.time), 6))
+        for k in range(len(lines)):
+            own = problem.groups.knot[line == k]
+            for axis in range(AXES):
+                shifts[k, axis, own, axis] = shifts[k, axis, own + 1, axis] = 1.0
+        weighted = np.array([[knots.weighted(each) for each in own] for own in shifts])
+        size = len(lines) * AXES
+        flat, given = weighted.reshape(size, -1), shifts.reshape(size, -1)
+        alone = scipy.linalg.cho_solve_banded((normal.factor, True), flat.T)
+        through = flat @ normal.by_unknowns
+        after = flat @ alone + through @ normal.covariance @ through.T
+        prior = flat @ given.T
+        root = np.sqrt(np.diag(prior))
+        variance = (prior - after) / np.outer(root, root)
+        score = flat @ here.state.effects.reshape(-1) / root
+        return cls(lines, score, (variance + variance.T) / 2)
+
+    def chance(self, k: int) -> float:
+        """Of a score as large as that of a line where nothing is shifted."""
+        from scipy.special import chdtrc
+
+        own, (told, directions) = self._of(k), self._told(k)
+        along = directions.T @ self.score[own]
+        return float(chdtrc(len(told), (along**2 / told).sum())) if len(told) else 1.0
+
+    def given(self, k: int) -> "Scores":
+        """Of the others, with a line's shift as an unknown."""
+        own, (told, directions) = self._of(k), self._told(k)
+        share = self.variance[:, own] @ (directions / told) @ directions.T
+        return Scores(
+            self.lines,
+            self.score - share @ self.score[own],
+            self.variance - share @ self.variance[own],
+        )
+
+    def shifted(self) -> tuple[str, ...]:
+        """Lines whose position is shifted.
+
+        Only differences of lines are seen: of two that do not agree both are named, and of more
+        less than half.
+        """
+        count, scores, found = len(self.lines), self, set[int]()
+        while len(found) < max(1, (count - 1) // 2):
+            chances = {k: scores.chance(k) for k in range(count) if k not in found}
+            worst = min(chances, key=chances.__getitem__)
+            if chances[worst] >= FAMILY / count:
+                break
+            found.add(worst)
+            scores = scores.given(worst)
+        if found and count == 2:
+            return self.lines
+        return tuple(self.lines[k] for k in sorted(found))
+
+    def _of(self, k: int) -> slice:
+        return slice(AXES * k, AXES * (k + 1))
+
+    def _told(self, k: int) -> tuple[Array, Array]:
+        """Shares that the data tell of a line's shift, and in which directions."""
+        own = self._of(k)
+        shares, directions = np.linalg.eigh(self.variance[own, own])
+        enough = shares > TOLD
+        return shares[enough], directions[:, enough]

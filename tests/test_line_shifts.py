@@ -1,0 +1,102 @@
+"""Lines whose position is shifted as a whole."""
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.line_shifts import AXES, Scores
+from lispac.adjustment.problem import Linearised
+from lispac.adjustment.solved import Solved
+from lispac.adjustment.solver import adjust
+from lispac.project import Project
+from lispac.workflow.calibration import observations_of
+from lispac.workflow.survey import load_survey
+from lispac.workflow.targetless import targetless
+
+SIGMAS = 6.0
+"""A shift, over the prior's sigma of it."""
+
+
+def seen(*shifts: float) -> Scores:
+    """Lines seen against each other without noise, shifted northwards by so many sigmas."""
+    count = len(shifts)
+    differences = np.kron(np.eye(count) - 1.0 / count, np.eye(AXES))
+    off = np.zeros(count * AXES)
+    off[::AXES] = shifts
+    return Scores(tuple("ABCDEF"[:count]), differences @ off, differences)
+
+
+@pytest.mark.parametrize(
+    ("shifts", "named"),
+    [
+        ((1.0, -1.0, 0.5, -0.5, 1.2, -1.2), ""),
+        ((SIGMAS, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
+        ((SIGMAS, 0.0, 0.0, -SIGMAS, 0.0, 0.0), "AD"),
+        # It has pushed the others by four sigmas each, which is none of their doing
+        ((4 * SIGMAS, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
+        # As many against as for it: the rest is not called wrong, too
+        ((9.0, -9.0, 9.0, -9.0, 20.0, -20.0), "EF"),
+        ((SIGMAS, 0.0, 0.0), "A"),
+        ((SIGMAS, 0.0), "AB"),
+        ((0.0, 0.0), ""),
+    ],
+)
+def test_who_is_shifted_is_named_and_nobody_that_it_pushed(
+    shifts: tuple[float, ...], named: str
+) -> None:
+    assert "".join(seen(*shifts).shifted()) == named
+
+
+def test_what_is_given_tells_nothing_more() -> None:
+    after = seen(SIGMAS, 1.0, 0.0, 0.0).given(0)
+    np.testing.assert_allclose(after.score[:AXES], 0.0, atol=1e-12)
+    np.testing.assert_allclose(after.variance[:AXES], 0.0, atol=1e-12)
+    # As if there were three lines: with the mean of the three taken off
+    np.testing.assert_allclose(after.score[AXES::AXES], np.array([2.0, -1.0, -1.0]) / 3)
+
+
+@pytest.fixture(scope="module")
+def here(demo_project: Project) -> Linearised:
+    survey = load_survey(demo_project)
+    found = targetless(demo_project, survey, count=6).project
+    prior, model = found.mounting("prior"), demo_project.settings.stochastic_model
+    observations = observations_of(found, survey, mounting=found.mounting("estimated"))
+    solved = Solved.of(adjust(observations, prior, model), observations, prior)
+    assert solved is not None
+    return solved.here
+
+
+def test_scores_are_those_of_dense_matrices(here: Linearised) -> None:
+    normal, problem = here.normal, here.problem
+    knots, observations = problem.groups.knots, problem.observations
+    assert knots is not None
+    size = 6 * len(knots.time)
+    own = np.zeros((size, size))
+    for below, values in enumerate(normal.band):
+        rows = np.arange(size - below)
+        own[rows + below, rows] = own[rows, rows + below] = values[: size - below]
+    whole = np.block([[normal.matrix, normal.mixed], [normal.mixed.T, own]])
+    after = np.linalg.inv(whole)[len(normal.matrix) :, len(normal.matrix) :]
+    weights = np.stack(
+        [knots.weighted(each.reshape(-1, 6)).reshape(-1) for each in np.eye(size)], axis=1
+    )
+    scores = Scores.of(here)
+    lines = np.array([each.line for each in observations.sightings])[observations.sighting]
+    shifts = []
+    for line in scores.lines:
+        first = knots.left[lines == line]
+        for axis in range(AXES):
+            shift = np.zeros((len(knots.time), 6))
+            shift[np.union1d(first, first + 1), axis] = 1.0
+            shifts.append(shift.reshape(-1))
+    moved = np.array(shifts).T
+    prior = moved.T @ weights @ moved
+    root = np.sqrt(np.diag(prior))
+    variance = (prior - moved.T @ weights @ after @ weights @ moved) / np.outer(root, root)
+    score = moved.T @ weights @ here.state.effects.reshape(-1) / root
+    np.testing.assert_allclose(scores.variance, variance, rtol=0, atol=1e-7)
+    np.testing.assert_allclose(scores.score, score, rtol=0, atol=1e-7)
+    for k in range(len(scores.lines)):
+        own = slice(AXES * k, AXES * (k + 1))
+        shares = np.linalg.eigvalsh(variance[own, own])
+        assert (shares > 0).all()
+        assert (shares < 1).all()
