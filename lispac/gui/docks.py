@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from lispac.gui.language import say
@@ -44,6 +44,17 @@ def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
     window.resizeDocks(sides, [350, 400], Qt.Orientation.Horizontal)
     below = [docks["Targets by lines"]]
     window.resizeDocks(below, [3 * window.height() // 10], Qt.Orientation.Vertical)
+
+
+def arrange(window: QMainWindow, docks: Mapping[str, QDockWidget], at_first: QByteArray) -> None:
+    """Put every panel back where a first start has it, also those that float or were closed.
+
+    Parameters
+    ----------
+    at_first : state of the window when the panels were laid out
+    """
+    window.restoreState(at_first)
+    share_out(window, docks)  # the state is older than the size of the window
 
 
 def show_all(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:

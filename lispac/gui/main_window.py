@@ -159,6 +159,7 @@ class MainWindow(QMainWindow):
         self.setStatusBar(self.task_bar)
         self.addToolBar(self.actions_.fill_toolbar())
         self.docks = self._docks()
+        self._at_first = self.saveState()
         # A dock behind another counts as visible; only this signal tells.
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.be_seen)
         self.actions_.fill_menus([dock.toggleViewAction() for dock in self.docks.values()])
@@ -255,6 +256,7 @@ class MainWindow(QMainWindow):
             "before": lambda: self.computing.show("prior"),
             "after": lambda: self.computing.show("estimated"),
             "toggle": self._toggle,
+            "arrange": lambda: docks.arrange(self, self.docks, self._at_first),
             "english": lambda: self._speak("en"),
             "french": lambda: self._speak("fr"),
             **{name: partial(self._dress, choice) for choice, name in THEMED.items()},

@@ -48,6 +48,8 @@ VIEW_ACTIONS: dict[str, Described] = {
     "colour_residual": ("Colour by r&esidual", "Residual", "", "",
                         "Colour targets by the distance from the adjusted surface, and validation "
                         "planes by that from the plane of all lines as they are shown"),
+    "arrange": ("&Arrange as at first", "Arrange", "", "",
+                "Put every panel back in its place, also those that float or were closed"),
     "theme_system": ("&As the system", "System", "", "",
                      "Light or dark as the system is, also when that changes"),
     "theme_light": ("&Light", "Light", "", "", "Dark text on a light ground"),
@@ -107,7 +109,7 @@ VIEW_MENU: Menu = (
     "copy_picture",
     "",
     "warnings",
-    ("&Panels", ("DOCKS",)),
+    ("&Panels", ("DOCKS", "", "arrange")),
     ("T&heme", tuple(THEMED.values())),
     ("Lan&guage · Langue", ("english", "french")),
 )

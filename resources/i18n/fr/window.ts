@@ -1251,6 +1251,18 @@
         <source>&amp;Panels</source>
         <translation>Pa&amp;nneaux</translation>
     </message>
+    <message>
+        <source>&amp;Arrange as at first</source>
+        <translation>&amp;Disposer comme au début</translation>
+    </message>
+    <message>
+        <source>Arrange</source>
+        <translation>Disposer</translation>
+    </message>
+    <message>
+        <source>Put every panel back in its place, also those that float or were closed</source>
+        <translation>Remettre chaque panneau à sa place, même flottant ou fermé</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -1,0 +1,78 @@
+"""Panels that were moved, closed or made to float are arranged as at first, by the menu."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtWidgets import QAbstractButton, QApplication, QToolBar
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.main_window import MainWindow
+from lispac.gui.viewport.recording import RecordingViewport
+from tests.gui.by_hand import choose, open_menu
+from tests.gui.support import Driver, click
+
+SOON_MS = 10_000
+Arrangement = dict[str, tuple[QRect | None, bool, set[str]]]
+
+
+def arrangement(window: MainWindow) -> Arrangement:
+    """Where each panel is that is in front, whether it floats, and whom it shares its place with.
+
+    One that lies behind has whatever size it had before.
+    """
+    return {
+        title: (
+            dock.geometry() if is_in_front(window, title) else None,
+            dock.isFloating(),
+            {each.objectName() for each in window.tabifiedDockWidgets(dock)},
+        )
+        for title, dock in window.docks.items()
+    }
+
+
+def is_in_front(window: MainWindow, title: str) -> bool:
+    return not window.docks[title].visibleRegion().isEmpty()
+
+
+def disturb(driver: Driver) -> None:
+    """Close a panel, let another float, move a third, bring a fourth in front; no toolbar."""
+    window = driver.window
+    for title, button in (("Results", "close"), ("Workflow", "float")):
+        dock = window.docks[title]
+        click(driver, dock.findChild(QAbstractButton, f"qt_dockwidget_{button}button"))
+    window.addDockWidget(Qt.DockWidgetArea.TopDockWidgetArea, window.docks["Log"])
+    window.docks["Histograms"].raise_()
+    window.findChild(QToolBar).hide()
+
+
+def arrange(driver: Driver) -> None:
+    choose(driver.bot, open_menu(driver.bot, driver.window, "View"), "Panels", "Arrange")
+
+
+def test_all_panels_go_back_to_their_first_places(driver: Driver) -> None:
+    window = driver.window
+    before = arrangement(window)
+    assert is_in_front(window, "Results")
+    disturb(driver)
+    driver.bot.waitUntil(lambda: is_in_front(window, "Histograms"), timeout=SOON_MS)
+    assert window.docks["Workflow"].isFloating()
+    arrange(driver)
+    driver.bot.waitUntil(lambda: arrangement(window) == before, timeout=SOON_MS)
+    assert window.findChild(QToolBar).isVisible()
+
+
+def test_also_those_that_a_former_window_left_elsewhere(
+    driver: Driver, qtbot: QtBot, qapp: QApplication, tmp_path: Path
+) -> None:
+    before = arrangement(driver.window)
+    disturb(driver)
+    driver.window.close()
+    later = Driver(qtbot, RecordingViewport(), tmp_path)
+    try:
+        assert later.window.docks["Workflow"].isFloating()
+        assert not later.window.docks["Results"].isVisible()
+        later.window.resize(driver.window.size())
+        arrange(later)
+        qtbot.waitUntil(lambda: arrangement(later.window) == before, timeout=SOON_MS)
+    finally:
+        later.leave()
