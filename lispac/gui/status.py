@@ -5,6 +5,7 @@ from typing import Literal
 
 from lispac.doubles import doubts_of
 from lispac.project import Project
+from lispac.workflow.facing import ONE_FACING, face_one_way
 from lispac.workflow.survey import Survey
 from lispac.workflow.warnings import SINGLE
 
@@ -115,6 +116,8 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
         )
     if len(used) < 2:
         return StepStatus("warning", f"{sentence}: a second is missing", SINGLE, ready=True)
+    if project.result is None and face_one_way(project, survey):
+        return StepStatus("warning", sentence, ONE_FACING, ready=True)
     advice = (
         "Enough to adjust. Pick validation planes too, to show how well the lines agree."
         if not planes
@@ -150,6 +153,8 @@ def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str
         return StepStatus("empty", "pick targets first", "Pick at least two targets first.")
     if len(used) < 2:
         return StepStatus("warning", "a second target is missing", SINGLE, ready=True)
+    if survey is not None and face_one_way(project, survey):
+        return StepStatus("warning", "another inclination is missing", ONE_FACING, ready=True)
     return StepStatus("todo", "ready to estimate", "Press Estimate.", ready=True)
 
 

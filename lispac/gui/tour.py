@@ -17,6 +17,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.status import TARGETS
 from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
+from lispac.workflow.facing import face_one_way
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -67,6 +68,13 @@ STEPS = (
 )  # fmt: skip
 
 
+ALIKE = (
+    "This target faces the same way as the other, so the angles stay open. Take it back with "
+    "Ctrl+Z, then Ctrl+click the board that leans back and press Return."
+)
+"""Said while that is so, wherever the tour stands."""
+
+
 class TourCard(QFrame):
     """What to do now, above the view."""
 
@@ -104,6 +112,7 @@ class Tour(QObject):
         super().__init__(window)
         self._window, self._card = window, card
         self._at: int | None = None
+        self._text = ""
         self._starting = False
         self._place: str | None = None
         """What is to be brought into view once the lines are drawn."""
@@ -159,9 +168,13 @@ class Tour(QObject):
             return
         waits = self._window.controller.candidate is not None
         at = next(k for k, step in enumerate(STEPS) if not step.done(project, waits))
-        if at != self._at:
-            self._at = at
-            self._card.show_step(at, STEPS[at].text)
+        document, text = self._window.document, STEPS[at].text
+        if project.result is None and document.survey_is_current:
+            assert document.survey is not None
+            text = ALIKE if face_one_way(project, document.survey) else text
+        if (at, text) != (self._at, self._text):
+            self._at, self._text = at, text
+            self._card.show_step(at, text)
             self._place = STEPS[at].place
             if not self._window.scene.awaits_lines:
                 self._look()

@@ -20,6 +20,7 @@ from lispac.report.content import report_content
 from lispac.survey.lever_arm import lever_arm_doubts
 from lispac.survey.time_quality import LEFT_OUT
 from lispac.targets.quality import SightingQuality
+from lispac.workflow.facing import ONE_FACING, face_one_way
 from lispac.workflow.survey import Survey
 
 Severity = Literal["serious", "caution", "note"]
@@ -81,6 +82,7 @@ def concerns(
         *_system(project),
         *_data(project, survey),
         *_sightings(project, qualities or {}),
+        *_targets(project, survey),
         *_refusal(refusal, stale and project.result is None),
         *_answer(project, (older.refused_since(refused_since),) if refused_since else ()),
         *_not_compared(project),
@@ -130,9 +132,17 @@ def _sightings(
                 where = Cause.of_sighting(target.name, sighting.line)
                 text = f"{target.name} on {sighting.line}: {quality.words}"
                 yield Concern("caution", text, where)
+
+
+def _targets(project: Project, survey: Survey | None) -> Iterator[Concern]:
+    """What an estimate would not get along with; afterwards it speaks for itself."""
+    if project.result is not None:
+        return
     used = [target for target in project.of_role("target") if target.used]
-    if len(used) == 1 and project.result is None:
+    if len(used) == 1:
         yield Concern("caution", SINGLE, Cause.of_target(used[0].name))
+    if survey is not None and face_one_way(project, survey):
+        yield Concern("caution", ONE_FACING, Cause.of_target(used[-1].name))
 
 
 def _refusal(refusal: str, stale: bool) -> Iterator[Concern]:

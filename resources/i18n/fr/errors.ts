@@ -60,6 +60,10 @@
         <translation>Compensation : itération {n}</translation>
     </message>
     <message>
+        <source>The targets face the same way, which no estimate accepts: pick another of another inclination.</source>
+        <translation>Les cibles font face au même côté, ce qu&apos;aucune estimation n&apos;accepte : choisissez-en une d&apos;une autre inclinaison.</translation>
+    </message>
+    <message>
         <source>Leaving out parts of the data</source>
         <translation>Exclusion de parties des données</translation>
     </message>

@@ -286,6 +286,14 @@
         <translation>Il est ouvert ici : {where}. De deux fenêtres, celle qui enregistre en dernier écrase l&apos;autre, et le travail non enregistré de la seconde n&apos;est pas protégé contre un plantage.</translation>
     </message>
     <message>
+        <source>another inclination is missing</source>
+        <translation>il manque une autre inclinaison</translation>
+    </message>
+    <message>
+        <source>This target faces the same way as the other, so the angles stay open. Take it back with Ctrl+Z, then Ctrl+click the board that leans back and press Return.</source>
+        <translation>Cette cible fait face au même côté que l&apos;autre, et les angles restent indéterminés. Annulez-la par Ctrl+Z, puis faites Ctrl+clic sur le panneau incliné et appuyez sur Entrée.</translation>
+    </message>
+    <message>
         <source>Unsaved work of this window is not kept against a crash: another window has the project open.</source>
         <translation>Le travail non enregistré de cette fenêtre n&apos;est pas protégé contre un plantage : une autre fenêtre a le projet ouvert.</translation>
     </message>

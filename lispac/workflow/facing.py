@@ -1,0 +1,41 @@
+"""Whether the targets that were picked face more than one way, before anything is estimated."""
+
+import numpy as np
+
+from lispac.adjustment.observability import one_facing
+from lispac.errors import PlaneNotFound
+from lispac.geometry.planes import fit_plane
+from lispac.project import Project
+from lispac.survey.cloud import Cloud
+from lispac.workflow.survey import Survey
+
+ONE_FACING = (
+    "The targets face the same way, which no estimate accepts: pick another of another inclination."
+)
+LOOKED_AT = 500
+"""Points of a target that tell which way it faces."""
+
+
+def face_one_way(project: Project, survey: Survey) -> bool:
+    """Whether the targets in use are several planes that all face one way, and nobody accepts that.
+
+    Told from the sighting with most points of each, as the lines lie before the calibration; the
+    estimate judges by the adjusted planes.
+    """
+    used = [target for target in project.of_role("target") if target.used and target.used_sightings]
+    if len(used) < 2 or project.settings.accept_one_facing:
+        return False
+    if any(target.shape == "sphere" for target in used):
+        return False
+    normals = []
+    for target in used:
+        sighting = max(target.used_sightings, key=lambda each: len(each.indices))
+        cloud: Cloud | None = survey.clouds.get(sighting.line)
+        if cloud is None:
+            return False
+        few = sighting.indices[:: -(-len(sighting.indices) // LOOKED_AT)]
+        try:
+            normals.append(fit_plane(cloud[few]).normal)
+        except PlaneNotFound:
+            return False  # its quality says so
+    return one_facing(np.array(normals), np.zeros(len(normals), dtype=bool))

@@ -1,0 +1,46 @@
+"""Targets that all face one way are told of before an estimate refuses them."""
+
+from dataclasses import replace
+
+import pytest
+
+from lispac.adjustment.observability import RankDeficient
+from lispac.project import Project
+from lispac.workflow.calibration import estimate
+from lispac.workflow.facing import ONE_FACING, face_one_way
+from lispac.workflow.survey import Survey
+from lispac.workflow.warnings import concerns
+
+
+def only(project: Project, *names: str) -> Project:
+    """These as targets, nothing estimated."""
+    targets = tuple(replace(each, role="target") for each in project.targets if each.name in names)
+    return replace(project, targets=targets, result=None, validation=())
+
+
+def test_it_is_said_of_what_the_estimate_refuses_and_of_nothing_else(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    told = {}
+    for names in (("T1", "T2"), ("T1", "V1"), ("T1", "V5"), ("T2", "V1"), ("V1", "V2")):
+        few = only(project, *names)
+        told[names] = face_one_way(few, survey)
+        assert told[names] == (ONE_FACING in [each.text for each in concerns(few, survey)])
+        if told[names]:
+            with pytest.raises(RankDeficient, match="face the same way"):
+                estimate(few, survey, cross_check=False)
+        else:
+            estimate(few, survey, cross_check=False)
+    assert set(told.values()) == {True, False}
+
+
+def test_nothing_is_said_of_one_target_and_where_it_is_accepted(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    alike = only(project, "T1", "V1")
+    assert face_one_way(alike, survey) != face_one_way(only(project, "T1"), survey)
+    accepted = alike.with_settings(replace(alike.settings, accept_one_facing=True))
+    assert not face_one_way(accepted, survey)
+    assert ONE_FACING not in [each.text for each in concerns(project, survey)]
