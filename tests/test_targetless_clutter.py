@@ -12,7 +12,7 @@ from tests.test_targetless_coverage import surveyed
 SCENES = 60
 """The ratio of two root mean squares of three angles each is known to 10 % by so many."""
 
-SURPRISING = 0.77
+SURPRISING = 0.82
 """Share of jumps of five sigmas of the position that are told from POS errors, five sixths of them
 left to the line: a non-central chi-square, three directions, 0.01 over six lines by chance."""
 
@@ -56,4 +56,3 @@ def test_clutter_costs_little_and_the_line_is_named(tmp_path: Path) -> None:
     assert np.mean(named) > SURPRISING - 3 * np.sqrt(SURPRISING * (1 - SURPRISING) / SCENES)
     # By chance in one of a hundred surveys: more than four of sixty are one in a thousand
     assert np.mean(clean) <= 4 / SCENES
-    assert np.mean(innocent) < 0.25

@@ -1,6 +1,7 @@
 """The equations at an answer that was found before, for what is asked of them afterwards."""
 
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,7 +46,7 @@ class Solved:
         parameters: tuple[Parameter, ...] = (),
         *,
         progress: Progress = no_progress,
-    ) -> "Solved | None":
+    ) -> Self | None:
         """Solve again as the whole was judged; None where the model of it is another.
 
         Parameters
