@@ -1,4 +1,4 @@
-"""What stands in the fields of a window, and is not yet applied, for the one made in its place."""
+"""What a window shows and what stands in its fields, for the one made in its place."""
 
 from typing import TYPE_CHECKING, TypeVar
 
@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QWidget
 from lispac.errors import InputError
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
+from lispac.gui.viewing_actions import COLOURED
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -32,6 +33,7 @@ def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
     heir.workflow.open(former.workflow.opened)
     if former.controller.candidate is not None:
         heir.controller.offer(former.controller.candidate)
+    _shown(former, heir)
     if former.tour.on:
         heir.tour.go_on()
 
@@ -55,6 +57,13 @@ def _numbers(before: QWidget, after: QWidget) -> None:
         except InputError:
             own.setText(optional.text())
         own.textChanged.emit(own.text())
+
+
+def _shown(former: "MainWindow", heir: "MainWindow") -> None:
+    """Lines before or after, or both beside each other, in their colours."""
+    heir.scene.take_over(former.scene)
+    for name in ("wipe", COLOURED[former.scene.colouring]):
+        heir.actions_[name].setChecked(former.actions_[name].isChecked())
 
 
 def _pairs(kind: type[Kind], before: QWidget, after: QWidget) -> list[tuple[Kind, Kind]]:

@@ -137,6 +137,13 @@ class Scene(QObject):
             self._draw_targets()
         self.which_changed.emit(self.which)
 
+    def take_over(self, former: "Scene") -> None:
+        """Show what another scene of the same document shows; what it has placed is not again."""
+        self._estimated, self.which = former._estimated, former.which
+        self.colouring = former.colouring
+        self._draw_lines()
+        self.which_changed.emit(self.which)
+
     def show_candidate(self, candidate: Target | None) -> None:
         """Show a target just found beside the others."""
         self.candidate = candidate
