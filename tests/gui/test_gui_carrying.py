@@ -1,0 +1,97 @@
+"""What the view shows is shown again by the window that comes with other looks."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.session import Session
+from lispac.gui.settings import AppSettings
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.project import Project
+from tests.gui.by_hand import choose, open_menu
+from tests.gui.support import Demo, Key, ScriptedDialogs
+
+SOON_MS = 20_000
+
+
+@pytest.fixture
+def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
+    """A program with a light window."""
+    settings = AppSettings(tmp_path / "settings.ini")
+    settings.language, settings.theme = "en", "light"
+    made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
+    qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
+    yield made
+    made.window.retire()
+    made.window.deleteLater()
+    made.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    theme.apply_theme(qapp)
+
+
+def change(session: Session, bot: QtBot, looks: str) -> None:
+    """Choose in the menu, and wait for the other window."""
+    former = session.window
+    choose(bot, open_menu(bot, former, "View"), "heme", looks)
+    bot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
+    bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
+
+
+def test_the_lines_are_shown_as_they_were(
+    session: Session,
+    qtbot: QtBot,
+    demo: Demo,
+    estimated: Project,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """After, or before and after in one picture; nothing is placed anew."""
+    session.window.document.open(estimated, demo.survey)
+    settle(session, qtbot)
+    before = dict(session.window.viewport.clouds)
+    for key in (Key.Key_B, Key.Key_C):
+        qtbot.keyClick(session.window, key)
+    settle(session, qtbot)
+    after, shading = session.window.viewport.clouds, session.window.viewport.shading
+    assert not same(after, before)
+    assert shading is not None
+    monkeypatch.setattr(type(demo.survey), "shown", None)
+    for looks in ("Dark", "Light"):
+        change(session, qtbot, looks)
+        window = session.window
+        settle(session, qtbot)
+        assert same(window.viewport.clouds, after)
+        assert window.viewport.shading.title == shading.title
+        for name in ("after", "colour_height"):
+            assert window.actions_[name].isChecked()
+        assert window.validate.after.isChecked()
+        wiped = looks == "Light"
+        assert (window.viewport.beside is not None) == window.actions_["wipe"].isChecked() == wiped
+        if not wiped:
+            qtbot.keyClick(window, Key.Key_W)
+    assert same(window.viewport.beside, before)
+    qtbot.keyClick(window, Key.Key_B)
+    settle(session, qtbot)
+    assert same(window.viewport.clouds, before)
+    assert not window.actions_["wipe"].isChecked()
+    change(session, qtbot, "Dark")
+    settle(session, qtbot)
+    assert same(session.window.viewport.clouds, before)
+    assert session.window.actions_["before"].isChecked()
+
+
+def settle(session: Session, bot: QtBot) -> None:
+    """Wait until the lines are drawn as they are shown."""
+    bot.waitUntil(
+        lambda: not session.window.runner.active and session.window.scene.is_drawn, timeout=SOON_MS
+    )
+    bot.wait(100)
+
+
+def same(one: Mapping[str, np.ndarray], other: Mapping[str, np.ndarray]) -> bool:
+    return one.keys() == other.keys() and all(np.array_equal(one[k], other[k]) for k in one)
