@@ -1,6 +1,6 @@
 """The window light and dark: chosen in the menu, or as the system is."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import pairwise, product
 from pathlib import Path
 
@@ -18,8 +18,7 @@ from lispac.gui.schemes import DARK, LIGHT, Scheme, luminance
 from lispac.gui.session import LATER_MS, Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
-from lispac.project import Project
-from tests.gui.support import Demo, Key, ScriptedDialogs
+from tests.gui.support import Demo, ScriptedDialogs
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
 
 Scheming = Qt.ColorScheme
@@ -168,60 +167,6 @@ def test_dark_and_light_are_chosen_and_nothing_is_lost(
     assert theme.scheme() is LIGHT
     assert ground(session.window).lightnessF() > 0.9
     assert AppSettings(Path(session.window.settings._store.fileName())).theme == "light"
-
-
-def test_the_lines_are_shown_as_they_were(
-    session: Session,
-    qtbot: QtBot,
-    demo: Demo,
-    estimated: Project,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """After, or before and after in one picture; nothing is placed anew."""
-    session.window.document.open(estimated, demo.survey)
-    settle(session, qtbot)
-    before = dict(session.window.viewport.clouds)
-    for key in (Key.Key_B, Key.Key_C):
-        qtbot.keyClick(session.window, key)
-    settle(session, qtbot)
-    after, shading = session.window.viewport.clouds, session.window.viewport.shading
-    assert not same(after, before)
-    assert shading is not None
-    monkeypatch.setattr(type(demo.survey), "shown", None)
-    for looks in ("Dark", "Light"):
-        change(session, qtbot, looks)
-        window = session.window
-        settle(session, qtbot)
-        assert same(window.viewport.clouds, after)
-        assert window.viewport.shading.title == shading.title
-        for name in ("after", "colour_height"):
-            assert window.actions_[name].isChecked()
-        assert window.validate.after.isChecked()
-        wiped = looks == "Light"
-        assert (window.viewport.beside is not None) == window.actions_["wipe"].isChecked() == wiped
-        if not wiped:
-            qtbot.keyClick(window, Key.Key_W)
-    assert same(window.viewport.beside, before)
-    qtbot.keyClick(window, Key.Key_B)
-    settle(session, qtbot)
-    assert same(window.viewport.clouds, before)
-    assert not window.actions_["wipe"].isChecked()
-    change(session, qtbot, "Dark")
-    settle(session, qtbot)
-    assert same(session.window.viewport.clouds, before)
-    assert session.window.actions_["before"].isChecked()
-
-
-def settle(session: Session, bot: QtBot) -> None:
-    """Wait until the lines are drawn as they are shown."""
-    bot.waitUntil(
-        lambda: not session.window.runner.active and session.window.scene.is_drawn, timeout=SOON_MS
-    )
-    bot.wait(100)
-
-
-def same(one: Mapping[str, np.ndarray], other: Mapping[str, np.ndarray]) -> bool:
-    return one.keys() == other.keys() and all(np.array_equal(one[k], other[k]) for k in one)
 
 
 def ground(widget: QWidget) -> QColor:
