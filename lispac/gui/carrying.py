@@ -19,8 +19,6 @@ def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
     """Fill in what was typed and chosen in the steps; the open step is open again.
 
     What was found and waits for a yes or a no waits on.
-
-    Choices first: what is typed may be in the unit that one of them sets.
     """
     for before, after in (
         (former.data, heir.data),
@@ -28,14 +26,22 @@ def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
         (former.adjust, heir.adjust),
         (former.validate, heir.validate),
     ):
-        _choices(before, after)
-        _numbers(before, after)
+        fill_in(before, after)
     heir.workflow.open(former.workflow.opened)
     if former.controller.candidate is not None:
         heir.controller.offer(former.controller.candidate)
     _shown(former, heir)
     if former.tour.on:
         heir.tour.go_on()
+
+
+def fill_in(before: QWidget, after: QWidget) -> None:
+    """Give fields the choices and numbers of those that have the same names.
+
+    Choices first: what is typed may be in the unit that one of them sets.
+    """
+    _choices(before, after)
+    _numbers(before, after)
 
 
 def _choices(before: QWidget, after: QWidget) -> None:

@@ -52,6 +52,16 @@ class Designing(QObject):
         self._path: Path | None = None
         window.actions_["design"].triggered.connect(lambda _=False: self.open())
 
+    def take_over(self, former: "Designing") -> None:
+        """Go on with the plan of a window that goes, and with what is shown of it."""
+        self._path = former._path
+        self.workspace.take_over(former.workspace)
+        if former.window is not None:
+            self.window = self._made()
+            self.window.take_over(former.window)
+            if former.window.isVisible():
+                self.window.show()
+
     def take_sensors(self) -> None:
         """Ask for sensors of the library, and put their sigmas into the plan."""
         chosen = self._dialogs.sensors_of_plan(self._main.settings)
@@ -287,8 +297,14 @@ class Designing(QObject):
         """End with the program; whether it may."""
         if not self._may_lose():
             return False
+        self.end()
+        return True
+
+    def end(self) -> None:
+        """Let window and work go without asking; harmless when repeated."""
+        if self.window is not None:
+            self.window.hide()
         self.runner.close()
         self.paper.close()
         if self.window is not None:
             self.window.release()
-        return True

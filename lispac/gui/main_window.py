@@ -364,6 +364,7 @@ class MainWindow(QMainWindow):
         """
         docks.hide_floating(self.docks)
         self.hide()
+        self.designing.end()
         self.adjust.stop()
         self.estimating.stop()
         self.cautioning.stop()

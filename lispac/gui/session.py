@@ -55,6 +55,7 @@ class Session(QObject):
         application.styleHints().colorSchemeChanged.connect(self._wait_a_little)
 
     def _made(self, former: MainWindow | None) -> MainWindow:
+        in_front = QApplication.activeWindow()
         speak(self._settings.language)
         units.show_in(*self._settings.units)
         use_scale(self._settings.colour_scale)
@@ -68,6 +69,10 @@ class Session(QObject):
         window.renewal_asked.connect(self.renew, Qt.ConnectionType.QueuedConnection)
         show_all(window, window.docks)
         window.activateWindow()
+        if former is not None:
+            window.designing.take_over(former.designing)
+            designed = in_front is not None and in_front is former.designing.window
+            (window.designing.window if designed else window).activateWindow()
         return window
 
     @property
@@ -96,14 +101,13 @@ class Session(QObject):
         self._later.start()
 
     def _follow_system(self) -> None:
-        """Dress as the system does now; not under a dialogue or the window of a site's design."""
+        """Dress as the system does now; not under a dialogue, nor while a plan is dragged."""
         if theme.wanted(self._application, self._settings.theme) is theme.scheme():
             return
-        designing = self.window.designing.window
         if (
             QApplication.activeModalWidget()
             or QApplication.activePopupWidget()
-            or (designing is not None and designing.isVisible())
+            or self.window.designing.workspace.dragging
         ):
             self._later.start()
         else:
@@ -112,8 +116,6 @@ class Session(QObject):
     def renew(self) -> None:
         """Put a window in the language and looks of the settings in place of this one."""
         former = self.window
-        if not former.designing.leave():
-            return
         former.keep_layout()
         former.safekeeping.stop()
         self.window = self._made(former)  # shown before the other goes: the last one ends Qt

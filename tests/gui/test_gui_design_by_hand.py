@@ -1,19 +1,115 @@
-"""The design window of the program itself, with the views that it draws."""
+"""The design window of the program itself, which draws, and is made anew where looks change."""
 
-from tests.gui.by_hand import Hands
-from tests.gui.design_support import opened_by_keys
-from tests.gui.support import WAIT_MS, Left
+import gc
+from pathlib import Path
+
+import numpy as np
+
+from lispac.gui.design.window import DesignWindow
+from lispac.gui.language import say
+from tests.gui.by_hand import Hands, choose, open_menu
+from tests.gui.design_support import followed, opened_by_keys, plan
+from tests.gui.support import WAIT_MS, Control, Key, Left, in_front
+from tests.gui.test_gui_design_surveys import surveyed_once
+
+
+def turn_to(hands: Hands, tabs, page: int) -> None:
+    """Click on a tab."""
+    bar = tabs.tabBar()
+    hands.bot.mouseClick(bar, Left, pos=bar.tabRect(page).center())
+    assert tabs.currentIndex() == page
+
+
+def by_menu(hands: Hands, menu: str, *entries: str) -> DesignWindow:
+    """Choose in the main window, and go on in those that come; the hands refuse every question."""
+    choose(hands.bot, open_menu(hands.bot, hands.window, menu), *entries)
+    hands.to_next_window()
+    design = hands.window.designing.window
+    assert design is not None
+    assert design.isVisible()
+    hands.until(lambda: in_front(design))
+    followed(design)
+    return design
 
 
 def test_the_site_is_seen_in_3d(hands: Hands) -> None:
     design = opened_by_keys(hands)
-    bar = design.views.tabBar()
-    hands.bot.mouseClick(bar, Left, pos=bar.tabRect(1).center())
+    turn_to(hands, design.views, 1)
+    view = design.view3d
+    assert view is not None
     hands.bot.waitUntil(
-        lambda: (
-            design.view3d is not None
-            and design.view3d.viewport.drawn_near("wall", (0, 0, 0), 1e6).size > 0
-        ),
-        timeout=WAIT_MS,
+        lambda: view.viewport.drawn_near("wall", np.zeros(3), 1e6).size > 0, timeout=WAIT_MS
     )
-    assert design.isVisible()
+
+
+def test_a_plan_stays_open_in_another_language_and_other_looks(
+    hands: Hands, tmp_path: Path
+) -> None:
+    design = opened_by_keys(hands)
+    titled = design.workspace.titled
+    for key in (Key.Key_L, Key.Key_B, Key.Key_Z):
+        hands.bot.keyClick(design, key, Control)
+    edited = design.workspace.titled
+    turn_to(hands, design.tabs, 3)
+    turn_to(hands, design.views, 1)
+    lists = design.search.limits.lists
+    for name, text in (("along", "-2.5, 4"), ("heights", "high")):
+        lists[name].selectAll()
+        hands.bot.keyClicks(lists[name], text)
+    design.resize(1300, 800)
+
+    french = by_menu(hands, "View", "Langue", "ran")
+    assert french.windowTitle() == say("Site[*] – design of a site – LISPAC")
+    assert "étalonnage" in french.windowTitle()
+    assert french.isWindowModified()
+    assert french.workspace.titled is edited
+    assert (french.tabs.currentIndex(), french.views.currentIndex()) == (3, 1)
+    assert (french.width(), french.height()) == (1300, 800)
+    lists = french.search.limits.lists
+    assert (lists["along"].text(), lists["heights"].text()) == ("-2,5; 4", "high")
+    assert hands.settings.language == "fr"
+
+    dark = by_menu(hands, "Affichage", "hème", "Sombre")
+    assert hands.settings.theme == "dark"
+    assert dark.workspace.titled is edited
+    hands.bot.keyClick(dark, Key.Key_Y, Control)
+    assert len(plan(dark).targets) == len(edited.plan.targets) + 1
+    for _ in range(2):
+        hands.bot.keyClick(dark, Key.Key_Z, Control)
+    assert dark.workspace.titled is titled
+    assert not dark.isWindowModified()
+    assert dark.grab().save(str(tmp_path / "dark.png"))
+    del design, french
+    gc.collect()
+    assert [each for each in gc.get_objects() if type(each) is DesignWindow] == [dark]
+
+
+def test_answers_about_a_plan_stay(hands: Hands) -> None:
+    design = opened_by_keys(hands)
+    rows = [["sigma", "0.001", "0.002", "0.003"]]
+    design.surveys.answer.show_rows("Simulated", rows, ["All of them hold."], plan(design))
+    design.pictures.show_errors(surveyed_once())
+    design.search.say("The best plan is shown; undo goes back to the one before.")
+    hands.bot.keyClick(design, Key.Key_L, Control)
+
+    dark = by_menu(hands, "View", "heme", "Dark")
+    answer = dark.surveys.answer
+    assert answer.head.text() == "Simulated"
+    assert answer.cells[1:] == rows
+    assert answer.stale.isVisibleTo(dark.surveys)  # of the plan before
+    assert dark.pictures.which.count() == 1
+    turn_to(hands, dark.views, 2)
+    figure = dark.pictures.pages.currentWidget().figure
+    hands.bot.waitUntil(lambda: len(figure.axes) == 3, timeout=WAIT_MS)
+    assert dark.search.said.text().startswith("The best plan is shown")
+
+
+def test_a_plan_whose_window_is_closed_stays_too(hands: Hands) -> None:
+    design = opened_by_keys(hands)
+    hands.bot.keyClick(design, Key.Key_L, Control)
+    edited = design.workspace.titled
+    design.close()
+    choose(hands.bot, open_menu(hands.bot, hands.window, "View"), "heme", "Dark")
+    hands.to_next_window()
+    assert not hands.window.designing.window.isVisible()
+    assert opened_by_keys(hands).workspace.titled is edited

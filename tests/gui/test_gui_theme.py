@@ -12,13 +12,14 @@ from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
+from lispac.gui.design import edits
 from lispac.gui.dialogs.about import about_box
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.schemes import DARK, LIGHT, Scheme, luminance
 from lispac.gui.session import LATER_MS, Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
-from tests.gui.support import Demo, ScriptedDialogs
+from tests.gui.support import Demo, ScriptedDialogs, in_front
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
 
 Scheming = Qt.ColorScheme
@@ -189,6 +190,26 @@ def test_the_window_follows_the_system(
     assert session.window is window  # nothing goes from under an open menu or dialogue
     menu.close()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
+    assert theme.scheme() is (DARK if other else LIGHT)
+
+
+def test_the_design_window_follows_the_system_and_stays_in_front(
+    session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    change(session, qtbot, "As the system")
+    window, other = session.window, not theme.scheme().dark
+    window.designing.open()
+    design = window.designing.window
+    qtbot.waitUntil(lambda: in_front(design), timeout=SOON_MS)
+    monkeypatch.setattr(theme, "system_is_dark", lambda _application: other)
+    design.workspace.drag(edits.usual(90.0))
+    qapp.styleHints().colorSchemeChanged.emit(Scheming.Dark if other else Scheming.Light)
+    qtbot.wait(3 * LATER_MS)
+    assert session.window is window  # nothing goes from under a drag
+    design.workspace.give_up()
+    qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
+    heir = session.window.designing.window
+    qtbot.waitUntil(heir.isActiveWindow, timeout=SOON_MS)
     assert theme.scheme() is (DARK if other else LIGHT)
 
 

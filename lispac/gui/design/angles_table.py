@@ -11,6 +11,8 @@ from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 
+Rows = tuple[str, Sequence[Sequence[str]], Sequence[str], Plan]
+"""What is shown: heading, rows, sentences, and the plan it is of."""
 EARLIER = "The plan has been changed since: this is of the plan as it was."
 
 
@@ -39,6 +41,7 @@ class AnglesTable(QWidget):
         for each in (self.head, self.stale, self.words):
             each.hide()
         self._plan: Plan | None = None
+        self._rows: Rows | None = None
 
     def follow(self, plan: Plan) -> None:
         """Say of an answer that it is not this plan's."""
@@ -49,7 +52,7 @@ class AnglesTable(QWidget):
     ) -> None:
         """Show an answer for a plan in place of the one before."""
         self._clear()
-        self._plan = plan
+        self._plan, self._rows = plan, (head, rows, words, plan)
         self.head.setText(say(head))
         for row, (name, *cells) in enumerate([("", *ANGLES), *rows]):
             self._grid.addWidget(widgets.label(name, "muted"), row, 0)
@@ -63,6 +66,11 @@ class AnglesTable(QWidget):
         self.hint.hide()
         for each in (self.head, self.words):
             each.show()
+
+    def take_over(self, former: "AnglesTable") -> None:
+        """Show what another one shows, where it does."""
+        if former._rows is not None:
+            self.show_rows(*former._rows)
 
     @property
     def cells(self) -> list[list[str]]:

@@ -72,6 +72,8 @@ class LimitsForm(QWidget):
         super().__init__()
         self._file: tuple[str, Site] | None = None
         self.lists: dict[str, QLineEdit] = {}
+        self._values: dict[str, tuple[float, ...] | None] = {}
+        """What is typed; none where that is no list of numbers."""
         self._filled = {name: ("", ()) for name in LISTS}
         """What was filled in, with all its digits, which stands as long as nothing is typed."""
         self.boards = _whole("limit_boards", 0, 6, 2, "Boards that are hung")
@@ -169,18 +171,31 @@ class LimitsForm(QWidget):
         ):  # fmt: skip
             field.setValue(value)
         for name, field in self.lists.items():
-            values = tuple(getattr(site, name))
-            self._filled[name] = _apart(values, LISTS[name][1]), values
-            field.setText(self._filled[name][0])
+            self._fill_list(name, field, tuple(getattr(site, name)))
+        self.changed.emit()
+
+    def _fill_list(self, name: str, field: QLineEdit, values: tuple[float, ...]) -> None:
+        self._filled[name] = _apart(values, LISTS[name][1]), values
+        field.setText(self._filled[name][0])
+
+    def take_over(self, former: "LimitsForm") -> None:
+        """Take the site file and the lists of another one, written as numbers are written now."""
+        self._file = former._file
+        for name, field in self.lists.items():
+            values = former._values[name]
+            if values is None:
+                field.setText(former.lists[name].text())
+            else:
+                self._fill_list(name, field, values)
         self.changed.emit()
 
     def _judge(self, _text: str) -> None:
         for name, field in self.lists.items():
             try:
-                self._numbers(name)
-                wrong = False
+                self._values[name] = self._numbers(name)
             except InputError:
-                wrong = True
+                self._values[name] = None
+            wrong = self._values[name] is None
             if field.property("wrong") != wrong:
                 field.setProperty("wrong", wrong)
                 field.style().unpolish(field)

@@ -41,6 +41,8 @@ class PicturesPanel(QWidget):
         layout.addWidget(self.empty)
         layout.addWidget(self.which)
         layout.addWidget(self.pages, 1)
+        self._drawings: dict[str, Callable[[Figure], object]] = {}
+        """Of each title."""
         self._waiting: dict[QWidget, Callable[[Figure], object]] = {}
         self._due = Turn(self._draw, self)
         self.which.currentIndexChanged.connect(self.pages.setCurrentIndex)
@@ -71,12 +73,18 @@ class PicturesPanel(QWidget):
         self._put(ERRORS, lambda figure: errors_figure(found, figure, say))
         self.which.setCurrentIndex(self.which.findData(ERRORS))
 
+    def take_over(self, former: "PicturesPanel") -> None:
+        """Show the figures of another one, drawn anew: each in the language and looks in use."""
+        for title, draw in former._drawings.items():
+            self._put(title, draw)
+        self.which.setCurrentIndex(former.which.currentIndex())
+
     def _put(self, title: str, draw: "Callable[[Figure], object]") -> None:
         from lispac.gui.panels.chart import Chart
 
         canvas = Chart(280, 200)
         canvas.setAccessibleName(say(f"Figure: {title}"))
-        self._waiting[canvas] = draw
+        self._drawings[title] = self._waiting[canvas] = draw
         at = self.which.findData(title)
         if at >= 0:
             old = self.pages.widget(at)

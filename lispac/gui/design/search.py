@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout
 
 from lispac.design.objective import CRITERIA, Objective
 from lispac.gui import units
+from lispac.gui.carrying import fill_in
 from lispac.gui.design.limits import LimitsForm
 from lispac.gui.design.told import sigma_words
 from lispac.gui.design.workspace import Workspace
@@ -28,7 +29,7 @@ class SearchPanel(QScrollArea):
         super().__init__()
         self.setObjectName("design_search")
         self.setWidgetResizable(True)
-        self._work, self._busy = workspace, False
+        self._work, self._busy, self._found = workspace, False, ""
         self.limits = LimitsForm()
         self.criterion = widgets.Choice(
             "search_criterion", list(CRITERIA.values()), "What the best plan has smallest"
@@ -105,8 +106,15 @@ class SearchPanel(QScrollArea):
 
     def say(self, words: str) -> None:
         """Say what was found; empty before anything is."""
+        self._found = words
         self.said.setText(units.signs(say(words), "°"))
         self.said.setVisible(bool(words))
+
+    def take_over(self, former: "SearchPanel") -> None:
+        """Take the choices of another one, and what it says was found."""
+        fill_in(former, self)
+        self.limits.take_over(former.limits)
+        self.say(former._found)
 
     def show_busy(self, busy: bool) -> None:
         """Whether work runs."""

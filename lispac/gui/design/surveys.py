@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.design.monte_carlo import ENOUGH
+from lispac.gui.carrying import fill_in
 from lispac.gui.design.angles_table import AnglesTable
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
@@ -82,6 +83,11 @@ class SurveysPanel(QScrollArea):
         self.setWidget(body)
         self.start.clicked.connect(lambda: self.asked.emit())
         self.cancel.clicked.connect(lambda: self.cancel_asked.emit())
+
+    def take_over(self, former: "SurveysPanel") -> None:
+        """Take what another one would ask for, and the answer that it shows."""
+        fill_in(former, self)
+        self.answer.take_over(former.answer)
 
     @property
     def wanted(self) -> Asked:

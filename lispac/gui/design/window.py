@@ -271,6 +271,24 @@ class DesignWindow(QMainWindow):
         self.view3d.show()
         self.view3d.fit()
 
+    # -- one after the other -----------------------------------------------------------------
+
+    def take_over(self, former: "DesignWindow") -> None:
+        """Show what another window of the same plan shows, where it does and as large."""
+        self.search.take_over(former.search)
+        self.surveys.take_over(former.surveys)
+        self.compared.take_over(former.compared)
+        self.pictures.take_over(former.pictures)
+        self._show()
+        self.restoreGeometry(former.saveGeometry())
+        # Both are made of the same parts in the same order
+        for kind, take in (
+            (QSplitter, lambda own, other: own.restoreState(other.saveState())),
+            (QTabWidget, lambda own, other: own.setCurrentIndex(other.currentIndex())),
+        ):
+            for own, other in zip(self.findChildren(kind), former.findChildren(kind), strict=True):
+                take(own, other)
+
     # -- the end -----------------------------------------------------------------------------
 
     def release(self) -> None:

@@ -48,6 +48,13 @@ class Workspace(QObject):
         self.history, self._dragged = History(titled), None
         self._tell()
 
+    def take_over(self, former: "Workspace") -> None:
+        """Go on with the plan of another one that goes: its way back, and what is selected."""
+        former.give_up()
+        self.history, self._dragged = former.history, None
+        self.line, self.target = former.line, former.target
+        self._tell()
+
     def edit(self, words: str, titled: TitledPlan, key: str = "") -> None:
         """One undo step; edits of the same ``key`` after each other are one."""
         self._dragged = None
