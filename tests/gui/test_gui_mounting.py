@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication, QScrollArea
+from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
@@ -155,6 +155,25 @@ def test_a_scanner_far_below_is_a_caution(opened: Driver) -> None:
     assert not view.doubts.isVisible()
 
 
+@pytest.mark.parametrize(("height", "lever_arm"), [(768, "-2.1"), (1000, "-2.1"), (768, "-42")])
+def test_a_caution_is_in_sight_whole_while_it_is_typed(opened: Driver, height, lever_arm) -> None:
+    opened.window.resize(1366, height)
+    view, field = opened.window.data.mounting, opened.window.data.lever_arm.fields[2]
+    typed(opened, ("1.2", "0.35", "2.1"))
+    type_into(opened, field, lever_arm)
+    opened.bot.waitUntil(lambda: is_whole(view.doubts))
+    assert is_whole(field)
+
+
+def is_whole(widget: QWidget) -> bool:
+    """Whether all of it is in sight, and high enough for its words."""
+    return (
+        widget.isVisible()
+        and widget.visibleRegion().boundingRect() == widget.rect()
+        and widget.height() >= widget.heightForWidth(widget.width())
+    )
+
+
 def test_reverting_draws_what_is_in_use(opened: Driver) -> None:
     in_use = opened.project.settings.lever_arm
     sketch = typed(opened, ("1.2", "0.35", "2.1"))
@@ -192,3 +211,22 @@ def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:
     qtbot.keyClicks(page.lever_arm.fields[1], "-0.8")
     assert offsets(page.view.sketch, "above")[0] == pytest.approx(0.8)
     assert "0.8 m to starboard" in page.view.words.text()
+
+
+@pytest.mark.parametrize("size", [(1326, 708), (1240, 840)])
+def test_the_import_dialogue_cautions_wherever_one_looks(filled: ImportDialog, qtbot, size) -> None:
+    filled.resize(*size)
+    page, field = filled.mounting, filled.mounting.lever_arm.fields[2]
+    filled.tabs.setCurrentWidget(page)
+    for typed_in, doubts, said in (("-2.419", 1, ""), ("-42.419", 2, ", and 1 more")):
+        field.setFocus()
+        field.selectAll()
+        qtbot.keyClicks(field, typed_in)
+        told = page.view.doubts.text().splitlines()
+        assert len(told) == doubts
+        assert filled.reason.text() == f"{told[0]} (Mounting and accuracies{said})"
+        qtbot.waitUntil(lambda: is_whole(page.view.doubts) and is_whole(filled.reason))
+    field.selectAll()
+    qtbot.keyClicks(field, "2.419")
+    assert filled.reason.text() == ""
+    assert not page.view.doubts.isVisible()

@@ -260,7 +260,10 @@ class MountingSketch(QWidget):
 
 
 class MountingView(QWidget):
-    """The sketch with the same in words below it, and what to look at again."""
+    """The sketch with the same in words below it; what to look at again is above both.
+
+    There it is in sight beside the fields, however low the screen is.
+    """
 
     def __init__(self, prefix: str) -> None:
         super().__init__()
@@ -270,7 +273,7 @@ class MountingView(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        for each in (self.sketch, self.words, self.doubts):
+        for each in (self.doubts, self.sketch, self.words):
             column.addWidget(each)
         self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 

@@ -3154,10 +3154,6 @@
         <translation>Créer le projet</translation>
     </message>
     <message>
-        <source>The lever arm is zero: state it under Mounting and accuracies if it is not.</source>
-        <translation>Le bras de levier est nul : indiquez-le sous Montage et précisions s&apos;il ne l&apos;est pas.</translation>
-    </message>
-    <message>
         <source>Survey files</source>
         <translation>Fichiers de levé</translation>
     </message>

@@ -39,7 +39,7 @@ class AddLinesDialog(ImportDialog):
 
     def _hint(self) -> str:
         if any(line.georeferenced for line in self.intake.lines):
-            return (
+            return say(
                 "Lines on the map are taken back to the scanner with the project's lever arm and "
                 "prior boresight: they have to be those the lines were made with."
             )

@@ -271,7 +271,7 @@ class ImportDialog(QDialog):
     def _show_reason(self) -> None:
         problem = self._problem()
         waiting = any(entry.pending for entry in self.intake.entries)
-        self.reason.setText(say(problem or self._hint()))
+        self.reason.setText(say(problem) if problem else self._hint())
         wrong = bool(problem) and bool(self.intake.entries) and not waiting
         self.reason.setProperty("role", "error" if wrong else "muted")
         self.reason.style().polish(self.reason)
@@ -282,10 +282,11 @@ class ImportDialog(QDialog):
         return self.intake.problem(self.folder.text())
 
     def _hint(self) -> str:
-        """What to think of before it is done."""
-        if self.mounting.lever_arm_is_zero:
-            return "The lever arm is zero: state it under Mounting and accuracies if it is not."
-        return ""
+        """What to think of before it is done, as it is said."""
+        if not (doubts := self.mounting.doubts):
+            return ""
+        more = f", {say(f'and {len(doubts) - 1} more')}" if doubts[1:] else ""
+        return f"{say(doubts[0])} ({say('Mounting and accuracies')}{more})"
 
     # -- what is asked -----------------------------------------------------------------------
 

@@ -10,6 +10,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.mounting_sketch import MountingView
 from lispac.io.sensor_file import PosState, ScannerFigures
 from lispac.project import Settings
+from lispac.survey.lever_arm import lever_arm_doubts
 from lispac.workflow.sensors import Library
 
 GEOGRAPHIC = ("new_latitude", "new_longitude")
@@ -58,9 +59,9 @@ class MountingPage(QScrollArea):
         )
 
     @property
-    def lever_arm_is_zero(self) -> bool:
-        """Whether the lever arm is as it was at the start."""
-        return not any(self.lever_arm.value())
+    def doubts(self) -> tuple[str, ...]:
+        """What to look at again in the mounting, a sentence each."""
+        return lever_arm_doubts(self.lever_arm.value())
 
     def show_accuracy(self, name: str) -> None:
         """Say where the POS accuracies come from: a file's name, or empty for the fields."""
