@@ -204,7 +204,7 @@ def test_errors_that_are_said_to_be_raised_exist(room: str) -> None:
 
 
 OWN = {
-    "adjustment": {"iteration", "problem", "summary", "turns"},
+    "adjustment": {"iteration", "problem", "solved", "summary", "turns"},
     "design": {"advice", "monte_carlo", "prediction", "site"},
     "geometry": {"neighbours"},
     "simulation": {"casting", "pos_error_models", "scene", "vessel"},

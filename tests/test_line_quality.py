@@ -66,8 +66,11 @@ def test_the_demo_before_and_after(calibrated: tuple[Project, Survey]) -> None:
     survey = replace(survey, clouds=dict(list(survey.clouds.items())[:2]))
     found = line_quality(project, survey)
     assert len(found.pairs) == 1
-    before = found.together()
-    after = line_quality(project, survey, which="estimated").together()
+    again = line_quality(project, survey, which="estimated")
+    before, after = (each.figures(each.pairs[0]) for each in (found, again))
+    together = found.together()
+    assert together is not None
+    assert together.median is None, "which line comes second says nothing of several pairs"
     assert before is not None
     assert after is not None
     assert before.rmsd > 0.1

@@ -98,5 +98,5 @@ def test_scores_are_those_of_dense_matrices(here: Linearised) -> None:
     for k in range(len(scores.lines)):
         own = slice(AXES * k, AXES * (k + 1))
         shares = np.linalg.eigvalsh(variance[own, own])
-        assert (shares > 0).all()
+        assert (shares > -1e-9).all()  # a direction that no surface faces is not told
         assert (shares < 1).all()

@@ -95,6 +95,28 @@ def test_objects_laid_with_lines_apart_are_cut_again(
     assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
 
 
+def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Laid) -> None:
+    """With a prior two degrees off a line sees the mast a metre from where it is."""
+    project, survey = thinned
+    right = truth(project)
+    off = right + np.radians([2.0, -2.0, 2.0])
+    sample = lay(project, survey, [MAST], right).sample
+    best = max(sample.seen, key=lambda each: np.count_nonzero(each.inside))
+    inside = np.arange(best.begin, best.end)[best.inside]
+    move = (sample.placed(off) - sample.placed(right))[inside].mean(axis=0)
+    assert np.linalg.norm(move) > 0.8
+    there = replace(MAST, box=replace(MAST.box, centre=MAST.box.centre + move))
+    both = laid.joined(lay(project, survey, [there], off))
+    assert np.isnan(both.boresight).all()
+    *others, mast = both.moved(right)
+    assert np.linalg.norm(mast.box.centre - MAST.box.centre) < 0.1
+    for each, before in zip(others, laid.objects, strict=True):
+        assert np.linalg.norm(each.box.centre - before.box.centre) < 0.1
+    found = find(project, survey, both, start=laid.boresight)
+    assert MAST.name not in found.unmet
+    assert (error(found, project) < 3).all()
+
+
 def test_one_pole_tells_the_pitch_of_reciprocal_lines(thinned: Opened) -> None:
     project, survey = thinned
     start = truth(project) + np.radians([0.0, 0.4, 0.0])

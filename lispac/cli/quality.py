@@ -48,7 +48,7 @@ def quality(arguments: Namespace) -> None:
         print(f"note: {reason}", file=sys.stderr)
 
 
-def _metres(figures: Figures) -> dict[str, float]:
+def _metres(figures: Figures) -> dict[str, float | None]:
     shared = {"places", "significant"}
     return {k if k in shared else f"{k}_m": v for k, v in asdict(figures).items()}
 
@@ -60,11 +60,13 @@ def _print(found: LineQuality) -> None:
     heads = "".join(f"{head:>9s}" for head in HEADS)
     print(f"{'first':{width}s}{'second':{width}s}{'facing':9s}{heads}")
     for one, other, facing, each in rows:
-        cells = f"{each.places:9d}{1000 * each.median:+9.1f}" + "".join(
-            f"{1000 * value:9.1f}"
-            for value in (each.rmsd, each.robust_sigma, each.p95, each.largest)
-        )
-        print(f"{one:{width}s}{other:{width}s}{facing:9s}{cells}")
+        sizes = (each.rmsd, each.robust_sigma, each.p95, each.largest)
+        cells = _cell(each.median, "+") + "".join(_cell(size) for size in sizes)
+        print(f"{one:{width}s}{other:{width}s}{facing:9s}{each.places:9d}{cells}")
+
+
+def _cell(value: float | None, sign: str = "") -> str:
+    return f"{'-':>9s}" if value is None else f"{1000 * value:{sign}9.1f}"
 
 
 def _draw(found: LineQuality, path: Path) -> None:

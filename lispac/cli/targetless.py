@@ -42,6 +42,7 @@ def targetless(arguments: Namespace) -> None:
                 "candidates": found.candidates,
                 "targets": found.targets,
                 "disagreeing_lines": list(found.disagreeing),
+                "remarks": list(found.sentences),
             }
         )
         return

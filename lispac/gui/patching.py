@@ -129,7 +129,7 @@ class Patching(QObject):
         self._draw(Sketch(tuple((float(x), float(y), float(z)) for x, y, z in corners), EDGES,
                           COLOUR, label=each.name, at=tuple(each.box.centre.tolist())))  # fmt: skip
         one = self._laid.sample.of_objects([each.name])
-        self._live = Mismatch(one, Laid((each,), self._laid.boresight, one).blocks(
+        self._live = Mismatch(one, Laid((each,), (self._laid.boresight,), one).blocks(
             [each.name], self._pairs()))  # fmt: skip
         self._curve_at = None
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))

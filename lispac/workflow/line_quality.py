@@ -1,7 +1,7 @@
 """How well the lines of a survey fit each other, as they are placed now."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -37,12 +37,13 @@ class Figures:
     Attributes
     ----------
     places : int
-    median : float, metres
-        Along the normal, positive where the second line lies nearer to the vessel.
+    median : float or None, metres
+        Along the normal, positive where the second line lies nearer to the vessel; None of several
+        pairs, since which line is the second is then nobody's.
     rmsd : float, metres
         Root mean square of the differences.
-    robust_sigma : float, metres
-        1.4826 times the median absolute deviation from the median.
+    robust_sigma : float or None, metres
+        1.4826 times the median absolute deviation from the median; None where there is no median.
     p95, largest : float, metres
         Of the differences without their signs.
     significant : float, in [0, 1]
@@ -50,9 +51,9 @@ class Figures:
     """
 
     places: int
-    median: float
+    median: float | None
     rmsd: float
-    robust_sigma: float
+    robust_sigma: float | None
     p95: float
     largest: float
     significant: float
@@ -100,7 +101,8 @@ class LineQuality:
 
     def together(self, facing: Facing = "all") -> Figures | None:
         """Of all pairs, each place alike."""
-        return _figures([pair.facing(facing) for pair in self.pairs])
+        figures = _figures([pair.facing(facing) for pair in self.pairs])
+        return figures and replace(figures, median=None, robust_sigma=None)
 
     def rows(self) -> list[tuple[str, str, Facing, Figures]]:
         """All figures there are: of each pair, then of all together."""

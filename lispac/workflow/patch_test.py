@@ -38,15 +38,21 @@ class Laid:
     Attributes
     ----------
     objects : tuple of PatchObject
-    boresight : ndarray of shape (3,), radians
-        With which the lines were placed when the objects' points were taken; NaN where that was
-        not the same for all.
+    placings : tuple of ndarray of shape (3,), radians
+        Of each object, the boresight with which the lines were placed when its points were taken.
     sample : Sample
     """
 
     objects: tuple[PatchObject, ...]
-    boresight: Array
+    placings: tuple[Array, ...]
     sample: Sample = field(repr=False)
+
+    @property
+    def boresight(self) -> Array:
+        """The placing of all objects, shape (3,), radians; NaN where they have no common one."""
+        first, *others = self.placings or (np.full(3, np.nan),)
+        same = all(np.array_equal(first, each) for each in others)
+        return first if same else np.full(3, np.nan)
 
     def blocks(self, objects: Collection[str], pairs: Sequence[LinePair]) -> list[Block]:
         """What some objects and pairs of lines compare."""
@@ -54,15 +60,45 @@ class Laid:
 
     def only(self, names: Collection[str]) -> "Laid":
         """Some of the objects."""
-        kept = tuple(each for each in self.objects if each.name in names)
-        return replace(self, objects=kept, sample=self.sample.of_objects(names))
+        kept = [k for k, each in enumerate(self.objects) if each.name in names]
+        return Laid(
+            tuple(self.objects[k] for k in kept),
+            tuple(self.placings[k] for k in kept),
+            self.sample.of_objects(names),
+        )
 
     def joined(self, other: "Laid") -> "Laid":
         """These objects and others, of which none has the same name."""
-        same = np.array_equal(self.boresight, other.boresight)
-        boresight = self.boresight if same else np.full(3, np.nan)
-        sample = self.sample.joined(other.sample)
-        return Laid(self.objects + other.objects, boresight, sample)
+        return Laid(
+            self.objects + other.objects,
+            self.placings + other.placings,
+            self.sample.joined(other.sample),
+        )
+
+    def moved(self, boresight: Array) -> tuple[PatchObject, ...]:
+        """The objects with boxes that go along as lines are placed anew.
+
+        A box that was laid about what one line saw goes with the line that has most points in it.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
+        after = self.sample.placed(boresight)
+        before = {at.tobytes(): self.sample.placed(at) for at in self.placings}
+        found = []
+        for each, at in zip(self.objects, self.placings, strict=True):
+            parts = [
+                np.arange(seen.begin, seen.end)[seen.inside]
+                for seen in self.sample.seen
+                if seen.object.name == each.name
+            ]
+            own = max(parts, key=len, default=np.arange(0))
+            if len(own):
+                move = (after[own] - before[at.tobytes()][own]).mean(axis=0)
+                each = replace(each, box=replace(each.box, centre=each.box.centre + move))
+            found.append(each)
+        return tuple(found)
 
 
 def line_pairs(survey: Survey, kinds: Collection[Kind] = ()) -> tuple[LinePair, ...]:
@@ -125,7 +161,8 @@ def lay(
     progress(0.0, "Taking the points about the objects")
     clouds = placed(project, survey, boresight)
     sample = Sample.of(objects, clouds, survey.scans, margin=margin, progress=progress)
-    return Laid(tuple(objects), np.asarray(boresight, dtype=float), sample)
+    at = np.array(boresight, dtype=float)
+    return Laid(tuple(objects), (at,) * len(objects), sample)
 
 
 def find(
@@ -160,7 +197,11 @@ def find(
     )
     if not np.abs(together.boresight - laid.boresight).max() <= MOVED:
         laid = lay(
-            project, survey, laid.objects, together.boresight, progress=part(progress, 0.4, 0.5)
+            project,
+            survey,
+            laid.moved(together.boresight),
+            together.boresight,
+            progress=part(progress, 0.4, 0.5),
         )
         step = part(progress, 0.5, 0.7)
         together = minimise(
