@@ -63,12 +63,26 @@ def test_what_is_beyond_the_range_is_marked_and_the_range_is_named(form, qtbot) 
 
 def test_left_with_such_a_number_the_field_has_what_it_had_before(form, qtbot) -> None:
     typed(qtbot, form.up, "2173")
-    form.sigma.setFocus()
+    qtbot.keyClick(form.up, Key.Key_Tab)
+    assert form.sigma.hasFocus()
     assert form.up.value() == 2.0
     assert form.up.text() == "2.0000 m"
     assert form.up.property("wrong") is False
     assert form.told[-1] == 2.0  # 2 and 21, on the way, are taken back
-    assert QToolTip.text() == "2173 is not between -100.0000 and 100.0000 m: 2.0000 m is kept"
+    said = "2173 is not between -100.0000 and 100.0000 m: 2.0000 m is kept"
+    qtbot.waitUntil(lambda: QToolTip.text() == said, timeout=SOON_MS)
+    assert QToolTip.isVisible()
+
+
+def test_what_is_kept_is_said_after_a_click_elsewhere(form, qtbot) -> None:
+    """Until the mouse is let go, which ends every tip."""
+    typed(qtbot, form.up, "2173")
+    qtbot.mousePress(form.sigma.lineEdit(), Qt.MouseButton.LeftButton)
+    form.sigma.setFocus()  # what the window system does at a click
+    qtbot.wait(80)
+    qtbot.mouseRelease(form.sigma.lineEdit(), Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "2.0000 m is kept" in QToolTip.text(), timeout=SOON_MS)
+    assert QToolTip.isVisible()
 
 
 @pytest.mark.parametrize("text", ["-", "-3", "0", "20000"])

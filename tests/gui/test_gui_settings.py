@@ -21,7 +21,7 @@ from lispac.io.sensor_file import PosFigures, ScannerFigures
 from lispac.project import Settings
 from lispac.workflow.projects import new_project
 from lispac.workflow.sensors import keep, library
-from tests.gui.support import Driver, Key, Left, press
+from tests.gui.support import Driver, Key, Left, in_front, press
 
 OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
                      theme="dark", scale="turbo")  # fmt: skip
@@ -194,6 +194,13 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     qtbot.mouseClick(sensors.remove, Left)
     assert [s.name for s in library(folder).scanners if s.own] == []
     assert sensors.table.rowCount() == count + 1
+    qtbot.waitUntil(lambda: in_front(page) and sensors.table.hasFocus())
+    assert sensors.current is not None
+    # Return answers the question with what loses nothing
+    sensors.select("sbg-systems-apogee-own")
+    QTimer.singleShot(200, lambda: qtbot.keyClick(QApplication.activeModalWidget(), Key.Key_Return))
+    qtbot.mouseClick(sensors.remove, Left)
+    assert sensors.table.rowCount() == count + 1
 
 
 def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: Path) -> None:
@@ -201,8 +208,16 @@ def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: P
     editor = SensorEditor(tmp_path, NEW_SCANNER, "")
     qtbot.addWidget(editor)
     editor.show()
+    qtbot.waitUntil(lambda: in_front(editor))
+    assert editor.said.text() == ""
+    qtbot.keyClick(editor.title, Key.Key_Tab)
     assert "needs a title" in editor.said.text()
     qtbot.keyClicks(editor.title, "Profiler 16")
+    assert editor.said.text() == ""
+    qtbot.mouseClick(editor.keep, Left)
+    assert "where the figures come from" in editor.said.text()
+    assert editor.parts[0].origin.source.hasFocus()
+    assert not editor.keep.isEnabled()
     qtbot.keyClicks(editor.parts[0].origin.source, "Certificate")
     assert "already" in editor.said.text()
     assert not editor.keep.isEnabled()
@@ -212,7 +227,10 @@ def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: P
 
     pos = SensorEditor(tmp_path, NEW_POS, "")
     qtbot.addWidget(pos)
+    pos.show()
     qtbot.keyClicks(pos.title, "My INS")
+    assert pos.said.text() == ""
+    qtbot.mouseClick(pos.keep, Left)
     assert "where the figures come from" in pos.said.text()
     pos.parts[1].stated.setChecked(False)
     assert "one GNSS solution at least" in pos.said.text()

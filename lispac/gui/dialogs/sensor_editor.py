@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QCheckBox, QDialog, QFormLayout, QHBoxLayout, QLineEdit, QWidget
 
 from lispac.errors import InputError
@@ -19,6 +21,8 @@ NEW_POS = PosFigures("", (PosState("ppk", (0.02, 0.02, 0.03), (0.01, 0.01, 0.015
 class SensorEditor(QDialog):
     """Judges what is typed while it is typed; kept as a file.
 
+    That something is not filled in yet is said once it was left so, or is to be kept.
+
     Parameters
     ----------
     folder : of the user's own sensors
@@ -31,6 +35,8 @@ class SensorEditor(QDialog):
     ) -> None:
         super().__init__(parent)
         self._folder, self.name = folder, name
+        self._left: set[_Line] = set()
+        """Where the user was."""
         self.setObjectName("sensor_editor")
         scanner = isinstance(figures, ScannerFigures)
         self.setWindowTitle(say("Scanner" if scanner else "INS/GNSS"))
@@ -39,7 +45,7 @@ class SensorEditor(QDialog):
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self.title = _line("sensor_title", "Maker and model", figures.title)
+        self.title = _Line("sensor_title", "Maker and model", figures.title)
         form.addRow(say("Maker and model"), self.title)
         self.parts: list[_ScannerPart | _StatePart]
         if isinstance(figures, ScannerFigures):
@@ -61,10 +67,11 @@ class SensorEditor(QDialog):
         layout.addLayout(row)
         cancel.clicked.connect(self.reject)
         self.keep.clicked.connect(self._keep)
-        self.title.textChanged.connect(self._judge)
+        for line in self._lines:
+            line.textChanged.connect(self._judge)
+            line.left.connect(lambda line=line: self._leave(line))
         for part in self.parts:
-            for field in (part.origin.source.textChanged, part.moved):
-                field.connect(self._judge)
+            part.moved.connect(self._judge)
         self._judge()
 
     @property
@@ -76,16 +83,37 @@ class SensorEditor(QDialog):
         states = [part.state() for part in self.parts if isinstance(part, _StatePart)]
         return PosFigures(title, tuple(each for each in states if each is not None))
 
+    @property
+    def _lines(self) -> "list[_Line]":
+        return [self.title, *(part.origin.source for part in self.parts)]
+
+    @property
+    def _empty(self) -> "_Line | None":
+        """The first that is to be filled in."""
+        lines = (line for line in self._lines if line.isEnabled())
+        return next((line for line in lines if not line.text().strip()), None)
+
+    def _leave(self, line: "_Line") -> None:
+        self._left.add(line)
+        self._judge()
+
     def _judge(self, *_: object) -> None:
         try:
             require_sound(self._folder, self.figures, self.name)
             wrong = ""
         except InputError as error:
             wrong = str(error)
+        if self._empty is not None and self._empty not in self._left:
+            wrong = ""  # the user is on the way there
         self.said.setText(say(wrong))
         self.keep.setEnabled(not wrong)
 
     def _keep(self) -> None:
+        if self._empty is not None:
+            self._empty.setFocus()
+            self._left.update(self._lines)
+            self._judge()
+            return
         try:
             self.name = keep(self._folder, self.figures, self.name)
         except InputError as error:
@@ -94,12 +122,30 @@ class SensorEditor(QDialog):
             self.accept()
 
 
+class _Line(QLineEdit):
+    """A line of words."""
+
+    left = Signal()
+    """By the focus; Qt's own signal tells of edited ones only."""
+
+    def __init__(self, name: str, what: str, text: str) -> None:
+        super().__init__(text)
+        self.setObjectName(name)
+        self.setCursorPosition(0)
+        self.setAccessibleName(say(what))
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Also where nothing was typed."""
+        super().focusOutEvent(event)
+        self.left.emit()
+
+
 class _Origin(QWidget):
     """Where figures come from, and whether they were held against it."""
 
     def __init__(self, name: str, source: str, from_memory: bool) -> None:
         super().__init__()
-        self.source = _line(f"{name}_source", "Where the figures come from", source)
+        self.source = _Line(f"{name}_source", "Where the figures come from", source)
         self.source.setPlaceholderText(say("Data sheet, with its date"))
         self.from_memory = QCheckBox(say("From memory"))
         self.from_memory.setObjectName(f"{name}_from_memory")
@@ -182,11 +228,3 @@ class _StatePart:
 
 def _sigma(name: str, suffix: str, high: float):
     return widgets.number(name, suffix=suffix, decimals=4, low=0.0001, high=high, step=0.001)
-
-
-def _line(name: str, what: str, text: str) -> QLineEdit:
-    field = QLineEdit(text)
-    field.setObjectName(name)
-    field.setCursorPosition(0)
-    field.setAccessibleName(say(what))
-    return field

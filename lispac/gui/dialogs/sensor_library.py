@@ -152,7 +152,10 @@ class SensorLibraryPage(QWidget):
             self.said.setText(say(str(error)))
             self.said.show()
             return
+        row = self.table.currentRow()
         self._fill()
+        self.table.setCurrentCell(min(row, len(self._sensors) - 1), 0)
+        self.table.setFocus()
         self.changed.emit()
 
     def _sure(self, title: str) -> bool:
@@ -168,6 +171,7 @@ class SensorLibraryPage(QWidget):
             )
         )
         sure = box.addButton(say("Remove"), QMessageBox.ButtonRole.DestructiveRole)
+        box.setDefaultButton(QMessageBox.StandardButton.Cancel)
         box.exec()
         chosen = box.clickedButton()
         box.deleteLater()

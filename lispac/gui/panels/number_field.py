@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QToolTip
 
@@ -16,6 +16,8 @@ ALIKE = 1e-9
 """What was calculated to and fro is the same."""
 KEPT = 12
 """Decimals of the value: as many as a typed one may need in another unit."""
+TOLD_MS = 300
+"""After the field was left: Qt hides every tip when the focus moves and when a click ends."""
 
 
 class NumberField(QDoubleSpinBox):
@@ -129,9 +131,11 @@ class NumberField(QDoubleSpinBox):
         self._show_again()
         self._mark(self.text())  # Qt tells of typed texts only
         if typed and self._beyond(typed):
-            self._say_range(typed)
+            QTimer.singleShot(TOLD_MS, self, lambda: self._say_range(typed))
 
     def _say_range(self, typed: str) -> None:
+        if not self.isVisible():  # by now
+            return
         low = self._face.textFromValue(self._face.minimum())
         high = f"{self._face.textFromValue(self._face.maximum())}{self.suffix()}"
         words = f"From {low} to {high}"
