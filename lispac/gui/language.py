@@ -24,7 +24,29 @@ _PIECE = re.compile(r"(\n|<br>|</?(?:p|h\d|ul|ol|li|table|tr|td|th)\b[^>]*>)")
 _own = Translator(catalogue_of("en"), spoken_numbers=True)
 _of_project: frozenset[str] = frozenset()
 _of_plan: frozenset[str] = frozenset()
-_qt: QTranslator | None = None
+_qt: list[QTranslator] = []
+
+LACKING = {
+    "QFileDialog": ("&Look in:", "Files of &type:"),
+    "QAbstractFileIconProvider": (
+        "Drive", "Folder", "File Folder", "Shortcut", "Alias", "Unknown",
+    ),
+}  # fmt: skip
+"""Texts of Qt's file dialogue that its own translation has not, by their contexts."""
+
+
+class _Rest(QTranslator):
+    """Says what Qt's own translation lacks; it is asked after that one."""
+
+    def isEmpty(self) -> bool:
+        """Qt asks none that is."""
+        return False
+
+    def translate(
+        self, context: str, source: str, disambiguation: str | None = None, n: int = -1
+    ) -> str | None:
+        """The text in the user's language; None where it is not one of these."""
+        return say(source) if source in LACKING.get(context, ()) else None
 
 
 def speak(code: str) -> None:
@@ -35,18 +57,22 @@ def speak(code: str) -> None:
     InputError
         Where the language is not known.
     """
-    global _own, _qt
+    global _own
     _own = Translator(catalogue_of(code), _own.names, spoken_numbers=True)
     # English as numbers are written in files and reports, with a point and no grouping by habit
     QLocale.setDefault(QLocale(code) if code != "en" else QLocale.c())
     application = QApplication.instance()
     if application is None:
         return
-    if _qt is not None:
-        application.removeTranslator(_qt)
-    _qt = QTranslator(application)
-    if _qt.load(f"qtbase_{code}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
-        application.installTranslator(_qt)
+    while _qt:
+        application.removeTranslator(_qt.pop())
+    if code == "en":
+        return
+    qtbase, folder = QTranslator(application), QLibraryInfo.LibraryPath.TranslationsPath
+    qtbase.load(f"qtbase_{code}", QLibraryInfo.path(folder))
+    _qt.extend((_Rest(application), qtbase))
+    for each in _qt:  # the last is asked first
+        application.installTranslator(each)
 
 
 def language() -> str:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -19,6 +20,7 @@ from lispac.gui.dialogs.find_again import FindAgainDialog
 from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.gui.language import speak, unsaid
@@ -137,10 +139,15 @@ def test_files_that_are_looked_into(french: Driver, demo: Demo, tmp_path: Path) 
     rest(french.bot, dialog)
     for tab in range(dialog.tabs.count()):
         dialog.tabs.setCurrentIndex(tab)
+    heads = set()
     for row in range(dialog.table.rowCount()):
         dialog.table.selectRow(row)
+        head = dialog.findChild(Preview).horizontalHeader().model()
+        heads |= {head.headerData(k, Qt.Orientation.Horizontal) for k in range(head.columnCount())}
     try:
-        all_french(dialog, more)
+        assert {"intensity", "return_number", "classification"} <= heads  # as the file calls them
+        assert english(dialog) <= {"intensity"}
+        all_french(more)
     finally:
         for each in (dialog, more):
             each.done(QDialog.DialogCode.Rejected)

@@ -2,7 +2,16 @@
 
 from pathlib import Path
 
-from PySide6.QtWidgets import QApplication, QMenu, QMenuBar
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QFileDialog,
+    QLabel,
+    QMenu,
+    QMenuBar,
+    QTreeView,
+)
 
 from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.settings import AppSettings
@@ -35,6 +44,16 @@ def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
     choose(hands.bot, open_menu(hands.bot, hands.window, menu), entry)
     hands.answered()
     hands.to_next_window()
+
+
+def told(dialog: QFileDialog) -> set[str]:
+    """Labels, buttons, heads of columns and kinds of the first rows of a file dialogue."""
+    tree = dialog.findChild(QTreeView)
+    model, root = tree.model(), tree.rootIndex()
+    heads = {model.headerData(k, Qt.Orientation.Horizontal) for k in range(model.columnCount())}
+    kinds = {model.index(k, 2, root).data() for k in range(model.rowCount(root))}
+    labels = {each.text() for each in dialog.findChildren(QLabel)}
+    return heads | kinds | labels | {each.text() for each in dialog.findChildren(QAbstractButton)}
 
 
 def words(menu: QMenu | QMenuBar) -> list[str]:
@@ -74,3 +93,36 @@ def test_the_language_is_chosen_and_chosen_back(
     assert words(hands.window.menuBar()) == english
     assert hands.window.isWindowModified()
     shows_something(hands, tmp_path / "english.png")
+
+
+def test_file_dialogues_are_in_the_language_of_the_window(
+    hands: Hands, picked_folder: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "here").mkdir()
+    seen: list[set[str]] = []
+
+    def look(dialog: QFileDialog) -> bool:
+        dialog.setDirectory(str(tmp_path))
+        if not {"Folder", "Dossier"} & told(dialog):
+            return False  # Qt looks into the folder in a thread of its own
+        seen.append(told(dialog))
+        dialog.grab().save(str(tmp_path / f"files-{len(seen)}.png"))
+        hands.bot.keyClick(dialog, Key.Key_Escape)
+        return True
+
+    def ask() -> None:
+        hands.answers.foresee(QFileDialog, look)
+        press(hands, Key.Key_O, Control)
+        hands.answered()
+
+    english = {"&Look in:", "Files of &type:", "File &name:", "Folder", "Name", "&Open", "Cancel"}
+    ask()
+    assert english <= seen[0]
+    speak_by_keys(hands, "File", "Settings", "Français")
+    ask()
+    assert not english & seen[1]
+    french = {"&Regarder dans\u00a0:", "Fichiers de &type\u00a0:", "Dossier", "Nom", "Annuler"}
+    assert french <= seen[1]
+    speak_by_keys(hands, "Fichier", "Préférences", "English")
+    ask()
+    assert english <= seen[2]

@@ -10,6 +10,8 @@ from lispac.gui.panels import widgets
 from lispac.workflow.intake_columns import PASSED_OVER, has_columns, meanings, word_of
 from lispac.workflow.intake_entry import Entry
 
+NAMED = ("las", "e57")
+"""Formats whose files name their columns; those names stay as they are. Of others they are ours."""
 MOST_COLUMNS = 60
 NARROWEST = 118
 
@@ -57,7 +59,12 @@ class Preview(QTableWidget):
         self.setRowCount(first + max(len(rows) - 1, 0))
         self.setColumnCount(columns)
         names = list(rows[0][:columns]) if rows else []
-        heads = [say(f"Column {k + 1}") for k in range(columns)] if mapped else say_all(names)
+        if mapped:
+            heads = [say(f"Column {k + 1}") for k in range(columns)]
+        elif entry.format is not None and entry.format.key in NAMED:
+            heads = names
+        else:
+            heads = say_all(names)
         self.setHorizontalHeaderLabels(heads + [""] * (columns - len(heads)))
         for k in range(columns if mapped else 0):
             self._add_combo(entry, k)
