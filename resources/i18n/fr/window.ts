@@ -9502,7 +9502,6 @@ m/s</translation>
         <translation>incliné</translation>
     </message>
 </context>
-</TS>
 <context>
     <name>QFileDialog</name>
     <message>
@@ -9534,3 +9533,4 @@ m/s</translation>
         <translation>Inconnu</translation>
     </message>
 </context>
+</TS>
