@@ -12,7 +12,7 @@ from lispac.cli.main import main
 from lispac.errors import AdjustmentError, InputError
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import Box, PatchObject, checked
-from lispac.patchtest.mismatch import Mismatch, blocks_of
+from lispac.patchtest.mismatch import Mismatch, blocks_of, lowest
 from lispac.patchtest.optimise import minimise
 from lispac.patchtest.pairs import kind_of, pairs_of
 from lispac.patchtest.sample import Sample
@@ -238,6 +238,18 @@ def test_level_ground_alone_leaves_the_yaw_open(thinned: Opened) -> None:
     ground = two_planes(thinned, 0.02, np.array([0.0, 0.0, 1.0]))
     with pytest.raises(AdjustmentError, match="leave the yaw open"):
         minimise(ground.sample, ground.blocks, truth(thinned[0]), (2,))
+
+
+def test_a_curve_has_a_minimum_where_it_dips_and_none_where_it_ripples() -> None:
+    values = np.radians(np.linspace(-0.5, 0.5, 21))
+    dip = 0.02 + 5.0 * np.abs(values - 0.002) ** 2 * 1e3
+    assert lowest(values, dip) == pytest.approx(0.002, abs=1e-5)
+    assert lowest(values, dip[::-1]) == pytest.approx(-0.002, abs=1e-5)
+    level = 0.093 + 0.001 * np.cos(40 * values * 57)
+    assert lowest(values, level) is None
+    assert lowest(values, 0.05 + values) is None, "it falls towards an end"
+    assert lowest(values[:2], dip[:2]) is None
+    assert lowest(values, np.where(values > 0.004, np.nan, dip)) is None
 
 
 def test_lines_that_do_not_meet_are_refused(thinned: Opened) -> None:

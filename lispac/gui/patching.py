@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer
 from lispac.errors import LispacError
 from lispac.gui import theme, units
 from lispac.gui.language import say
-from lispac.gui.panels.patch_angles import WORDS
+from lispac.gui.panels.patch_angles import NEAR, WORDS
 from lispac.gui.panels.patch_test import EMPTY, NO_DATA, PatchTestPanel
 from lispac.gui.patch_objects import PatchObjects
 from lispac.gui.tasks import Task
@@ -18,7 +18,7 @@ from lispac.gui.viewport.clipping import EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import Box, PatchObject
-from lispac.patchtest.mismatch import Mismatch
+from lispac.patchtest.mismatch import Mismatch, lowest
 from lispac.patchtest.optimise import ANGLES, Minimum
 from lispac.patchtest.pairs import LinePair
 from lispac.patchtest.sample import Sample
@@ -39,6 +39,8 @@ REACH, INNER = np.radians(0.25), 0.8
 """The curve reaches so far to either side, radians; out of that share of it another is drawn."""
 STEPS = {"one": 41, "all": 17}
 """Values of a curve: of one object, and of all."""
+WIDE = 12
+"""The curve is drawn so many times as wide where it has no minimum within its reach."""
 REST_MS = 200
 """After the last move of a slider, before a curve is worked out."""
 
@@ -208,24 +210,27 @@ class Patching(QObject):
         names = self.panel.ticked if whole else (each.name,)
         boresight, pairs = self.panel.angles.boresight, self._pairs()
         steps = STEPS["all" if whole else "one"]
-        values = boresight[angle] + np.linspace(-REACH, REACH, steps)
 
-        def work(progress: Progress) -> Array:
+        def work(progress: Progress) -> tuple[Array, Array]:
             mismatch = Mismatch(laid.sample, laid.blocks(names, pairs))
-            if not mismatch.blocks:
-                return np.full(steps, np.nan)
-            found = []
-            for k, value in enumerate(values):
-                progress(k / steps)
-                found.append(mismatch.curve(boresight, angle, np.array([value]))[0])
-            return np.array(found)
+            for reach, many in ((REACH, steps), (WIDE * REACH, 3 * steps)):
+                values = boresight[angle] + np.linspace(-reach, reach, many)
+                if not mismatch.blocks:
+                    return values, np.full(many, np.nan)
+                found = np.empty(many)
+                for k, value in enumerate(values):
+                    progress(k / many)
+                    found[k] = mismatch.curve(boresight, angle, np.array([value]))[0]
+                if lowest(values, found) is not None:
+                    break
+            return values, found
 
-        def done(curve: Array) -> None:
+        def done(curve: tuple[Array, Array]) -> None:
             self._stale = False
             self._curve_at, self._curve_angle = boresight, angle
             of = "all ticked objects" if whole else each.name
             title = say(f"Mismatch over the {ANGLES[angle]}: {of}")
-            self.panel.curve.show_curve(title, values, curve)
+            self.panel.curve.show_curve(title, *curve)
             if not self._curve_serves(self.panel.angles.boresight):
                 self._rest.start()
 
@@ -242,7 +247,7 @@ class Patching(QObject):
 
         def done(found: Minimum) -> None:
             self._angle = angle
-            self.panel.angles.turn_to(found.boresight)
+            self.panel.angles.start_at(found.boresight, NEAR)
             value = units.amount(float(np.degrees(found.boresight[angle])), "°", "+.4f")
             self.panel.said.setText(
                 say(f"{WORDS[angle]} alone: the mismatch is smallest at {value}.")
@@ -271,8 +276,8 @@ class Patching(QObject):
         def done(found: PatchTest) -> None:
             self._answer = found
             panel = self.panel
-            panel.angles.turn_to(found.boresight)
-            panel.angles.show_found(found.boresight, found.sigma)
+            panel.angles.start_at(found.boresight, NEAR)
+            panel.angles.show_found(found.boresight, found.sigma, found.curvature)
             panel.said.setText(units.signs(say("\n".join(found.sentences)), "°", "mm"))
             panel.mark_objects({each.name: each.sentence for each in found.disagreeing})
             self._follow()
@@ -327,7 +332,7 @@ class Patching(QObject):
     def _forget_answer(self) -> None:
         """What was found rests on other objects or pairs."""
         self._answer = None
-        self.panel.angles.show_found(None, None)
+        self.panel.angles.show_found(None)
         self.panel.said.setText("")
         self.panel.mark_objects({})
 

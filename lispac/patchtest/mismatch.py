@@ -41,6 +41,8 @@ ALIKE = np.cos(np.radians(25.0))
 """Least cosine between the views of lines that see the same side of a pole."""
 FACING = np.cos(np.radians(30.0))
 """Least cosine between the normals of points that belong together."""
+DIP = 1.05
+"""By so much a curve rises to both sides of a minimum; a ripple of its level part rises by less."""
 FEWEST, SHARE = 20, 0.1
 """Points that must meet the other line, and their share: below, two lines see different things."""
 
@@ -332,3 +334,25 @@ class Mismatch:
         turned = np.repeat(np.asarray(boresight, dtype=float)[None], len(values), axis=0)
         turned[:, angle] = values
         return np.array([self(each) for each in turned])
+
+
+def lowest(values: Array, mismatch: Array) -> float | None:
+    """Where a curve has its minimum, radians; None where it has none, but ripples or falls.
+
+    Far from the minimum lines are farther apart than the mismatch tells, and the curve is level.
+
+    Parameters
+    ----------
+    values : ndarray of shape (n,), radians, at equal steps
+    mismatch : ndarray of shape (n,), metres
+    """
+    if len(values) < 3 or not np.isfinite(mismatch).all():
+        return None
+    k = int(mismatch.argmin())
+    rise = min(mismatch[:k].max(initial=0.0), mismatch[k:].max()) / mismatch[k]
+    if k in (0, len(values) - 1) or rise < DIP:
+        return None
+    before, at, after = mismatch[k - 1 : k + 2]
+    bend = before - 2 * at + after
+    step = values[k + 1] - values[k]
+    return float(values[k] + (0.5 * step * (before - after) / bend if bend else 0.0))

@@ -92,12 +92,17 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     shown.of.setCurrentIndex(1)
     start = answer.boresight + [0.0, np.radians(0.15), 0.0]
     shown.angles.turn_to(start)
-    steps = round(np.degrees(answer.boresight[PITCH]) / FINE)
-    drag(opened, shown.angles.sliders[PITCH], steps + 80)
+    slider = shown.angles.sliders[PITCH]  # its middle is where the angle was found
+    drag(opened, slider, 80)
     follow(opened)
     lowest = shown.curve.minimum
     assert lowest is not None
     assert shown.angles.boresight[PITCH] != start[PITCH], "the drag turned nothing"
+    drag(opened, slider, round(np.degrees(lowest - answer.boresight[PITCH]) / FINE))
+    follow(opened)
+    assert shown.angles.boresight[PITCH] != start[PITCH]
+    assert abs(shown.angles.boresight[PITCH] - answer.boresight[PITCH]) < answer.sigma[PITCH]
+    # A click into the curve turns it there, too
     place = shown.curve.place(lowest, 0.001).toPoint()
     opened.bot.mouseClick(shown.curve, Left, pos=place)
     follow(opened)

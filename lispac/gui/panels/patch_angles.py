@@ -16,6 +16,8 @@ FINE = 0.001
 """Degrees of a step of the slider."""
 FAR = 3.0
 """Degrees to either side of where it began that a slider reaches; a field takes any angle."""
+NEAR = 0.3
+"""The same once an angle was found: a pixel is then some thousandths."""
 WORDS = ("Roll", "Pitch", "Yaw")
 
 
@@ -75,9 +77,19 @@ class PatchAngles(QWidget):
         """Roll, pitch and yaw as they are turned, shape (3,), radians."""
         return self._boresight.copy()
 
-    def start_at(self, boresight: Array) -> None:
-        """Put the sliders' middles and all angles there; nobody is told."""
+    def start_at(self, boresight: Array, reach: float = FAR) -> None:
+        """Put the sliders' middles and all angles there; nobody is told.
+
+        Parameters
+        ----------
+        reach : float, degrees
+            Of the sliders, to either side.
+        """
         self._start = np.array(boresight, dtype=float)
+        for slider in self.sliders:
+            slider.blockSignals(True)
+            slider.setRange(-round(reach / FINE), round(reach / FINE))
+            slider.blockSignals(False)
         self.turn_to(boresight)
 
     def turn_to(self, boresight: Array) -> None:
@@ -86,8 +98,16 @@ class PatchAngles(QWidget):
         for k in range(3):
             self._show(k)
 
-    def show_found(self, boresight: Array | None, sigma: Array | None) -> None:
-        """Write beside each angle what was found, with its sigma where it has one."""
+    def show_found(
+        self, boresight: Array | None, sigma: Array | None = None, curvature: Array | None = None
+    ) -> None:
+        """Write beside each angle what was found, its sigma where it has one, and what it costs.
+
+        Parameters
+        ----------
+        curvature : ndarray of shape (3,), metres per radian
+            By how much the lines part when an angle is turned away.
+        """
         for k, label in enumerate(self.found):
             if boresight is None:
                 label.setText("")
@@ -98,7 +118,11 @@ class PatchAngles(QWidget):
             else:
                 spread = units.figure(float(np.degrees(sigma[k])), "°", ".4f")
                 words = f"found {value} ± {spread}°"
-            label.setText(units.signs(say(words), "°"))
+            told = [units.signs(say(words), "°")]
+            if curvature is not None:
+                parted = units.amount(1000 * float(np.radians(0.01) * curvature[k]), "mm", ".1f")
+                told.append(say(f"0.01 deg aside parts the lines by {parted}"))
+            label.setText("; ".join(told))
 
     def allow(self, allowed: bool) -> None:
         """Let the angles be searched for, or not; they can be turned in either case."""

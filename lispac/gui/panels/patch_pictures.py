@@ -15,6 +15,7 @@ from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.viewport.base import Colour
 from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.patchtest.mismatch import lowest
 
 Array = NDArray[np.float64]
 
@@ -133,15 +134,7 @@ class CurvePicture(Picture):
     @property
     def minimum(self) -> float | None:
         """Where the curve is lowest, radians; None at an end of it, or without one."""
-        if len(self._values) < 3:
-            return None
-        k = int(self._mismatch.argmin())
-        if k in (0, len(self._values) - 1):
-            return None
-        before, at, after = self._mismatch[k - 1 : k + 2]
-        bend = before - 2 * at + after
-        step = self._values[k + 1] - self._values[k]
-        return float(self._values[k] + (0.5 * step * (before - after) / bend if bend else 0.0))
+        return lowest(self._values, self._mismatch)
 
     def place(self, value: float, mismatch: float) -> QPointF:
         """Pixels of a value, radians, and a mismatch, metres."""

@@ -286,6 +286,10 @@
         <translation>Il est ouvert ici : {where}. De deux fenêtres, celle qui enregistre en dernier écrase l&apos;autre, et le travail non enregistré de la seconde n&apos;est pas protégé contre un plantage.</translation>
     </message>
     <message>
+        <source>0.01 deg aside parts the lines by {parted}</source>
+        <translation>0,01 deg à côté sépare les lignes de {parted}</translation>
+    </message>
+    <message>
         <source>another inclination is missing</source>
         <translation>il manque une autre inclinaison</translation>
     </message>
