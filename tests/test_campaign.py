@@ -68,6 +68,7 @@ def test_monte_carlo_is_the_same_everywhere(cluster: distributed.LocalCluster) -
     assert not np.isclose(surveyed(SMALL, 5, seed=1).errors, here.errors[:5]).any()
 
 
+@pytest.mark.long
 def test_a_search_is_the_same_everywhere(cluster: distributed.LocalCluster) -> None:
     _, site = read_site(QUAY)
     site = replace(

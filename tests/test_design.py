@@ -128,6 +128,7 @@ def test_planes_that_are_there_anyway_are_used() -> None:
     assert site.minutes(found.plan) == pytest.approx(4 * 1.5)
 
 
+@pytest.mark.long
 def test_every_criterion_is_the_smallest_for_its_own_search(best) -> None:
     for criterion in CRITERIA:
         objective = Objective(criterion)

@@ -97,6 +97,7 @@ def test_a_wrong_lever_arm_is_not_taken_for_displaced_targets(boards) -> None:
     assert [each.name for each in found.contradictions] == ["lever_x"]
 
 
+@pytest.mark.long
 def test_a_wrong_lever_arm_and_a_blunder_are_named_among_displaced_targets() -> None:
     clean = survey(407, 0.005)
     stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])

@@ -65,7 +65,7 @@ def drawn(errors: np.ndarray, way: np.ndarray) -> Spread:
 
 
 @pytest.mark.parametrize("beam", BEAMS)
-@pytest.mark.parametrize("distance", [10.0, 100.0])
+@pytest.mark.parametrize("distance", [10.0, pytest.param(100.0, marks=pytest.mark.long)])
 def test_every_source_agrees_with_drawn_errors(beam: str, distance: float) -> None:
     """X = P + R(attitude) (R(boresight) x + lever arm), each value drawn 5,000 times.
 

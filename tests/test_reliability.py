@@ -237,6 +237,7 @@ def test_components_find_the_errors_that_were_put_in() -> None:
     np.testing.assert_allclose(mean, [2.0, 0.5], rtol=0.15)
 
 
+@pytest.mark.long
 def test_positions_worse_than_stated_are_found_with_surfaces_unknown_too() -> None:
     """Positions 2.5 times worse than stated: without components over-confident, with them not."""
     model = StochasticModel(loss="tukey")

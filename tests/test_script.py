@@ -204,7 +204,7 @@ def reference(folder: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("beside", [True, False])
+@pytest.mark.parametrize("beside", [pytest.param(True, marks=pytest.mark.long), False])
 def test_a_check_is_repeated_where_its_reference_is_found(
     quay: lispac.OpenProject, tmp_path: Path, beside: bool
 ) -> None:
