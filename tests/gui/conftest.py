@@ -24,6 +24,7 @@ from lispac.workflow.demo import demo_seeds
 from lispac.workflow.picking import pick
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
+from lispac.workflow.validation import validate
 from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
@@ -54,6 +55,12 @@ def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Dem
 def estimated(demo: Demo, tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The picked demo survey with its boresight, cross-checks and all."""
     return once(tmp_path_factory, "estimated", lambda _folder: estimate(demo.picked, demo.survey))
+
+
+@pytest.fixture(scope="session")
+def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """The demo survey with one plane compared."""
+    return once(tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey))
 
 
 @pytest.fixture

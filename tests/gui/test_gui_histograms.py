@@ -11,17 +11,9 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.gui.panels.histograms import AGAINST, ZOOM, HistogramsPanel
 from lispac.project import Project
-from lispac.workflow.validation import validate
 from tests.gui.support import Demo, Driver
-from tests.sharing import once
 
 Left = Qt.MouseButton.LeftButton
-
-
-@pytest.fixture(scope="session")
-def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The demo survey with one plane compared."""
-    return once(tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey))
 
 
 @pytest.fixture

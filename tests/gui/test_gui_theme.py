@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
-from PySide6.QtGui import QColor, QPalette
+from PySide6.QtGui import QColor, QGuiApplication, QImage, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -15,10 +15,13 @@ from lispac.gui import theme
 from lispac.gui.design import edits
 from lispac.gui.dialogs.about import about_box
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.panels.chart import Chart
+from lispac.gui.panels.dimming import dimmed
 from lispac.gui.schemes import DARK, LIGHT, Scheme, luminance
 from lispac.gui.session import LATER_MS, Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
+from lispac.project import Project
 from tests.gui.support import Demo, ScriptedDialogs, in_front
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
 
@@ -261,3 +264,86 @@ def faint(window: QWidget) -> list[str]:
                 kind = type(widget).__name__
                 found.append(f"{kind} {widget.objectName()}: {words} {text} on {below}")
     return found
+
+
+# -- charts ------------------------------------------------------------------------------------
+
+
+def corner(picture: QImage | QPixmap) -> str:
+    """The colour of the paper that a chart is drawn on."""
+    image = picture if isinstance(picture, QImage) else picture.toImage()
+    assert image.width() > 100
+    return image.pixelColor(2, 2).name()
+
+
+def seen_in_front(session: Session, bot: QtBot, dock: str, chart: Chart) -> QPixmap:
+    """Bring a chart to the front, and wait until it is drawn."""
+    drawn: list[object] = []
+    heard = chart.mpl_connect("draw_event", drawn.append)
+    session.window.docks[dock].raise_()
+    chart.draw_idle()
+    bot.waitUntil(lambda: bool(drawn) and not chart.is_drawing, timeout=SOON_MS)
+    chart.mpl_disconnect(heard)
+    return chart.grab()
+
+
+def copied(bot: QtBot) -> QImage:
+    """What comes to the clipboard."""
+    clipboard = QGuiApplication.clipboard()
+    bot.waitUntil(lambda: not clipboard.image().isNull(), timeout=SOON_MS)
+    return clipboard.image()
+
+
+@pytest.mark.parametrize("choice", ["Light", "Dark"])
+def test_charts_have_the_looks_of_the_window_and_are_copied_on_white(
+    session: Session, qtbot: QtBot, demo: Demo, validated: Project, tmp_path: Path, choice: str
+) -> None:
+    if choice == "Dark":
+        change(session, qtbot, "Dark")
+    window, ground = session.window, theme.PAPER
+    assert ground == (DARK if choice == "Dark" else LIGHT).paper
+    window.document.open(validated, demo.survey)
+    window.docks["Histograms"].raise_()
+    qtbot.waitUntil(lambda: not window.runner.active, timeout=SOON_MS)
+    qtbot.waitUntil(lambda: window.histograms.canvas is not None, timeout=SOON_MS)
+    pictures = {}
+    histograms = window.histograms
+    pictures["histogram"] = seen_in_front(session, qtbot, "Histograms", histograms.canvas)
+    QGuiApplication.clipboard().clear()
+    qtbot.mouseClick(histograms.copy_picture, Qt.MouseButton.LeftButton)
+    assert corner(copied(qtbot)) == "#ffffff"
+    assert corner(histograms.canvas.grab()) == ground
+
+    window._select("T1", "")
+    qtbot.keyClick(window, Qt.Key.Key_S)
+    section = window.tools.sections.panel
+    qtbot.waitUntil(lambda: section.shows and not window.runner.active, timeout=SOON_MS)
+    pictures["section"] = seen_in_front(session, qtbot, "Section", section.canvas)
+    QGuiApplication.clipboard().clear()
+    qtbot.mouseClick(section.copy_picture, Qt.MouseButton.LeftButton)
+    assert corner(copied(qtbot)) == "#ffffff"
+
+    pages = window.diagnostics
+    window.docks["Diagnostics"].raise_()
+    row = pages.list.visualItemRect(pages.list.item(list(pages.pages).index("Convergence")))
+    qtbot.mouseClick(pages.list.viewport(), Qt.MouseButton.LeftButton, pos=row.center())
+    chart = pages.current.canvas
+    pictures["diagnostics"] = seen_in_front(session, qtbot, "Diagnostics", chart)
+    for name, picture in pictures.items():
+        assert picture.save(str(tmp_path / f"{name}.png"))
+        assert corner(picture) == ground, name
+    if choice == "Dark":
+        assert window.grab().save(str(tmp_path / "window.png"))
+
+
+@pytest.mark.parametrize("colour", [*LIGHT.series, LIGHT.before, LIGHT.after, LIGHT.text])
+def test_what_is_drawn_on_white_is_read_on_dark_in_its_own_hue(
+    monkeypatch: pytest.MonkeyPatch, colour: str
+) -> None:
+    monkeypatch.setattr(theme, "_used", DARK)
+    on_white = QColor(colour)
+    pixel = np.array([[[*on_white.getRgb()]]], dtype=np.uint8)
+    shown = QColor(*(int(each) for each in dimmed(pixel)[0, 0]))
+    assert contrast(shown.name(), DARK.paper) > 4.5
+    if on_white.saturationF() > 0.5:
+        assert abs(shown.hue() - on_white.hue()) < 12

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.backend_bases import DrawEvent
 from matplotlib.backends.backend_agg import RendererAgg
@@ -9,6 +10,8 @@ from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPixmap, QResizeEvent
 
+from lispac.gui import theme
+from lispac.gui.panels.dimming import dimmed
 from lispac.gui.panels.ticks import spoken_ticks
 from lispac.gui.slices import Slices
 from lispac.gui.turns import Turn
@@ -16,6 +19,9 @@ from lispac.gui.turns import Turn
 AFTER_MS = 20
 """A plot takes 0.2 to 0.5 s, half of it to find room for all texts. What else changes with it is
 painted before, and keys are heard between its parts."""
+
+
+WHITE = "white"
 
 
 class _Renderer(RendererAgg):
@@ -32,10 +38,14 @@ class _Renderer(RendererAgg):
 
 
 class Chart(FigureCanvasQTAgg):
-    """Matplotlib's canvas, drawn when it is seen and once for all that changed in it meanwhile."""
+    """Matplotlib's canvas, drawn when it is seen and once for all that changed in it meanwhile.
 
-    def __init__(self, width: int, height: int, ground: str = "white") -> None:
+    What is drawn on white paper is shown dimmed in a dark window, and copied as it is drawn.
+    """
+
+    def __init__(self, width: int, height: int, ground: str = WHITE) -> None:
         """Make one that is at least so many pixels large, on a ground of this colour."""
+        self._dims = ground == WHITE and theme.scheme().dark
         self._due: Turn | None = None
         self._stale = True
         self._layout = Slices()
@@ -45,7 +55,7 @@ class Chart(FigureCanvasQTAgg):
         self._left: list[Artist] = []
         """What is still to be drawn of a picture that was begun."""
         self._last: QImage | None = None
-        """What was drawn last as a whole, of the size it had then."""
+        """What was drawn last as a whole, as it is shown, of the size it had then."""
         self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
         self.destroyed.connect(self._layout.abandon)
@@ -64,7 +74,7 @@ class Chart(FigureCanvasQTAgg):
         self._stale = False
         spoken_ticks(self.figure)
         super().draw()
-        self._last = self._drawn()
+        self._last = self._drawn(dims=self._dims)
 
     def get_renderer(self) -> _Renderer:
         """Return what draws a picture of the size that it has now."""
@@ -139,7 +149,7 @@ class Chart(FigureCanvasQTAgg):
 
     def _finish(self) -> None:
         """Show the picture that is there now."""
-        self._last = self._drawn()
+        self._last = self._drawn(dims=self._dims)
         self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
         self.update()
 
@@ -148,18 +158,20 @@ class Chart(FigureCanvasQTAgg):
         """Whether a picture was begun and is not there yet."""
         return self._layout.under_way or bool(self._left)
 
-    def _drawn(self) -> QImage:
-        pixels = self.buffer_rgba()
+    def _drawn(self, *, dims: bool = False) -> QImage:
+        pixels = np.asarray(self.buffer_rgba())
+        if dims:
+            pixels = dimmed(pixels)
         height, width, _ = pixels.shape
-        image = QImage(pixels, width, height, QImage.Format.Format_RGBA8888).copy()
+        image = QImage(pixels.data, width, height, QImage.Format.Format_RGBA8888).copy()
         image.setDevicePixelRatio(self.devicePixelRatioF())
         return image
 
     def picture(self) -> QPixmap:
-        """Return what is or will be shown."""
+        """Return what is or will be shown, on its own ground also where that is dimmed."""
         if (self._stale or self.is_drawing) and self.width() > 0 and self.height() > 0:
             self.draw()
-        return self.grab()
+        return QPixmap.fromImage(self._drawn()) if self._dims else self.grab()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Begin again what was begun in another size."""
@@ -168,13 +180,16 @@ class Chart(FigureCanvasQTAgg):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint what is drawn; until the new is, what was drawn last."""
-        if not self._stale and not self.is_drawing:
+        drawn = not self._stale and not self.is_drawing
+        if drawn and not self._dims:
             super().paintEvent(event)
             return
-        if self._due is not None and not self.is_drawing and not self._due.isActive():
+        begins = not drawn and not self.is_drawing
+        if begins and self._due is not None and not self._due.isActive():
             self._due.start()
         painter = QPainter(self)
-        painter.fillRect(self.rect(), QColor.fromRgbF(*self.figure.get_facecolor()))
+        ground = QColor.fromRgbF(*self.figure.get_facecolor())
+        painter.fillRect(self.rect(), theme.colour("paper") if self._dims else ground)
         if self._last is not None:
             painter.drawImage(0, 0, self._last)
         painter.end()

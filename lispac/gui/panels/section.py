@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
+from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
@@ -115,7 +116,8 @@ class SectionPanel(QWidget):
 
         shown = self.canvas.figure
         printed = Figure(figsize=shown.get_size_inches(), dpi=PRINT_DPI, layout="constrained")
-        self._draw(printed)
+        with theme.on_paper():
+            self._draw(printed)
         for axes, like in zip(printed.axes, shown.axes, strict=True):
             axes.set(xlim=like.get_xlim(), ylim=like.get_ylim())
         printed.suptitle(self.through.text(), fontsize=11, parse_math=False)
@@ -170,7 +172,7 @@ class SectionPanel(QWidget):
         from lispac.gui.panels.chart import Chart
         from lispac.gui.panels.zooming import Zooming
 
-        self.canvas = Chart(300, 150)
+        self.canvas = Chart(300, 150, theme.PAPER)
         self.canvas.setObjectName("section_canvas")
         self.canvas.setToolTip(say(ZOOM))
         self._zooming = Zooming(self.canvas)

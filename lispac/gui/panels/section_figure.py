@@ -20,11 +20,10 @@ TEXT, SMALL = 9, 8
 TITLES = {"prior": "Before", "estimated": "After"}
 
 
-@theme.on_paper()
 def draw_section(
     cuts: Sequence[Cut], colours: Mapping[str, Colour], words: tuple[str, str], figure: Figure
 ) -> None:
-    """Draw cuts side by side with common limits, on paper: sections are saved and copied.
+    """Draw cuts side by side with common limits.
 
     Parameters
     ----------
