@@ -18,6 +18,24 @@ NEW_SCANNER = ScannerFigures("", 0.005, 0.01, 0.5, "")
 NEW_POS = PosFigures("", (PosState("ppk", (0.02, 0.02, 0.03), (0.01, 0.01, 0.015), ""),))
 
 
+class _Line(QLineEdit):
+    """A line of words."""
+
+    left = Signal()
+    """By the focus; Qt's own signal tells of edited ones only."""
+
+    def __init__(self, name: str, what: str, text: str) -> None:
+        super().__init__(text)
+        self.setObjectName(name)
+        self.setCursorPosition(0)
+        self.setAccessibleName(say(what))
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Also where nothing was typed."""
+        super().focusOutEvent(event)
+        self.left.emit()
+
+
 class SensorEditor(QDialog):
     """Judges what is typed while it is typed; kept as a file.
 
@@ -84,16 +102,16 @@ class SensorEditor(QDialog):
         return PosFigures(title, tuple(each for each in states if each is not None))
 
     @property
-    def _lines(self) -> "list[_Line]":
+    def _lines(self) -> list[_Line]:
         return [self.title, *(part.origin.source for part in self.parts)]
 
     @property
-    def _empty(self) -> "_Line | None":
+    def _empty(self) -> _Line | None:
         """The first that is to be filled in."""
         lines = (line for line in self._lines if line.isEnabled())
         return next((line for line in lines if not line.text().strip()), None)
 
-    def _leave(self, line: "_Line") -> None:
+    def _leave(self, line: _Line) -> None:
         self._left.add(line)
         self._judge()
 
@@ -120,24 +138,6 @@ class SensorEditor(QDialog):
             self.said.setText(say(str(error)))
         else:
             self.accept()
-
-
-class _Line(QLineEdit):
-    """A line of words."""
-
-    left = Signal()
-    """By the focus; Qt's own signal tells of edited ones only."""
-
-    def __init__(self, name: str, what: str, text: str) -> None:
-        super().__init__(text)
-        self.setObjectName(name)
-        self.setCursorPosition(0)
-        self.setAccessibleName(say(what))
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Also where nothing was typed."""
-        super().focusOutEvent(event)
-        self.left.emit()
 
 
 class _Origin(QWidget):
