@@ -131,10 +131,9 @@ class ConventionPanel(QWidget):
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         self.scanner.currentIndexChanged.connect(self._refresh)
-        row = QHBoxLayout()
-        row.addWidget(widgets.label("Scanner axes there", "muted"))
-        row.addWidget(self.scanner, 1)
-        layout.addLayout(row)
+        # One above the other: a French choice is as wide as the panel
+        layout.addWidget(widgets.label("Scanner axes there", "muted"))
+        layout.addWidget(self.scanner)
         self.matrix_head = widgets.label("", "heading", wrap=True)
         layout.addWidget(self.matrix_head)
         self.matrix = MatrixField(

@@ -35,7 +35,9 @@ class PatchAngles(QWidget):
         self.sliders: list[QSlider] = []
         self.fields: list[widgets.NumberField] = []
         self.finds: list[widgets.Button] = []
-        self.found = [widgets.label("", "muted", name=f"patch_{angle}_found") for angle in ANGLES]
+        self.found = [
+            widgets.label("", "muted", wrap=True, name=f"patch_{angle}_found") for angle in ANGLES
+        ]
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setVerticalSpacing(0)

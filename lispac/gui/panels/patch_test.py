@@ -3,6 +3,7 @@
 from collections.abc import Collection, Sequence
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -36,8 +37,8 @@ SIGNS: dict[Kind, str] = {
     "reciprocal": "⇄", "crossing": "✕", "oblique": "∠", "same direction": "⇉",
 }  # fmt: skip
 """Of the kinds of pairs; the tip says them in words."""
-SIDE, LISTED = 316, 100
-"""Pixels of the lists together, and of that of the objects."""
+SIDE, LISTED, SPACE = 316, 100, 6
+"""Pixels of the lists together, of that of the objects, and between the pictures."""
 
 
 class PatchTestPanel(QWidget):
@@ -73,7 +74,7 @@ class PatchTestPanel(QWidget):
         self.said = widgets.label("", wrap=True, name="patch_said")
         self.said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._buttons()
-        inside = QWidget()
+        self._inside = inside = QWidget()
         row = QHBoxLayout(inside)
         row.setContentsMargins(8, 4, 8, 4)
         left = QWidget()
@@ -86,7 +87,7 @@ class PatchTestPanel(QWidget):
         row.addLayout(self._middle, 1)
         row.addLayout(self._right())
         # In a small window it is moved to and fro rather than makes the window wider.
-        area = QScrollArea()
+        self._area = area = QScrollArea()
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidgetResizable(True)
         area.setWidget(inside)
@@ -100,6 +101,13 @@ class PatchTestPanel(QWidget):
         self.view.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.of.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.allow(ready=False, busy=False, answer=False)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Have all of it within the width: where that is small, one picture is below the other."""
+        super().resizeEvent(event)
+        more = max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + SPACE
+        wide = self._inside.minimumSizeHint().width() + (0 if self._beside else more)
+        self._place_curve(beside=wide <= self._area.viewport().width())
 
     def _buttons(self) -> None:
         make = widgets.button
@@ -155,22 +163,30 @@ class PatchTestPanel(QWidget):
 
     def _pictures(self) -> QWidget:
         held = QWidget()
-        grid = QGridLayout(held)
+        self._grid = grid = QGridLayout(held)
         grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(SPACE)
         grid.addWidget(self.view, 0, 0)
-        grid.addWidget(self.of, 0, 1)
         grid.addWidget(self.picture, 1, 0)
-        grid.addWidget(self.curve, 1, 1)
         grid.setRowStretch(1, 1)
+        self._place_curve(beside=True)
         return held
+
+    def _place_curve(self, *, beside: bool) -> None:
+        self._beside = beside
+        row, column = (0, 1) if beside else (2, 0)
+        self._grid.addWidget(self.of, row, column)
+        self._grid.addWidget(self.curve, row + 1, column)
+        self._grid.setRowStretch(3, 0 if beside else 1)
 
     def _right(self) -> QVBoxLayout:
         column = QVBoxLayout()
         column.setSpacing(4)
         self.angles.setMaximumWidth(420)
         column.addWidget(self.angles)
+        column.addWidget(self.all)
         row = QHBoxLayout()
-        for button in (self.all, self.keep, self.prior):
+        for button in (self.keep, self.prior):
             row.addWidget(button)
         column.addLayout(row)
         area = widgets.TallArea(self.said, 200)

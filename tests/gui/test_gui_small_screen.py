@@ -1,0 +1,74 @@
+"""On a small screen nothing lies beyond the sides of a panel, and a long choice is read whole."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication, QComboBox, QPushButton, QScrollArea, QStyle
+from PySide6.QtWidgets import QStyleOptionComboBox as ComboOption
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.language import speak
+from lispac.gui.panels.convention import TITLE as CONVENTION
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.language.catalogue import LANGUAGES
+from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press
+
+SMALL, LARGE = (1366, 740), (1600, 960)
+
+
+@pytest.fixture(params=LANGUAGES)
+def small(
+    qtbot: QtBot, qapp: QApplication, tmp_path: Path, demo: Demo, request: pytest.FixtureRequest
+) -> Iterator[Driver]:
+    """The demo survey in a small window, in each language."""
+    speak(request.param)
+    theme.apply_theme(qapp)
+    made = Driver(qtbot, RecordingViewport(), tmp_path)
+    try:
+        made.window.resize(*SMALL)
+        made.window.document.open(demo.picked, demo.survey)
+        made.rest()
+        yield made
+    finally:
+        made.leave()
+        speak("en")
+
+
+def test_the_patch_test_needs_no_scrolling_to_the_side(small: Driver) -> None:
+    window, panel = small.window, small.window.tools.patching.panel
+    press(small, Key.Key_T, Control)
+    panel.show_objects(["O1", "O2"], (), "O1")
+    panel.angles.show_found([0.01] * 3, [0.001] * 3)
+    area = panel.findChild(QScrollArea)
+    for size, beside in ((SMALL, False), (LARGE, True), (SMALL, False)):
+        window.resize(*size)
+        small.bot.waitUntil(lambda: window.width() == size[0], timeout=WAIT_MS)  # noqa: B023
+        small.bot.waitUntil(lambda: area.horizontalScrollBar().maximum() == 0, timeout=WAIT_MS)
+        small.rest()
+        assert (panel.curve.x() > panel.picture.x()) == beside
+        for each in (panel.picture, panel.curve, *panel.findChildren(QPushButton)):
+            left = each.mapTo(area.viewport(), each.rect().topLeft()).x()
+            assert 0 <= left < left + each.width() <= area.viewport().width(), each.text()
+            assert each.width() >= each.minimumSizeHint().width()
+
+
+def test_how_the_axes_of_another_program_lie_is_read_whole(small: Driver) -> None:
+    window = small.window
+    window.docks[CONVENTION].raise_()
+    small.bot.waitUntil(window.convention.isVisible, timeout=WAIT_MS)
+    small.rest()
+    combo = window.convention.scanner
+    for index in range(combo.count()):
+        assert combo.fontMetrics().horizontalAdvance(combo.itemText(index)) <= room(combo)
+
+
+def room(combo: QComboBox) -> int:
+    """Pixels for the text of a choice."""
+    option = ComboOption()
+    combo.initStyleOption(option)
+    part = QStyle.SubControl.SC_ComboBoxEditField
+    return (
+        combo.style().subControlRect(QStyle.ComplexControl.CC_ComboBox, option, part, combo).width()
+    )
