@@ -14,11 +14,13 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
-from lispac.adjustment.blunders import FAMILY
 from lispac.adjustment.problem import Linearised
 
 Array = NDArray[np.float64]
 
+LEVEL = 0.001
+"""Chance that a line is named where nothing is shifted, as in the tests of points and sightings
+(Baarda 1968): positions that are two sigmas off by themselves are no jump."""
 TOLD = 0.05
 """Share of what the prior knows of a shift that the data must tell in a direction for it to be
 tested: less is told by the prior alone."""
@@ -104,7 +106,7 @@ class Scores:
         while len(found) < max(1, (count - 1) // 2):
             chances = {k: scores.chance(k) for k in range(count) if k not in found}
             worst = min(chances, key=chances.__getitem__)
-            if chances[worst] >= FAMILY / count:
+            if chances[worst] >= LEVEL:
                 break
             found.add(worst)
             scores = scores.given(worst)
