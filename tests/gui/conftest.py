@@ -15,6 +15,7 @@ from lispac.gui import theme
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.safekeeping import LOCK_NAME
+from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.io.project_file import UNSAVED_NAME
@@ -28,7 +29,7 @@ from lispac.workflow.validation import validate
 from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
-from tests.gui.support import WAIT_MS, Demo, Driver
+from tests.gui.support import WAIT_MS, Demo, Driver, ScriptedDialogs
 from tests.sharing import once
 
 PICKED = ("T1", "T2", "V1")
@@ -164,3 +165,18 @@ def filled(dialog: ImportDialog, qtbot: QtBot, demo: Demo) -> ImportDialog:
 def design(driver: Driver) -> DesignWindow:
     """The workspace of a site, opened by its keys."""
     return opened_by_keys(driver)
+
+
+@pytest.fixture
+def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
+    """A program with a light window."""
+    settings = AppSettings(tmp_path / "settings.ini")
+    settings.language, settings.theme = "en", "light"
+    made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
+    qtbot.waitUntil(made.window.isActiveWindow, timeout=WAIT_MS)
+    yield made
+    made.window.retire()
+    made.window.deleteLater()
+    made.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    theme.apply_theme(qapp)

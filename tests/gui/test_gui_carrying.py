@@ -1,38 +1,17 @@
 """What the view shows is shown again by the window that comes with other looks."""
 
-from collections.abc import Iterator, Mapping
-from pathlib import Path
+from collections.abc import Mapping
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
 from lispac.gui.session import Session
-from lispac.gui.settings import AppSettings
-from lispac.gui.viewport.recording import RecordingViewport
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import Demo, Key, ScriptedDialogs
+from tests.gui.support import Demo, Key
 
 SOON_MS = 20_000
-
-
-@pytest.fixture
-def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
-    """A program with a light window."""
-    settings = AppSettings(tmp_path / "settings.ini")
-    settings.language, settings.theme = "en", "light"
-    made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
-    qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
-    yield made
-    made.window.retire()
-    made.window.deleteLater()
-    made.deleteLater()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    theme.apply_theme(qapp)
 
 
 def change(session: Session, bot: QtBot, looks: str) -> None:

@@ -1,12 +1,11 @@
 """The window light and dark: chosen in the menu, or as the system is."""
 
-from collections.abc import Iterator
 from itertools import pairwise, product
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 from pytestqt.qtbot import QtBot
@@ -20,9 +19,8 @@ from lispac.gui.panels.dimming import dimmed
 from lispac.gui.schemes import DARK, LIGHT, Scheme, luminance
 from lispac.gui.session import LATER_MS, Session
 from lispac.gui.settings import AppSettings
-from lispac.gui.viewport.recording import RecordingViewport
 from lispac.project import Project
-from tests.gui.support import Demo, ScriptedDialogs, in_front
+from tests.gui.support import Demo, in_front
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
 
 Scheming = Qt.ColorScheme
@@ -128,21 +126,6 @@ def test_names_of_colours_are_those_of_the_scheme_in_use() -> None:
 
 
 # -- the window --------------------------------------------------------------------------------
-
-
-@pytest.fixture
-def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
-    """A program with a light window."""
-    settings = AppSettings(tmp_path / "settings.ini")
-    settings.language, settings.theme = "en", "light"
-    made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
-    qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
-    yield made
-    made.window.retire()
-    made.window.deleteLater()
-    made.deleteLater()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    theme.apply_theme(qapp)
 
 
 def change(session: Session, bot: QtBot, *names: str) -> None:
