@@ -7,10 +7,11 @@ and never keeps one under a name of its own.
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from functools import cache
 from typing import TYPE_CHECKING
 
 import qtawesome
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QIcon, QPixmap
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
@@ -87,12 +88,24 @@ LIGHTS = {
     "poor": ("close-circle", "error"),
 }  # fmt: skip
 """Traffic lights differ in shape as well: colours alone do not tell everybody."""
+PICTURES_PX = (16, 20, 24, 28, 32, 48, 64)
+"""So that there is one for each scaling of the screen."""
 
 
 def light(which: str) -> QIcon:
     """The traffic light of a quality: good, doubtful or poor."""
     name, said = LIGHTS[which]
-    return icon(name, getattr(_used, said))
+    return _painted(name, getattr(_used, said))
+
+
+@cache
+def _painted(name: str, colour: str) -> QIcon:
+    """An icon as pictures: a table shows a hundred, and a letter of a font is painted each time."""
+    written = icon(name, colour)
+    pictures = QIcon()
+    for size in PICTURES_PX:
+        pictures.addPixmap(written.pixmap(QSize(size, size), 1.0))
+    return pictures
 
 
 def icon(name: str, colour: str = "") -> QIcon:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.natural.fitting import fitted
 from lispac.natural.regions import Regions
 from lispac.progress import Progress, no_progress
 from lispac.survey.cloud import Cloud
@@ -136,17 +137,17 @@ def line_planes(
     origin = found[np.cumsum(counts) - counts]
     local = found - origin[owner]
     # With the biweight (Beaton and Tukey 1974) a plane settles on the densest layer of the points.
-    weights, far = np.ones(len(local)), np.full(len(counts), np.inf)
+    centre, normal = np.zeros((len(counts), 3)), np.zeros((len(counts), 3))
+    far = np.full(len(counts), np.inf)
     for look in range(LOOKS):
         progress(0.6 + 0.4 * look / LOOKS)
-        centre, variances, axes = _fitted(local, owner, weights, len(counts))
-        normal = axes[:, :, 0]
-        apart = local - centre[owner]
-        off = (apart * normal[owner]).sum(axis=1)
+        centre, variances, axes = fitted(local, np.cumsum(counts), centre, normal, far)
+        normal = np.ascontiguousarray(axes[:, :, 0])
         rough = np.sqrt(np.maximum(variances[:, 0], 1e-12)) / np.where(np.isinf(far), 1.0, SHRUNK)
         far = np.minimum(far, np.maximum(FAR * rough, TIGHT * noise))
-        weights = np.maximum(1.0 - (off / far[owner]) ** 2, 0.0) ** 2
-    kept = weights > 0
+    apart = local - centre[owner]
+    off = (apart * normal[owner]).sum(axis=1)
+    kept = np.abs(off) < far[owner]
     number = np.bincount(owner[kept], minlength=len(counts))
     some = np.maximum(number, 1)
     rough = np.sqrt(np.maximum(np.bincount(owner[kept], off[kept] ** 2, len(counts)) / some, 1e-12))
@@ -172,17 +173,3 @@ def line_planes(
         time=np.bincount(owner[kept], times[kept], len(counts)) / some,
     )
     return regions, planes, sampled[order[kept]]
-
-
-def _fitted(local: Array, owner: Indices, weights: Array, many: int) -> tuple[Array, Array, Array]:
-    """Centre, variances and axes of each plane, (k, 3) twice, (k, 3, 3)."""
-    total = np.maximum(np.bincount(owner, weights, many), 1e-9)
-    weighted = (local * weights[:, None]).T
-    centre = np.stack([np.bincount(owner, c, many) for c in weighted], axis=1) / total[:, None]
-    products = np.empty((many, 3, 3))
-    for i in range(3):
-        for j in range(i + 1):
-            sums = np.bincount(owner, weighted[i] * local[:, j], many) / total
-            products[:, i, j] = products[:, j, i] = sums - centre[:, i] * centre[:, j]
-    variances, axes = np.linalg.eigh(products)
-    return centre, variances, axes

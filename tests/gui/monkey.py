@@ -39,6 +39,8 @@ STALL_MS = 200.0
 PATIENCE_S = 0.25
 HANGS_S = 150.0
 """After so long without an event the process ends itself, with where every thread was."""
+SAME = 100
+"""So often in turn, and what it does leads nowhere."""
 DEMO = "harbour"
 
 
@@ -123,7 +125,7 @@ class Monkey(QObject):
         self._until = 0.0
         self.ending = False
         self.pulse = Pulse(STALL_MS, draws)
-        self._told = 0
+        self._told, self._again = 0, 0
         self._window = session.window
 
     # -- what it sees ----------------------------------------------------------------------------
@@ -206,6 +208,9 @@ class Monkey(QObject):
         finally:
             self._inside -= 1
         if first and self._hands.did and not self.ending:
+            self._again = self._again + 1 if self._hands.did in list(self._lately)[-1:] else 0
+            if self._again == SAME:
+                self.caught(f"{SAME} times the same")
             self._lately.append(self._hands.did)
             self.seen.done[self._hands.did.split(" ")[0]] += 1
             self._diary.write(f"{self._hands.did}\n")
