@@ -4,6 +4,7 @@ They are of one quay, each with noise and POS errors of its own.
 """
 
 from pathlib import Path
+from shutil import rmtree
 
 import numpy as np
 import pytest
@@ -53,6 +54,8 @@ def test_intervals_hold_what_they_say(tmp_path: Path) -> None:
         folder = tmp_path / str(seed)
         folder.mkdir()
         found.append(over_sigma(folder, seed))
+        print(seed, np.round(found[-1], 2), flush=True)
+        rmtree(folder)
     off = np.array(found)
     held = (np.abs(off) < 1.96).mean(axis=0)
     rms = np.sqrt((off**2).mean(axis=0))

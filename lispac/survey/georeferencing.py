@@ -238,8 +238,7 @@ def kernel_arguments(
     """Latency, knots, states, rotation and lever arm as `lispac.survey.kernels` takes them."""
     return (
         float(mounting.latency),
-        np.ascontiguousarray(trajectory.time, dtype=np.float64),
-        np.ascontiguousarray(np.hstack([trajectory.position, trajectory.attitude])),
+        *trajectory.knots,
         np.ascontiguousarray(mounting.rotation_body_lidar),
         np.asarray(mounting.lever_arm, dtype=float),
     )

@@ -147,6 +147,17 @@ class LocalTrajectory:
         return cls(frame, trajectory.time, position, np.unwrap(attitude, axis=0), longest_gap)
 
     @cached_property
+    def knots(self) -> tuple[Array, Array]:
+        """Times, and position and attitude in one row each, (n, 6), for compiled passes.
+
+        Made once: every line that is placed, and every mounting it is placed with, needs them.
+        """
+        return (
+            np.ascontiguousarray(self.time, dtype=np.float64),
+            np.ascontiguousarray(np.hstack([self.position, self.attitude])),
+        )
+
+    @cached_property
     def has_gaps(self) -> bool:
         """Whether anything between two states may not be bridged."""
         return bool(self._unbridged.any())
