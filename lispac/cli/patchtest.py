@@ -73,9 +73,10 @@ def print_answer(found: PatchTest) -> None:
     print("Object            pairs  apart (mm)  own minimum off (deg)  usual (deg)")
     for each in found.objects:
         mark = "  DIFFERS" if each.disagrees else ""
+        angle = "none" if each.angle is None else ANGLES[each.angle]
         print(
             f"  {each.name:<16}{len(each.pairs):>5}{1000 * each.mismatch:>12.1f}"
-            f"  {ANGLES[each.angle]:>10}{np.degrees(each.off):>+11.4f}"
+            f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
             f"{np.degrees(each.allowed):>13.4f}{mark}"
         )
     for sentence in found.sentences:
@@ -103,7 +104,7 @@ def numbers(found: PatchTest) -> dict[str, Any]:
                 "name": each.name,
                 "pairs": list(each.pairs),
                 "mismatch_m": each.mismatch,
-                "angle": ANGLES[each.angle],
+                "angle": None if each.angle is None else ANGLES[each.angle],
                 "off_deg": float(np.degrees(each.off)),
                 "allowed_deg": float(np.degrees(each.allowed)),
                 "disagrees": each.disagrees,

@@ -47,8 +47,9 @@ class ObjectFound:
         Pairs of lines that meet at it.
     mismatch : float, metres
         Robust RMS distance between its lines at the minimum of all objects.
-    angle : int
-        The one in which it differs most, of those it tells: 0 roll, 1 pitch, 2 yaw.
+    angle : int or None
+        The one in which it differs most, of those it tells: 0 roll, 1 pitch, 2 yaw; None where it
+        tells none, and is not judged.
     off : float, radians
         Where its own minimum of that angle is, less that of all objects.
     allowed : float, radians
@@ -58,18 +59,19 @@ class ObjectFound:
     name: str
     pairs: tuple[str, ...]
     mismatch: float
-    angle: int
+    angle: int | None
     off: float
     allowed: float
 
     @property
     def disagrees(self) -> bool:
         """Whether its own minimum is off by more than is allowed."""
-        return abs(self.off) > self.allowed
+        return self.angle is not None and abs(self.off) > self.allowed
 
     @property
     def sentence(self) -> str:
         """How far it is off, in words."""
+        assert self.angle is not None
         return (
             f"{self.name} does not agree: its own minimum of the {ANGLES[self.angle]} is off by "
             f"{np.degrees(self.off):+.3f} deg, and {np.degrees(self.allowed):.3f} deg would be "
@@ -198,12 +200,16 @@ def _judged(
     swayed = _swayed(part, seen, roots)
     spread = np.sqrt((swayed**2).sum(axis=1) + part.rough)
     told = stiff >= LEVERAGE**2 * own.sum()
+    pairs = tuple(mismatch.blocks[k].pair.name for k in part.blocks)
+    apart = float(np.sqrt((own * squares[part.blocks]).sum() / own.sum()))
+    if not told.any():
+        return ObjectFound(part.name, pairs, apart, None, 0.0, 0.0)
     surprise = np.where(told, np.abs(part.gradient) / np.maximum(spread, 1e-12), -1.0)
     angle = int(surprise.argmax())
     return ObjectFound(
         part.name,
-        tuple(mismatch.blocks[k].pair.name for k in part.blocks),
-        float(np.sqrt((own * squares[part.blocks]).sum() / own.sum())),
+        pairs,
+        apart,
         angle,
         float(-part.gradient[angle] / stiff[angle]),
         float(ALLOWED * spread[angle] / stiff[angle]),

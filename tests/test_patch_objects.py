@@ -1,0 +1,34 @@
+"""What one object of a patch test says, where it says nothing."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from lispac.patchtest.sigmas import ObjectFound, _judged, _Part
+
+
+def judged(stiff: float, gradient: float) -> ObjectFound:
+    """An object that one pair of lines sees, with so much to say of every angle."""
+    part = _Part(
+        "deck", [0], stiff * np.eye(3), np.full(3, gradient), {0: np.zeros((3, 6))}, np.full(3, 1.0)
+    )
+    mismatch = SimpleNamespace(blocks=[SimpleNamespace(pair=SimpleNamespace(name="1-2"))])
+    found: ObjectFound = _judged(
+        part, mismatch, {0: 0}, np.ones((6, 1, 1)), np.array([0.04]), np.array([2.0])
+    )  # type: ignore[arg-type]
+    return found
+
+
+def test_an_object_that_tells_no_angle_is_not_judged() -> None:
+    """What it hardly depends on it would be off by any amount in."""
+    found = judged(stiff=1.0, gradient=50.0)
+    assert found.angle is None
+    assert not found.disagrees
+    assert found.mismatch == pytest.approx(0.2)
+
+
+def test_one_that_tells_angles_is_judged_by_what_would_be_usual() -> None:
+    assert judged(stiff=1000.0, gradient=1.0).angle == 0
+    assert not judged(stiff=1000.0, gradient=1.0).disagrees
+    assert judged(stiff=1000.0, gradient=50.0).disagrees
