@@ -135,8 +135,17 @@ def e57(
     invalid: bool = False,
     timed: bool = True,
     system: str = "",
+    count: int = COUNT,
+    without: tuple[str, ...] = (),
+    first_without: tuple[str, ...] = (),
+    pose_parts: tuple[str, ...] | None = ("rotation", "translation"),
+    none_valid_of: int = 0,
 ) -> Path:
-    """By libE57, in ``scans`` scans; stamps count from ``start``."""
+    """By libE57, in ``scans`` scans; stamps count from ``start``.
+
+    Fields ``without`` are left out, those ``first_without`` of the first scan alone; where points
+    are marked as invalid, the first ``none_valid_of`` all are.
+    """
     from pye57 import libe57
 
     stamps = TIME - 400_000 if stamps is None else stamps
@@ -158,9 +167,10 @@ def e57(
     root.set("versionMinor", libe57.IntegerNode(image, libe57.E57_FORMAT_MINOR))
     data = libe57.VectorNode(image, True)
     root.set("data3D", data)
-    for rows in np.array_split(np.arange(COUNT), scans):
+    for rows in np.array_split(np.arange(count), scans):
+        absent = without if len(data) else (*without, *first_without)
         scan = libe57.StructureNode(image)
-        scan.set("guid", libe57.StringNode(image, str(UUID(int=2 + rows[0]))))
+        scan.set("guid", libe57.StringNode(image, str(UUID(int=2 + len(data)))))
         if start:
             begin = libe57.StructureNode(image)
             number(begin, dateTimeValue=start)
@@ -169,9 +179,11 @@ def e57(
         turn, shift = libe57.StructureNode(image), libe57.StructureNode(image)
         number(turn, **dict(zip("wxyz", quaternion, strict=True)))
         number(shift, **dict(zip("xyz", translation, strict=True)))
-        pose.set("rotation", turn)
-        pose.set("translation", shift)
-        scan.set("pose", pose)
+        for part, node in (("rotation", turn), ("translation", shift)):
+            if part in (pose_parts or ()):
+                pose.set(part, node)
+        if pose_parts is not None:
+            scan.set("pose", pose)
         xyz = XYZ[rows]
         distance = np.linalg.norm(xyz, axis=1)
         columns = (
@@ -185,15 +197,18 @@ def e57(
         )
         if timed:
             columns["timeStamp"] = stamps[rows].copy()
+        columns = {name: column for name, column in columns.items() if name not in absent}
         prototype = libe57.StructureNode(image)
         for name in columns:
             short = single and name == "timeStamp"
             kind = libe57.E57_SINGLE if short else libe57.E57_DOUBLE
             prototype.set(name, libe57.FloatNode(image, 0.0, kind, -1e30, 1e30))
-        columns["rowIndex"] = RING[rows].astype(np.float64)
-        prototype.set("rowIndex", libe57.IntegerNode(image, 0, 0, 100))
+        if "rowIndex" not in absent:
+            columns["rowIndex"] = RING[rows].astype(np.float64)
+            prototype.set("rowIndex", libe57.IntegerNode(image, 0, 0, 100))
         if invalid:
-            columns["cartesianInvalidState"] = (rows % 2).astype(np.float64)
+            marked = (rows < none_valid_of) | (rows % 2 == 1)
+            columns["cartesianInvalidState"] = marked.astype(np.float64)
             prototype.set("cartesianInvalidState", libe57.IntegerNode(image, 0, 0, 2))
         codecs = libe57.VectorNode(image, True)
         points = libe57.CompressedVectorNode(image, prototype, codecs)

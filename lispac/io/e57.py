@@ -84,7 +84,14 @@ def look(path: Path, choice: Choice) -> Finding:
         scans = _scans(image, path)
         system = _text(image.root(), "coordinateMetadata")
         writer = _text(image.root(), "e57LibraryVersion")
-        stored = next(_stored(image, scans[0], path, PREVIEW, 0))
+        # A scan of which no point is valid is passed over, as where points are read.
+        looked = (
+            (scan, columns) for scan in scans for columns in _stored(image, scan, path, PREVIEW, 0)
+        )
+        scan, stored = next(looked, (scans[0], None))
+        looked.close()
+    if stored is None:
+        raise InputError(f"{path}: this line holds no points; leave it out.")
     count = sum(scan.count for scan in scans)
     stamps = stored["timeStamp"]
     doubts: list[str] = []
@@ -105,7 +112,7 @@ def look(path: Path, choice: Choice) -> Finding:
         )
     base = "gps-full" if {**found, **choice}["time_from"] == START else ""
     found["time_base"] = base
-    posed = _chunk(stored, scans[0], {"frame": GEOREFERENCED, **found}, count)
+    posed = _chunk(stored, scan, {"frame": GEOREFERENCED, **found}, count)
     seen = sight(posed.xyz, posed.time, crs=system)
     found["frame"] = seen.frame
     settled = E57.settled({**found, **choice})
@@ -117,7 +124,7 @@ def look(path: Path, choice: Choice) -> Finding:
         **place_facts(settled),
         "time base": time_base(time, settled["time_base"]),
         **seen.facts,
-        "fields": ", ".join(scans[0].fields),
+        "fields": ", ".join(scan.fields),
         "written by": writer or "not stated",
         "assumed": "time stamps counted from the start of their scan"
         if settled["time_from"] == START
