@@ -15,7 +15,7 @@ from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.turns import Turn
 from lispac.gui.viewport.base import PickedPoint, Viewport
-from lispac.project import LineSource, Project
+from lispac.project import LineSource, Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.export_request import ExportRequest, What
@@ -231,10 +231,10 @@ def click_check(driver: Driver, table: QTableView, index: QModelIndex) -> None:
     driver.bot.mouseClick(table.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y()))
 
 
-def seed(driver: Driver, name: str) -> None:
+def seed(driver: Driver, name: str, role: Role | None = None) -> None:
     """What a Ctrl+click on the middle of a plane of the demo does."""
-    role, position = demo_seeds()[name]
-    driver.window.targets.set_role(role)
+    usual, position = demo_seeds()[name]
+    driver.window.targets.set_role(role or usual)
     first = driver.window.document.survey.lines[0]
     driver.viewport.signals.seed_clicked.emit(PickedPoint(first, position))
     driver.rest()

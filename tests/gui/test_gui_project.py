@@ -9,6 +9,7 @@ import pytest
 from lispac.errors import ProjectError
 from lispac.workflow.projects import open_project
 from tests.gui.support import (
+    WAIT_MS,
     Control,
     Demo,
     Driver,
@@ -167,3 +168,25 @@ def test_a_new_lever_arm_places_the_lines_again_and_undo_puts_them_back(picked: 
     picked.rest()
     assert picked.viewport.clouds[line][:100] == pytest.approx(before, abs=1e-9)
     assert field.value() == pytest.approx(2.173)
+
+
+def test_the_window_is_out_of_sight_before_its_work_has_ended(
+    driver: Driver, picked_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Work that was asked to stop may take seconds to hear of it, and the window stood there."""
+    window = driver.window
+    window.open_project(picked_folder)
+    driver.bot.waitUntil(lambda: window.document.project is not None, timeout=WAIT_MS)
+    driver.rest()
+    press(driver, Key.Key_F9)
+    assert window.runner.busy
+    seen, ended = [], window.runner.close
+
+    def close() -> None:
+        seen.append((window.isVisible(), window.runner.busy))
+        ended()
+
+    monkeypatch.setattr(window.runner, "close", close)
+    window.close()
+    assert seen[0] == (False, True)
+    assert not window.runner.active

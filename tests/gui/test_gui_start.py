@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QCommandLinkButton
 from lispac.gui.language import speak
 from lispac.gui.main_window import TITLE_BAR, MainWindow
 from lispac.gui.start_page import StartPage
-from lispac.gui.tour import STEPS
+from lispac.gui.tour import ALIKE, STEPS
 from lispac.io.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
@@ -133,6 +133,26 @@ def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Pa
     )
     driver.bot.mouseClick(card.end, Qt.MouseButton.LeftButton, pos=QPoint(10, 10))
     assert not card.isVisible()
+
+
+def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
+    driver: Driver, at_the_demo: Path
+) -> None:
+    window, card = driver.window, driver.window.stage.card
+    click(driver, window.stage.start.ways["tour"])
+    driver.bot.waitUntil(lambda: window.tour.on, timeout=WAIT_MS)
+    driver.rest()
+    seed(driver, "T1")
+    press(driver, Qt.Key.Key_Return)
+    driver.bot.waitUntil(lambda: card.text.text() == STEPS[2].text, timeout=WAIT_MS)
+    driver.rest()
+    seed(driver, "V1", role="target")
+    press(driver, Qt.Key.Key_Return)
+    driver.bot.waitUntil(lambda: card.text.text() == ALIKE, timeout=WAIT_MS)
+    driver.rest()
+    press(driver, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    driver.bot.waitUntil(lambda: card.text.text() == STEPS[2].text, timeout=WAIT_MS)
+    driver.rest()
 
 
 def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> None:
