@@ -1,8 +1,10 @@
 """Places of a reference, and how they move: against made walls and central differences."""
 
 import numpy as np
+import pytest
 
 from lispac.adjustment.sensitivity import sensitivity
+from lispac.errors import NotComparable
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Poses
@@ -50,6 +52,68 @@ def test_the_interval_at_a_surveyed_point_holds_what_it_says() -> None:
         found = at_points(wall, wall, place, facing=facing, **how).after
         held.append(abs(found.distance[0] - offset) <= found.half_width[0])
     assert abs(np.mean(held) - 0.95) <= 0.02
+
+
+WALL = np.array([(0.5, 15.0, 4.0), (1.0, 15.0, 4.0), (1.5, 15.0, 4.0)])
+"""Places on a wall 15 m west, which faces the vessel at the origin."""
+
+
+def _wall(east_of: float = 0.0, north: tuple[float, float] = (0.0, 2.0)) -> np.ndarray:
+    """An even grid of points on the wall, or that far before it."""
+    x, z = np.meshgrid(np.arange(*north, 0.02), np.arange(3.4, 4.6, 0.02))
+    return np.column_stack([x.ravel(), np.full(x.size, 15.0 - east_of), z.ravel()])
+
+
+def _on_surface(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    return on_surface(
+        before, after, _wall(), WALL, facing=np.tile((0.0, -1.0, 0.0), (3, 1)),
+        diameters=np.full(3, 0.3), reach=1.0, roughest=0.015,
+    ).after.at  # fmt: skip
+
+
+def _at_points(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    return at_points(
+        before, after, WALL, facing=-WALL, diameters=np.full(3, 0.3), reach=0.3, roughest=0.015
+    ).after.at
+
+
+@pytest.mark.parametrize("state", ["before", "after"])
+def test_a_line_out_of_reach_of_the_surface_is_said(state: str) -> None:
+    lines = {"before": _wall(0.01), "after": _wall(0.01), state: _wall(5.0)}
+    with pytest.raises(NotComparable) as refused:
+        _on_surface(lines["before"], lines["after"])
+    assert str(refused.value) == "The line has no surface within reach of the reference."
+
+
+def test_a_surveyed_point_needs_a_flat_place_of_the_line_about_its_foot() -> None:
+    """One has it, one lies too far before the wall or off its end, one has too few points."""
+    ends = _wall(0.01, (0.0, 0.8))  # 0.2 m from the second place, within reach but not about it
+    few = _wall(0.01, (1.3, 1.7))[::200]
+    np.testing.assert_array_equal(_at_points(ends, ends), [0])
+    np.testing.assert_array_equal(_at_points(np.vstack([ends, few]), ends), [0])
+    thin = _wall(0.01, (0.0, 0.5))
+    np.testing.assert_array_equal(_at_points(thin, thin), [0])
+
+
+def test_rows_of_points_are_looked_at_in_a_wider_place() -> None:
+    """Profiles 0.2 m apart: within 0.3 m of a point lies one, within 0.51 m three."""
+    profiles = np.vstack([_wall(0.01, (x, x + 0.01)) for x in np.arange(0.1, 2.0, 0.2)])
+    np.testing.assert_array_equal(_at_points(profiles, profiles), [0, 1, 2])
+
+
+def test_a_line_that_is_nowhere_near_any_surveyed_point_is_said() -> None:
+    with pytest.raises(NotComparable) as refused:
+        _at_points(_wall(0.7), _wall(0.7))
+    assert str(refused.value) == ("No surveyed point has a flat place of the line in front of it.")
+
+
+def test_places_seen_in_one_state_each_are_no_comparison() -> None:
+    south, north = _wall(0.01, (0.0, 0.8)), _wall(0.01, (1.2, 2.0))
+    with pytest.raises(NotComparable) as refused:
+        _at_points(south, north)
+    assert str(refused.value) == (
+        "No place of the reference is seen before and after the calibration."
+    )
 
 
 def test_derivatives_are_those_of_the_thesis_equation() -> None:

@@ -1,0 +1,52 @@
+"""What is said while points go by: how many, how fast, and how long still."""
+
+import pytest
+
+from lispac.survey.store import pace
+from lispac.survey.store.pace import Pace, millions, spoken
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """The seconds that the clock shows."""
+    now = [100.0]
+    monkeypatch.setattr(pace.time, "monotonic", lambda: now[0])
+    return now
+
+
+@pytest.mark.parametrize(
+    ("total", "done_before", "done", "seconds", "words"),
+    [
+        (4_000_000, 0, 1_000_000, 0.5, "Reading L1: 1.0 M of 4.0 M points"),
+        (
+            4_000_000, 0, 1_000_000, 2.0,
+            "Reading L1: 1.0 M of 4.0 M points, 0.50 M points/s, 6 s left",
+        ),
+        # Only what has gone by since the clock started tells the rate.
+        (
+            4_000_000, 2_000_000, 3_000_000, 2.0,
+            "Reading L1: 3.0 M of 4.0 M points, 0.50 M points/s, 2 s left",
+        ),
+        (4_000_000, 2_000_000, 2_000_000, 9.0, "Reading L1: 2.0 M of 4.0 M points"),
+        (None, 0, 1_000_000, 2.0, "Reading L1: 1.0 M points, 0.50 M points/s"),
+        (None, 0, 812, 0.1, "Reading L1: 812 points"),
+    ],
+)  # fmt: skip
+def test_the_pace_tells_what_is_known(
+    clock: list[float], total: int | None, done_before: int, done: int, seconds: float, words: str
+) -> None:
+    told = Pace("Reading L1", total, done_before)
+    clock[0] += seconds
+    assert told.words(done) == words
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [(0.2, "1 s"), (59.4, "59 s"), (130.0, "2 min 10 s"), (3900.0, "1 h 05 min")],
+)
+def test_durations_are_spoken(seconds: float, words: str) -> None:
+    assert spoken(seconds) == words
+
+
+def test_millions_begin_at_a_million() -> None:
+    assert (millions(999_999), millions(4_900_000)) == ("999,999", "4.9 M")

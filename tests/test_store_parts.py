@@ -1,0 +1,217 @@
+"""The parts of the store one by one, where what they are given is not the usual."""
+
+import errno
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import ProjectError
+from lispac.survey.store import lock, reading
+from lispac.survey.store.ahead import read_ahead
+from lispac.survey.store.columns import opened
+from lispac.survey.store.layout import (
+    Column,
+    DamagedStore,
+    is_imported,
+    plainly_written,
+    read_manifest,
+    write_manifest,
+)
+from lispac.survey.store.lock import LOCK, is_held, locked
+from lispac.survey.store.pieces import MOST, Piece
+from lispac.survey.store.reading import open_store
+from lispac.survey.store.runs import gathered
+from lispac.survey.store.stamps import remember
+from lispac.survey.store.writing import write_store
+from tests.store_lines import RECIPE, Line, place, small, stored
+
+__all__ = ["small"]
+pytestmark = pytest.mark.usefixtures("small")
+
+
+@pytest.mark.parametrize("intensity", ["own", "shared", "none"])
+def test_a_line_whose_file_leaves_out_nothing(tmp_path: Path, intensity: str) -> None:
+    """Its numbers are those of the file, and its sample has the intensities that there are."""
+    line = Line(80)
+    if intensity == "shared":
+        line.extra["intensity"] = np.full(80, 7, np.uint16)
+    if intensity == "none":
+        del line.extra["intensity"]
+    found = stored(tmp_path, line)
+    rows = np.arange(80)
+    np.testing.assert_array_equal(found.indices_in_file(rows), found.numbers(rows))
+    numbers, sample = np.array([5, 2]), found.coarse
+    if intensity == "none":
+        assert sample.intensity is None
+        assert found.intensities(numbers) is None
+    else:
+        given = line.extra["intensity"]
+        np.testing.assert_array_equal(sample.intensity, given[found.numbers(sample.rows)])
+        np.testing.assert_array_equal(found.intensities(numbers), given[numbers])
+
+
+def test_few_points_in_crowded_cells_all_come(tmp_path: Path) -> None:
+    """The cells about a small sphere hold far more than are wanted, the sphere does not."""
+    found = stored(tmp_path)
+    every = place(found.points_lidar.astype(float), found.time)
+    centre = every[100]
+    off = np.linalg.norm(every - centre, axis=1)
+    radius = float(np.sort(off)[3]) + 1e-6
+    rows, _, halvings = found.sampled_within(centre, radius, place, margin=20.0, most=5)
+    np.testing.assert_array_equal(rows, np.flatnonzero(off <= radius))
+    assert halvings == 0
+    rows, _, halvings = found.sampled_within(centre, 30.0, place, most=50)
+    assert 0 < len(rows) <= 50
+    assert halvings > 0
+
+
+def test_a_line_imported_again_while_it_is_opened_is_opened_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = stored(tmp_path, Line(80)).manifest
+    look, again = reading.require_sizes, iter([True])
+
+    def after_an_import(folder: Path, manifest: object) -> None:
+        if next(again, False):
+            write_store(folder, RECIPE, Line(500).pieces(900), place)
+        look(folder, manifest)
+
+    monkeypatch.setattr(reading, "require_sizes", after_an_import)
+    found = open_store(tmp_path, "L1")
+    assert len(found) == 500
+    assert found.manifest.folder != first.folder
+
+
+def test_a_manifest_newer_than_what_was_looked_at_stays(tmp_path: Path) -> None:
+    old = stored(tmp_path, Line(80)).manifest
+    now = stored(tmp_path, Line(90)).manifest
+    remember(tmp_path, old, replace(old, reach=98.0))
+    assert read_manifest(tmp_path) == now
+    remember(tmp_path, now, replace(now, reach=99.0))
+    assert read_manifest(tmp_path) == replace(now, reach=99.0)
+
+
+def test_a_column_of_what_no_import_writes_is_damage(tmp_path: Path) -> None:
+    manifest = stored(tmp_path, Line(80)).manifest
+    odd = replace(manifest.attributes[0], dtype="<U4")
+    write_manifest(tmp_path, replace(manifest, attributes=(odd, *manifest.attributes[1:])))
+    with pytest.raises(DamagedStore, match=r"damaged \(a column of <U4\); import the line again"):
+        open_store(tmp_path, "L1")
+
+
+def test_a_column_of_another_type_than_stated_is_damage(tmp_path: Path) -> None:
+    np.save(tmp_path / "time.npy", np.zeros(5, np.float32))
+    with pytest.raises(ProjectError) as refused:
+        opened(tmp_path, Column("time", "<f8", file="time.npy", count=5), 5)
+    assert str(refused.value) == (
+        f"{tmp_path / 'time.npy'}: this part of an imported line is damaged (it holds float32 of "
+        "shape (5,)); import the line again."
+    )
+
+
+@pytest.mark.parametrize(
+    ("error", "size", "said"),
+    [
+        (
+            OSError(errno.EFBIG, "File too large"), 3_300_000_000,
+            "files cannot grow as large as this line needs (about 3.3 GB while importing); move "
+            "the project to a disk that takes large files, then import the line again.",
+        ),
+        (
+            OSError(errno.EFBIG, "File too large"), None,
+            "files cannot grow as large as this line needs; move the project to a disk that takes "
+            "large files, then import the line again.",
+        ),
+        (
+            OSError("block 2 of the import is cut short"), 40_000_000,
+            "what the import has written cannot be read back (block 2 of the import is cut "
+            "short); check the disk, then import the line again.",
+        ),
+        (
+            OSError(errno.ENOSPC, "No space left"), 40_000_000,
+            "the disk is full; make room (about 40 MB while importing) or move the project to a "
+            "larger disk, then import the line again.",
+        ),
+        (
+            OSError(errno.EROFS, "Read-only file system"), None,
+            "the line cannot be written here (Read-only file system); choose a project folder "
+            "that can be written, then import the line again.",
+        ),
+    ],
+)  # fmt: skip
+def test_what_the_system_says_against_writing_is_one_sentence(
+    tmp_path: Path, error: OSError, size: int | None, said: str
+) -> None:
+    with pytest.raises(ProjectError) as refused, plainly_written(tmp_path, lambda: size):
+        raise error
+    assert str(refused.value) == f"{tmp_path}: {said}"
+
+
+def test_a_block_cut_short_on_the_disk_is_not_taken_for_whole(tmp_path: Path) -> None:
+    """Cut after it was checked: what the import then says is that it cannot be read back."""
+    line = Line(4000)
+
+    def cutting(xyz: np.ndarray, time: np.ndarray) -> np.ndarray:
+        block = tmp_path / "spool" / "block-00002.columns"
+        if block.is_file():
+            block.write_bytes(block.read_bytes()[:-40])
+        return place(xyz, time)
+
+    with pytest.raises(ProjectError) as refused:
+        write_store(tmp_path, RECIPE, line.pieces(1000), cutting)
+    assert str(refused.value) == (
+        f"{tmp_path}: what the import has written cannot be read back (block 2 of the import is "
+        "cut short); check the disk, then import the line again."
+    )
+    assert len(stored(tmp_path, line)) == 4000
+
+
+def test_a_file_without_a_point_is_refused_and_leaves_nothing(tmp_path: Path) -> None:
+    with pytest.raises(ProjectError) as refused:
+        write_store(tmp_path / "L1", RECIPE, lambda first: iter(()), place)
+    assert str(refused.value) == "a.las: there is no point in it; leave the line out."
+    assert not is_imported(tmp_path / "L1")
+    with pytest.raises(ProjectError, match="L1: this line is not imported yet"):
+        open_store(tmp_path / "L1", "L1")
+
+
+def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
+    def far_on(first: int) -> Iterator[Piece]:
+        yield Piece(np.ones((1, 3)), np.zeros(1), np.array([MOST]), {}, MOST + 1)
+
+    with pytest.raises(ProjectError) as refused:
+        write_store(tmp_path, RECIPE, far_on, place)
+    assert str(refused.value) == (
+        "a.las: a line cannot have more than 4,294,967,295 points; split the file."
+    )
+
+
+def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As the last holder does it right after this one has opened the file."""
+    take, gone = lock._lock, iter([True])
+
+    def too_late(handle: int) -> None:
+        take(handle)
+        if next(gone, False):
+            (tmp_path / LOCK).unlink()
+
+    monkeypatch.setattr(lock, "_lock", too_late)
+    with locked(tmp_path):
+        assert is_held(tmp_path)
+        with pytest.raises(ProjectError, match="imported already"), locked(tmp_path):
+            pass
+    assert not is_held(tmp_path)
+
+
+def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
+    assert list(read_ahead(iter([3, 1, 2]), depth=2)) == [3, 1, 2]
+
+
+def test_no_runs_have_no_values() -> None:
+    none = gathered(np.arange(12).reshape(4, 3), np.zeros((0, 2), np.int64))
+    assert none.shape == (0, 3)
