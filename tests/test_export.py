@@ -19,8 +19,10 @@ from lispac.project import Project, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import place
 from lispac.survey.trajectory import Poses, Trajectory
+from lispac.workflow.export_request import ExportRequest, export, system_of
 from lispac.workflow.exporting import export_planes, export_targets, export_trajectory
 from lispac.workflow.survey import Survey
+from tests.few_passes import picked
 
 UTM = "EPSG:32619"
 
@@ -139,6 +141,55 @@ def test_what_cannot_be_exported_is_refused(
     with pytest.raises(InputError, match="the survey's own trajectory"):
         export_trajectory(project, project.trajectory)
     assert not list(tmp_path.iterdir())
+
+
+def test_points_without_intensity_are_written_without_it(tmp_path: Path) -> None:
+    """A column of zeros would be taken for dark points."""
+    project, survey = picked()
+    paths = export_targets(project, survey, tmp_path / "csv", "prior", ending="csv", names=["T2"])
+    with paths[0].open(newline="") as file:
+        titles, *rows = csv.reader(file)
+    assert titles == [
+        "line", "time (s)", "north (m)", "west (m)", "up (m)",
+        "x lidar (m)", "y lidar (m)", "z lidar (m)",
+    ]  # fmt: skip
+    assert len(rows) == sum(len(s.indices) for s in project.target("T2").sightings)
+    las = laspy.read(export_targets(project, survey, tmp_path, "prior", ending="las")[0])
+    assert len(las.points) == sum(len(s.indices) for s in project.target("T1").sightings)
+    assert not np.asarray(las.intensity).any()
+
+
+def test_spheres_alone_make_no_plane_file(tmp_path: Path) -> None:
+    project, survey = picked()
+    balls = tuple(replace(target, shape="sphere") for target in project.targets)
+    with pytest.raises(ProjectError) as caught:
+        export_planes(replace(project, targets=balls), survey, tmp_path / "out", "prior")
+    assert str(caught.value) == "site: there is no planar target to export; pick one first."
+    assert not (tmp_path / "out").exists()
+
+
+def test_what_is_taken_for_granted_is_told_with_what_is_written(tmp_path: Path) -> None:
+    project, survey = picked()
+    out = tmp_path / "out"
+    paths, notes = export(project, survey, ExportRequest("targets", out, "prior", "las"))
+    assert [path.name for path in paths] == ["T1_prior.las", "T2_prior.las"]
+    assert notes == ()  # metres from the survey's own origin
+    request = ExportRequest("targets", tmp_path / "map", "prior", "las", "EPSG:32619")
+    _, notes = export(project, survey, request)
+    assert notes == system_of(project, survey.trajectory, "EPSG:32619").assumptions
+    assert notes
+    paths, notes = export(project, survey, ExportRequest("planes", out, "prior"))
+    assert ([path.name for path in paths], notes) == (["T1_prior.txt", "T2_prior.txt"], ())
+    (tmp_path / "own").mkdir()
+    moving = turning(tmp_path / "own")
+    for form, velocities in (("sbet", True), ("text", False)):
+        path = tmp_path / f"new.{form}"
+        paths, notes = export(moving, survey, ExportRequest("trajectory", path, form=form))
+        assert paths == [path]
+        assert notes[0].startswith("latitude, longitude and height are as in own.sbet: ")
+        assert (
+            "velocities, accelerations, rates and wander angle in the SBET are zero" in notes
+        ) == velocities
 
 
 def turning(folder: Path) -> Project:

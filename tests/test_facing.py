@@ -2,14 +2,16 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from lispac.adjustment.observability import RankDeficient
-from lispac.project import Project
+from lispac.project import PickedSighting, Project
 from lispac.workflow.calibration import estimate
 from lispac.workflow.facing import ONE_FACING, face_one_way
 from lispac.workflow.survey import Survey
 from lispac.workflow.warnings import concerns
+from tests.few_passes import picked
 
 
 def only(project: Project, *names: str) -> Project:
@@ -44,3 +46,25 @@ def test_nothing_is_said_of_one_target_and_where_it_is_accepted(
     accepted = alike.with_settings(replace(alike.settings, accept_one_facing=True))
     assert not face_one_way(accepted, survey)
     assert ONE_FACING not in [each.text for each in concerns(project, survey)]
+
+
+def test_nothing_is_said_where_a_ball_or_a_line_that_is_gone_leaves_it_open() -> None:
+    """Two boards that face alike are told of, until it cannot be told what a third does."""
+    project, survey = picked()
+    upright = project.target("T1")
+    alike = replace(project, targets=(upright, replace(upright, name="twin")))
+    assert face_one_way(alike, survey)
+    ball = replace(upright, name="ball", shape="sphere", sphere_radius=0.145)
+    assert not face_one_way(alike.with_target(ball), survey)
+    assert not face_one_way(alike.with_target(project.target("T2")), survey)
+    fullest = max(upright.sightings, key=lambda each: len(each.indices)).line
+    gone = {name: cloud for name, cloud in survey.clouds.items() if name != fullest}
+    assert not face_one_way(alike, replace(survey, clouds=gone))
+
+
+def test_points_on_one_straight_line_tell_no_way() -> None:
+    project, survey = picked()
+    upright = project.target("T1")
+    row = PickedSighting("L1", np.repeat(upright.sightings[0].indices[:1], 9), 0.0)
+    thin = replace(upright, name="thin", sightings=(row,))
+    assert not face_one_way(replace(project, targets=(upright, thin)), survey)

@@ -224,6 +224,17 @@ def test_a_project_folder_is_not_overwritten(copy: Project) -> None:
         ({"boresight_deg": (400.0, 0.0, 0.0)}, "beyond 360"),
         ({"origin_deg_m": (95.0, 0.0, 0.0)}, "latitude"),
         ({"position_sigma": (-0.01, 0.01, 0.01)}, "negative"),
+        ({"pos_errors": "white"}, "There is no model of POS errors named white."),
+        (
+            {"lidar_sigma_xyz": (0.01, 0.01, 0.01), "lidar_beam_sigma": (0.01, 0.02)},
+            "along x, y, z and along the beam; give one of the two",
+        ),
+        ({"attitude_time": 0.0}, "A correlation time must be larger than zero seconds"),
+        ({"surface": -0.001}, "The surface sigma is negative; correct it."),
+        ({"longest_gap": 0.0}, "The longest gap bridged must be longer than zero seconds."),
+        ({"loss": "median"}, "There is no loss named median."),
+        ({"latency": -10.5}, "The latency or range offset is beyond 10 s or 10 m; correct it."),
+        ({"range_offset": 11.0}, "The latency or range offset is beyond 10 s or 10 m; correct it."),
     ],
 )
 def test_settings_that_make_no_sense_are_refused(change: dict[str, object], said: str) -> None:

@@ -18,7 +18,8 @@ from lispac.survey.lever_arm import lever_arm_doubts
 from lispac.workflow.projects import open_project
 from lispac.workflow.qualities import qualities
 from lispac.workflow.survey import load_survey
-from lispac.workflow.warnings import TOLD_ONE_BY_ONE, concerns
+from lispac.workflow.warnings import SINGLE, STALE, TOLD_ONE_BY_ONE, concerns
+from tests.few_passes import picked
 from tests.report_sample import sample_content, sample_project
 
 
@@ -113,6 +114,68 @@ def test_the_same_points_twice_lead_to_where_they_are(tmp_path: Path) -> None:
         edited = edited.with_target(each)
     causes = [c for text, (_, c) in said(edited).items() if "points in common" in text]
     assert causes == [Cause.of_sighting("A", project.lines[1].name)]
+
+
+def test_what_is_known_of_the_keeping_comes_first_as_serious(tmp_path: Path) -> None:
+    words = "The project could not be saved: the disk is full."
+    first = concerns(sample_project(tmp_path), None, storage=words)[0]
+    assert (first.severity, first.text, first.cause) == ("serious", words, Cause.of_step("Data"))
+
+
+@pytest.mark.parametrize(("stale", "estimated"), [(True, False), (False, False), (True, True)])
+def test_an_answer_that_an_edit_has_dropped_is_missed(
+    tmp_path: Path, stale: bool, estimated: bool
+) -> None:
+    """Until there is another one, and not before there was any."""
+    project = sample_project(tmp_path)
+    project = project if estimated else replace(project, result=None, validation=())
+    told = said(project, stale=stale)
+    assert (STALE in told) == (stale and not estimated)
+    if STALE in told:
+        assert told[STALE] == ("caution", Cause.of_step("Adjust"))
+
+
+def test_a_single_target_is_told_before_it_is_adjusted(tmp_path: Path) -> None:
+    project = replace(sample_project(tmp_path), result=None, validation=())
+    assert SINGLE not in said(project)
+    alone = replace(
+        project, targets=(replace(project.targets[0], used=False), *project.targets[1:])
+    )
+    assert said(alone)[SINGLE] == ("caution", Cause.of_target("T2"))
+
+
+def test_planes_that_could_not_be_compared_are_each_told_with_the_reason(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    reasons = {"V4": "V4: no two lines share a place.", "V5": "V5: one line only."}
+    told = said(project.with_validation(project.validation, reasons))
+    for name, reason in reasons.items():
+        assert told[reason] == ("caution", Cause.of_target(name))
+
+
+def test_gaps_of_the_trajectory_are_told_where_they_are_not_bridged() -> None:
+    project, survey = picked()
+    time = survey.trajectory.time.copy()
+    time[len(time) // 2 :] += 7.0
+    torn = replace(survey, trajectory=replace(survey.trajectory, time=time))
+    told = {each.text: (each.severity, each.cause) for each in concerns(project, torn)}
+    sentence = (
+        "The trajectory has 1 gap longer than 1.5 s, the longest 7.0 s; points in gaps cannot be "
+        "used."
+    )
+    assert told[sentence] == ("caution", Cause.of_step("Data"))
+    patient = project.with_settings(replace(project.settings, longest_gap=10.0))
+    assert not any("gap" in each.text for each in concerns(patient, torn))
+
+
+def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
+    project, survey = picked()
+    found = dict(qualities(project, survey))
+    where = ("T2", "L3")
+    found = {key: replace(each, light="good", reasons=()) for key, each in found.items()}
+    found[where] = replace(found[where], light="poor", reasons=("It is seen at 81 deg.",))
+    told = [each for each in concerns(project, survey, found) if each.cause.kind == "sighting"]
+    assert [each.text for each in told] == [f"T2 on L3: {found[where].words}"]
+    assert told[0].cause == Cause.of_sighting(*where)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,98 @@
+"""Lists and scans that a few passes by two boards are checked against, and what is refused."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.project import Project
+from lispac.workflow import references
+from lispac.workflow.absolute import check_absolute
+from lispac.workflow.references import read_reference
+from lispac.workflow.survey import Survey
+from tests.few_passes import answered, on_board, passes
+
+
+@pytest.fixture
+def known() -> tuple[Project, Survey]:
+    return answered()
+
+
+def corners(path: Path, off: float = 0.0) -> Path:
+    """Five surveyed places on T2 with a sigma of 2 mm, the middle one off the board by metres."""
+    normal = passes().scene["T2"].normal
+    places = [on_board("T2", a, u) for a, u in ((-0.4, -0.4), (0.4, -0.4), (0.4, 0.4), (-0.4, 0.4))]
+    places.append(on_board("T2", 0, 0) + off * normal)
+    rows = [f"B{k},{x[0]:.5f},{x[1]:.5f},{x[2]:.5f},0.002,T2" for k, x in enumerate(places)]
+    path.write_text("\n".join(["name,north,west,up,sigma,plane", *rows]) + "\n")
+    return path
+
+
+@pytest.mark.parametrize("off", [0.0, 0.02])
+def test_a_surveyed_point_off_its_plane_is_told(
+    known: tuple[Project, Survey], tmp_path: Path, off: float
+) -> None:
+    """Of five places alike, one of them in the middle, the plane takes a fifth of it."""
+    found = read_reference(corners(tmp_path / "b.csv", off), *known, sigma=0.005, reach=1.0)
+    told = [note for note in found.notes if note.startswith("plane T2")]
+    if off:
+        assert told == [
+            "plane T2: a point lies 16.0 mm off the plane through all of them, with a sigma of "
+            "2.0 mm"
+        ]
+    else:
+        assert told == []
+    (plane,) = found.planes
+    assert abs(plane.plane.distances(on_board("T2", 0, 0)[None])[0]) == pytest.approx(
+        off / 5, abs=2e-5
+    )
+
+
+def test_of_a_scan_with_too_many_points_a_fair_sample_is_kept(
+    known: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rng = np.random.default_rng(1)
+    near = np.array([on_board("T1", a, u) for a, u in rng.uniform(-0.5, 0.5, (3000, 2))])
+    far = near[:500] + [0.0, 0.0, 500.0]
+    path = tmp_path / "scan.xyz"
+    np.savetxt(path, np.concatenate([near, far]), fmt="%.4f")
+    whole = read_reference(path, *known, sigma=0.0, reach=1.0)
+    assert len(whole.surface) == 3000
+    assert "scan.xyz: 3,500 points, of which 3,000 lie where the lines have been" in whole.notes
+    monkeypatch.setattr(references, "MOST_POINTS", 1000)
+    some = read_reference(path, *known, sigma=0.0, reach=1.0)
+    assert 600 < len(some.surface) <= 1000
+    assert {*map(tuple, some.surface)} < {*map(tuple, whole.surface)}
+    assert np.abs(some.surface.mean(axis=0) - whole.surface.mean(axis=0)).max() < 0.05
+    assert some.notes[-1].endswith("lie where the lines have been and are one in 4 of those there")
+
+
+def test_a_scan_beside_the_lines_is_refused(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    """Near enough to be of this site, and still nothing that the lines have seen."""
+    path = tmp_path / "scan.xyz"
+    np.savetxt(path, on_board("T1", 0, 0) + [200.0, 0.0, 0.0] + np.eye(3)[np.arange(1200) % 3])
+    with pytest.raises(InputError) as caught:
+        read_reference(path, *known, sigma=0.0, reach=0.5)
+    assert str(caught.value) == (
+        f"{path}: no point of this scan lies within 0.5 m of what the lines have seen; check its "
+        "coordinate system."
+    )
+
+
+@pytest.mark.parametrize(
+    ("how", "said"),
+    [
+        ({"sigma": -0.01}, "The reference sigma must be zero or more, and it is -0.01 m."),
+        ({"sigma": np.inf}, "The reference sigma must be zero or more, and it is inf m."),
+        ({"sigma": np.nan}, "The reference sigma must be zero or more, and it is nan m."),
+        ({"reach": 0.0}, "The reach must be more than 0 and at most 10 m, and it is 0 m."),
+        ({"reach": 10.5}, "The reach must be more than 0 and at most 10 m, and it is 10.5 m."),
+    ],
+)
+def test_sigmas_and_reaches_out_of_range_are_refused(
+    known: tuple[Project, Survey], tmp_path: Path, how: dict[str, float], said: str
+) -> None:
+    with pytest.raises(InputError) as caught:
+        check_absolute(*known, corners(tmp_path / "b.csv"), **how)
+    assert str(caught.value) == said
