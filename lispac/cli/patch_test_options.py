@@ -15,7 +15,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
     patchtest.add_argument("project", type=Path, metavar="PROJECT")
     patchtest.add_argument(
-        "--object", type=named_value, nargs="+", metavar="NAME=N,W,U,A,L,H",
+        "--object", type=named_value, nargs="+", action="extend", metavar="NAME=N,W,U,A,L,H",
         help="boxes about objects (a pole, a pillar, an edge): centre in metres, local frame; "
         "lengths ahead, to the left and upwards; a seventh number turns the box clockwise, in deg",
     )  # fmt: skip

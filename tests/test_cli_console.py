@@ -1,0 +1,100 @@
+"""How the command line shows progress, and how it ends when something stops it."""
+
+import io
+import runpy
+import sys
+from pathlib import Path
+
+import pytest
+
+from lispac.cli import main as entry
+from lispac.cli import sensors
+from lispac.cli.console import ConsoleProgress, has_display
+from lispac.cli.main import main
+from lispac.errors import Cancelled
+
+
+class Terminal(io.StringIO):
+    """What is written to a screen."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def test_progress_is_one_line_that_is_taken_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    screen = Terminal()
+    monkeypatch.setattr(sys, "stderr", screen)
+    now = 100.0
+    monkeypatch.setattr("time.monotonic", lambda: now)
+    with ConsoleProgress() as progress:
+        progress(0.05, "Reading the lines")
+        progress(0.06, "too soon to be drawn")
+        now += 0.2
+        progress(0.5, "Done")
+    first = "  5% Reading the lines"
+    # The shorter text covers the longer one, and the end leaves an empty line.
+    second = " 50% Done"
+    assert screen.getvalue() == (f"\r{first}\r{second.ljust(len(first))}\r{' ' * len(second)}\r")
+
+
+def test_progress_leaves_a_file_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    log = io.StringIO()
+    monkeypatch.setattr(sys, "stderr", log)
+    with ConsoleProgress() as progress:
+        progress(0.5, "Reading the lines")
+    assert log.getvalue() == ""
+
+
+@pytest.mark.parametrize(
+    ("platform", "variables", "there"),
+    [
+        ("linux", {}, False),
+        ("linux", {"DISPLAY": ":0"}, True),
+        ("linux", {"WAYLAND_DISPLAY": "wayland-0"}, True),
+        ("win32", {}, True),
+        ("darwin", {}, True),
+    ],
+)
+def test_a_window_needs_a_display_on_linux_only(
+    monkeypatch: pytest.MonkeyPatch, platform: str, variables: dict[str, str], there: bool
+) -> None:
+    monkeypatch.setattr(sys, "platform", platform)
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    assert has_display() is there
+
+
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (MemoryError(), "lispac: not enough memory; use shorter lines.\n"),
+        (KeyboardInterrupt(), "lispac: stopped.\n"),
+        (Cancelled(), "lispac: stopped.\n"),
+        (OSError(28, "No space left on device", "/d/a.laz"),
+         "lispac: /d/a.laz: No space left on device.\n"),
+        (OSError("gone"), "lispac: a file: gone.\n"),
+        (BrokenPipeError(), ""),  # the reader of the output has gone: nobody is left to be told
+    ],
+)  # fmt: skip
+def test_what_stops_a_command_is_one_plain_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    error: BaseException, said: str,
+) -> None:  # fmt: skip
+    def stop(_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(sensors, "sensors", stop)
+    assert main(["sensors"]) == 1
+    assert capsys.readouterr() == ("", said)
+
+
+def test_the_module_is_a_program(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.setattr(sys, "argv", ["lispac", "compare", str(tmp_path / "none")])
+    with pytest.raises(SystemExit) as ended:
+        runpy.run_path(str(entry.__file__), run_name="__main__")
+    assert ended.value.code == 1
+    assert "there is no project here" in capsys.readouterr().err

@@ -1,0 +1,85 @@
+"""What the command line refuses before anything is read, and exit code 2 with it."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.test_cli import run
+
+PLANES = ["estimate", "--planes", "a.txt", "--lever-arm", "0", "0", "0"]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["patchtest", "p", "--object", "pole=1,2,3,4,5,6", "--object", "pole=1,2,3,4,5,7"],
+         "patchtest: two objects have the same name."),
+        (["patchtest", "p", "--count", "0"],
+         "patchtest: give objects with --object, or look for some with --count."),
+        (["patchtest", "p", "--object", "pole=here"],
+         "patchtest: pole=here is not NAME=N,W,U,A,L,H or NAME=N,W,U,A,L,H,TURN."),
+        ([*PLANES, "--subsample", "0.1"],
+         "estimate: --subsample goes with a project; plane files are thinned."),
+        ([*PLANES, "--latency", "0.01"],
+         "estimate: --latency goes with a project; plane files hold positions already read."),
+        ([*PLANES, "--estimate", "latency=soon"],
+         "estimate: 'soon' in latency=soon is not a number."),
+        (["angles", "1", "two", "3"], "angles: 1 two 3 are not three numbers."),
+        (["angles", "1", "2", "inf"], "angles: an angle is not a finite number."),
+    ],
+)  # fmt: skip
+def test_options_that_make_no_sense_together(
+    capsys: pytest.CaptureFixture[str], words: list[str], said: str
+) -> None:
+    assert run(capsys, *words) == (2, "", f"lispac: {said}\n")
+
+
+def test_a_parameter_nobody_knows_is_answered_with_those_there_are(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    code, out, err = run(capsys, *PLANES, "--estimate", "none", "--estimate", "wobble")
+    assert (code, out) == (2, "")
+    assert err.startswith("lispac: estimate: there is no parameter wobble; ")
+    assert "give one of " in err
+    assert "latency" in err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["patchtest", "p", "--object", "pole"], "'pole' is not NAME=VALUE"),
+        (["patchtest", "p", "--object", "=1,2,3"], "'=1,2,3' is not NAME=VALUE"),
+        (["quality", "p", "--map", "map.bmp"], "'map.bmp' does not end in .png, .svg or .pdf"),
+    ],
+)  # fmt: skip
+def test_words_that_are_no_value(
+    capsys: pytest.CaptureFixture[str], words: list[str], said: str
+) -> None:
+    code, out, err = run(capsys, *words)
+    assert (code, out) == (2, "")
+    assert err.endswith(f"{said}\n")
+
+
+def test_a_matrix_that_holds_the_lever_arm_leaves_no_room_for_another(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    matrix = tmp_path / "m.txt"
+    np.savetxt(matrix, np.eye(4))
+    words = ("angles", "--from-matrix", matrix, "--to", "lispac")
+    code, out, err = run(capsys, *words, "--lever", 1, 2, 3)
+    assert (code, out) == (2, "")
+    assert err == "lispac: angles: the 4x4 matrix holds the lever arm; leave --lever out.\n"
+    assert run(capsys, *words)[0] == 0
+
+
+def test_a_file_that_is_cut_short_is_known_and_the_reason_told(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """`lispac look` says what it would be, and why nobody can read it."""
+    path = tmp_path / "line.las"
+    path.write_bytes(b"LASF" + bytes(40))
+    code, out, _ = run(capsys, "look", path)
+    assert code == 0
+    assert "certainly LAS or LAZ (--line-format las)" in out
+    assert "\n  cannot be read: " in out

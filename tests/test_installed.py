@@ -1,0 +1,48 @@
+"""Where the program looks for its own files and for the user's."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from lispac.errors import InputError
+from lispac.installed import resource, user_folder, window_command
+
+
+def test_a_file_the_installation_lacks_is_told() -> None:
+    assert resource("manual").is_dir()
+    with pytest.raises(InputError) as refused:
+        resource("manual/no-such-page.md")
+    assert str(refused.value) == (
+        "manual/no-such-page.md is missing from this installation; install it again."
+    )
+
+
+@pytest.mark.parametrize(
+    ("platform", "variable", "place"),
+    [
+        ("win32", "LOCALAPPDATA", "AppData/Local/lispac"),
+        ("darwin", "", "Library/Preferences/lispac"),
+        ("linux", "XDG_CONFIG_HOME", ".config/lispac"),
+    ],
+)
+def test_what_the_user_has_is_where_each_system_keeps_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, platform: str, variable: str, place: str
+) -> None:
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setattr(Path, "home", lambda: tmp_path)
+    for name in ("LOCALAPPDATA", "XDG_CONFIG_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    assert user_folder() == tmp_path / place
+    if variable:
+        monkeypatch.setenv(variable, str(tmp_path / "chosen"))
+        assert user_folder() == tmp_path / "chosen" / "lispac"
+
+
+def test_the_window_of_the_bundle_lies_beside_its_command_line(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    assert window_command() == [sys.executable, "-m", "lispac.gui"]
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "lispac.exe"))
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    assert window_command() == [str(tmp_path / "lispac-gui.exe")]
