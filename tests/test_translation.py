@@ -109,6 +109,42 @@ def test_numbers_are_written_as_the_language_does_where_that_is_wanted(small: Ca
     assert say("file a.1.2.laz") == "fichier a.1.2.laz"
 
 
+def test_a_text_of_several_lines_is_said_where_one_entry_has_all_of_it() -> None:
+    entries = {
+        "north": "nord",
+        "First row.\nSecond row.": "Première.\nSeconde.",
+        "Facing {way}.\nPoints: {n:n}.": "Vers {way}.\nPoints : {n}.",
+        "Line {line:name}.\nFacing {way}.": "Ligne {line}.\nVers {way}.",
+        "Facing {way}.": "Vers {way}.",
+    }
+    say = Translator(made("xx", RULES, entries.items()), {"L1"})
+    assert say.with_its_lines("First row.\nSecond row.") == "Première.\nSeconde."
+    assert say.with_its_lines("Facing north.\nPoints: 1,200.") == (
+        "Vers nord.\nPoints\u00a0: 1\u202f200."
+    )
+    assert say.with_its_lines("Line L1.\nFacing north.") == "Ligne L1.\nVers nord."
+    # In part, of other rows, or by an entry whose place it cannot fill: each row is said alone.
+    for english in (
+        "Facing elsewhere.\nPoints: 7.", "Line L9.\nFacing north.", "Facing north.",
+        "Facing north.\nPoints: 7.\nMore.", "Nobody knows.\nPoints: 7.", "First row.",
+    ):  # fmt: skip
+        assert say.with_its_lines(english) is None
+    assert say.unknown == (), "the rows that are said alone are counted there"
+
+
+def test_what_is_remembered_has_an_end(small: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lispac.language.translation.MOST_KEPT", 3)
+    say = Translator(small)
+    for count in range(2, 12):
+        assert say(f"It has only {count} points.") == f"Elle n'a que {count} points."
+        assert len(say._said) <= 3
+    assert say("Nobody knows this.") == say("Nobody knows this.") == "Nobody knows this."
+    for count in range(2, 12):
+        say(f"It has only {count} points.")
+    assert say("Nobody knows this.") == "Nobody knows this."
+    assert say.unknown == ("Nobody knows this.",)
+
+
 def test_a_file_of_qt_linguist_is_read(tmp_path: Path) -> None:
     file = tmp_path / "xx.ts"
     file.write_text(
