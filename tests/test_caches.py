@@ -86,3 +86,63 @@ def test_the_command_line_follows_the_choice_unless_told_otherwise(tmp_path: Pat
         [sys.executable, "-c", told], capture_output=True, text=True, env=variables, check=True
     )
     assert done.stdout.splitlines()[-1] == f"{tmp_path / 'fast' / 'lispac' / 'numba'} /elsewhere"
+
+
+@pytest.mark.parametrize(
+    ("system", "variable", "expected"),
+    [
+        ("win32", "LOCALAPPDATA", ("local", "cache")),
+        ("win32", "", ("home", "AppData", "Local", "cache")),
+        ("darwin", "XDG_CACHE_HOME", ("home", "Library", "Caches")),
+        ("linux", "XDG_CACHE_HOME", ("local",)),
+        ("linux", "", ("home", ".cache")),
+    ],
+)
+def test_the_usual_folder_is_that_of_the_system(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    system: str, variable: str, expected: tuple[str, ...],
+) -> None:  # fmt: skip
+    for name in ("LOCALAPPDATA", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    if variable:
+        monkeypatch.setenv(variable, str(tmp_path / "local"))
+    monkeypatch.setattr(Path, "home", lambda: tmp_path / "home")
+    monkeypatch.setattr(caches.sys, "platform", system)
+    assert caches.usual_folder() == tmp_path.joinpath(*expected)
+
+
+def test_choosing_the_same_again_writes_nothing(config: Path, tmp_path: Path) -> None:
+    (tmp_path / "fast").mkdir()
+    caches.choose(tmp_path / "fast", config)
+    assert (tmp_path / "fast").is_dir()  # it was there before
+    (config / caches.CHOICE).chmod(0o444)
+    before = (config / caches.CHOICE).stat().st_ino
+    caches.choose(tmp_path / "fast", config)
+    assert (config / caches.CHOICE).stat().st_ino == before
+    (config / caches.CHOICE).chmod(0o644)
+
+
+def test_a_manual_that_we_made_is_ours(tmp_path: Path) -> None:
+    place = tmp_path / "lispac"
+    (place / "manual").mkdir(parents=True)
+    (place / "manual" / "index.html").write_bytes(bytes(9))
+    assert caches.size(place) == 0
+    (place / "manual" / caches.MANUAL_MARK).write_bytes(b"")
+    assert caches.size(place) == 9
+    caches.empty(place)
+    assert not (place / "manual").exists()
+
+
+def test_what_cannot_be_removed_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    place = filled(tmp_path / "lispac")
+
+    def busy(part: Path) -> None:
+        raise PermissionError(13, "in use", str(part))
+
+    monkeypatch.setattr(caches.shutil, "rmtree", busy)
+    with pytest.raises(InputError) as refused:
+        caches.empty(place)
+    assert str(refused.value) == (
+        f"{place / 'numba'}: cannot be removed (in use); close other programs that may use it and "
+        "try again."
+    )

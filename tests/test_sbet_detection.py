@@ -3,9 +3,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.errors import InputError
 from lispac.io.formats import format_of, recognised
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Finding
-from lispac.io.sbet_detection import detect_sbet
+from lispac.io.sbet_detection import blocks_of, detect_sbet
 from lispac.io.sbet_motion import in_frame
 from tests.trajectory_files import truth, vessel, write_records
 
@@ -282,3 +283,58 @@ def test_week_end_is_counted_on_and_said(tmp_path: Path) -> None:
     np.testing.assert_allclose(np.diff(trajectory.time), 0.02, atol=1e-9)
     assert any("start again" in words for words in trajectory.assumptions)
     assert not said(looked(path), "backward")
+
+
+def test_records_without_a_usable_time_are_counted_and_passed_over(tmp_path: Path) -> None:
+    records = vessel(200)
+    records[7, 0] = np.nan
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert "1 of the records looked at hold values that are not numbers." in finding.doubts
+    assert finding.facts["Start"] == "486000.000 s"
+    assert finding.facts["End"] == f"{486_000 + 199 / 50:.3f} s"
+
+
+def test_times_that_fit_no_base_are_doubted(tmp_path: Path) -> None:
+    """1e10 s after 1970 is the year 2286."""
+    records = vessel(200)
+    records[:, 0] += 1e10
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    first, last = records[[0, -1], 0]
+    assert (
+        f"Times from {first:.6g} to {last:.6g} s fit no known time base; check which column or "
+        "record is the time."
+    ) in finding.doubts
+
+
+def test_degrees_of_position_alone_are_doubted(tmp_path: Path) -> None:
+    records = vessel(200)
+    records[:, [1, 2]] = np.degrees(records[:, [1, 2]])
+    assert said(
+        looked(write_records(tmp_path / "a.sbet", records)),
+        "The heading stays below 6.3 and may be in radians although the positions are in degrees; "
+        "export the file in radians to be sure.",
+    )
+    records[:, 2] = -400.0
+    assert (
+        "Latitude and longitude reach 400 and can be neither radians nor degrees; choose the "
+        "format the file has."
+    ) in looked(write_records(tmp_path / "b.sbet", records)).doubts
+
+
+def test_a_file_that_is_lost_while_it_is_looked_at(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As by a network drive that goes between two readings."""
+    path = write_records(tmp_path / "a.sbet", vessel(200))
+    assert len(blocks_of(path)[0][0]) == blocks_of(path)[1] == 200
+    assert blocks_of(tmp_path / "absent") == ([], 0)
+    monkeypatch.setattr("lispac.io.sbet_detection.np.memmap", lost)
+    with pytest.raises(InputError) as refused:
+        detect_sbet(path)
+    assert str(refused.value) == (
+        f"{path}: this SBET file cannot be read; check that the disk is there."
+    )
+
+
+def lost(*_: object, **__: object) -> np.ndarray:
+    raise OSError(5, "Input/output error")

@@ -50,6 +50,7 @@ width_m = 1
 height_m = 1
 facing_deg = 270
 """
+LINE = SCENE[SCENE.index("[[lines]]") : SCENE.index("[[surfaces]]")]
 VESSEL = resource("vessels") / "launch.toml"
 SCANNER = resource("scanners") / "profiler.toml"
 
@@ -174,6 +175,26 @@ def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> Non
             'kind = "sphere"\nradius_m = 1\nname = "V1"\nrole = "validation"', "only be a target",
         ),
         ('scanner = "profiler"', 'scanner = "profiler"\ncolour = 1', "colour is not known here"),
+        (
+            "[[surfaces]]", "[[surfaces]]\n" + SCENE.split("[[surfaces]]\n")[1] + "[[surfaces]]",
+            r"surfaces\[2\].name T1 stands twice; give each target a name of its own",
+        ),
+        ('name = "T1"', 'name = "a/b"', r"surfaces\[1\].name cannot be used for a target: "),
+        (
+            SCENE[SCENE.index("[[surfaces]]") :], "",
+            r"surfaces is missing; write \[\[surfaces\]\] above each surface",
+        ),
+        (LINE, "", r"lines is missing; write \[\[lines\]\] above each line"),
+        (
+            LINE, LINE + '[[lines]]\nstart_s = 1\nstop_s = 2\nside = "port"\n',
+            "lines mixes headings with start_s; give one of the two in all",
+        ),
+        (
+            "run_in_m = 5\nrun_out_m = 5", "run_in_m = 0.5\nrun_out_m = 0.4",
+            "lines holds a line of less than 1 m; give run_in_m and run_out_m",
+        ),
+        ('title = "A board"', "title = 3", "title is 3, not a text; put words between quotes"),
+        ('title = "A board"', 'title = " "', "title is ' ', not a text; put words between quotes"),
     ],
 )  # fmt: skip
 def test_mistakes_in_a_scene_are_told(old: str, new: str, said: str, tmp_path: Path) -> None:
@@ -182,6 +203,31 @@ def test_mistakes_in_a_scene_are_told(old: str, new: str, said: str, tmp_path: P
         read_scene(path)
     assert str(told.value).startswith(f"{path}: ")
     assert str(told.value).count("\n") == 0
+
+
+def test_a_number_where_tables_should_be(tmp_path: Path) -> None:
+    head = SCENE[: SCENE.index("[origin]")]
+    for text, said in (
+        (f"{head}origin = 3\n" + SCENE[SCENE.index("[pattern]") :],
+         "origin is 3, not a table; write [origin] above its keys."),
+        (f"{head}surfaces = 3\n" + SCENE[len(head) : SCENE.index("[[surfaces]]")],
+         "surfaces is no list of tables; write [[surfaces]] above each of them."),
+        (f"{head}surfaces = [3]\n" + SCENE[len(head) : SCENE.index("[[surfaces]]")],
+         "surfaces is no list of tables; write [[surfaces]] above each of them."),
+    ):  # fmt: skip
+        path = edited(tmp_path, text, "title", "title")
+        with pytest.raises(InputError) as told:
+            read_scene(path)
+        assert str(told.value) == f"{path}: {said}"
+
+
+def test_a_ball_is_where_its_scene_says(tmp_path: Path) -> None:
+    ball = 'kind = "sphere"\nname = "B1"\nrole = "target"\ncentre_m = [1, -10, 5]\nradius_m = 0.3'
+    path = edited(tmp_path, SCENE, "[[surfaces]]", f"[[surfaces]]\n{ball}\n[[surfaces]]")
+    read = read_scene(path)
+    assert read.targets == ("B1", "T1")
+    away, _, _ = read.scene.intersect(np.array([[1.0, 0.0, 5.0]]), np.array([[0.0, -1.0, 0.0]]))
+    assert away == pytest.approx(9.7)
 
 
 @pytest.mark.parametrize(
@@ -207,6 +253,7 @@ def test_mistakes_in_a_vessel_are_told(old: str, new: str, said: str, tmp_path: 
         ('axis = "x"', 'axis = "y"', "give one of x, z"),
         ("divergence_mrad", "divergence_deg", "it has to be named divergence_mrad"),
         ("max_range_m = 90", "max_range_m = 90\nelevations_deg = []", "elevation of every beam"),
+        ("title", "from_memory = 1\ntitle", "from_memory is 1; give true or false"),
     ],
 )
 def test_mistakes_in_a_scanner_are_told(old: str, new: str, said: str, tmp_path: Path) -> None:

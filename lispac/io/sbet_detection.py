@@ -57,8 +57,6 @@ def blocks_of(path: Path, byte_order: str = "<") -> tuple[list[Array], int]:
     """
     try:
         whole = Path(path).stat().st_size // RECORD
-        if not whole:
-            return [], 0
         records = np.memmap(path, dtype=f"{byte_order}f8", mode="r", shape=(whole, 17))
         if whole <= BLOCK * BLOCKS:
             starts = np.array([0])

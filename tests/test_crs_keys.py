@@ -1,0 +1,137 @@
+"""Coordinate systems that LAS headers state by GeoTIFF keys, heights and units among them."""
+
+import laspy
+import pytest
+from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, GeoKeyEntryStruct
+from pyproj import CRS
+
+from lispac.io.las_crs import StatedSystem, stated_system
+from lispac.io.las_crs_written import state_system
+
+MODEL, CITATION, GEOGRAPHIC, PROJECTED, PROJECTED_CITATION = 1024, 1026, 2048, 3072, 3073
+PROJECTION, LINEAR_UNIT, VERTICAL, VERTICAL_UNIT = 3074, 3076, 4096, 4099
+"""GeoTIFF's numbers of keys (OGC 19-008)."""
+UTM = {MODEL: 1, PROJECTED: 32619}
+
+
+def stated(numbers: dict[int, int], texts: dict[int, str] | None = None) -> StatedSystem:
+    """What a header of these keys states."""
+    header = laspy.LasHeader(point_format=1, version="1.2")
+    directory, ascii_texts = GeoKeyDirectoryVlr(), GeoAsciiParamsVlr()
+    keys = [GeoKeyEntryStruct(key, 0, 1, value) for key, value in numbers.items()]
+    joined = ""
+    for key, text in (texts or {}).items():
+        keys.append(GeoKeyEntryStruct(key, 34737, len(text) + 1, len(joined)))
+        joined += f"{text}|"
+    directory.geo_keys = sorted(keys, key=lambda key: key.id)
+    ascii_texts.strings = [joined]
+    header.vlrs.extend([directory, ascii_texts])
+    return stated_system(header)
+
+
+def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
+    """California's zone 5 in US survey feet, with a key that says metres."""
+    name = CRS(2229).name
+    assert stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9003}).text == "EPSG:2229"
+    found = stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9001})
+    assert (found.text, found.name) == ("", "none")
+    assert found.doubts == (
+        f"The header says metre, but {name} is in us-survey-foot: give the coordinate system that "
+        "the points are in.",
+    )
+
+
+@pytest.mark.parametrize(
+    ("heights", "text", "doubts"),
+    [
+        (0, "EPSG:32619", ()),
+        (5030, "EPSG:32619", ()),  # above the ellipsoid of WGS 84
+        (6647, "EPSG:32619+6647", ()),
+        (32767, "EPSG:32619", ()),  # of the user's own
+        (1234, "EPSG:32619",
+         ("The header's code of heights, 1234, is not known: state them.",)),
+        (4326, "EPSG:32619",
+         ("The header's code of heights, 4326, is not known: state them.",)),
+    ],
+)  # fmt: skip
+def test_heights_of_the_keys(heights: int, text: str, doubts: tuple[str, ...]) -> None:
+    found = stated(UTM | ({VERTICAL: heights} if heights else {}))
+    assert (found.text, found.doubts) == (text, doubts)
+    assert found.name == CRS(text).name
+
+
+def test_the_unit_of_heights_is_stated_apart() -> None:
+    assert stated(UTM | {VERTICAL: 6360, VERTICAL_UNIT: 9003}).height_unit == "us-survey-foot"
+    assert stated(UTM | {VERTICAL_UNIT: 9999}).height_unit == ""
+
+
+@pytest.mark.parametrize(("code", "text"), [(4978, "EPSG:4978"), (4326, "EPSG:4978")])
+def test_earth_centred_coordinates(code: int, text: str) -> None:
+    """By their own code, or by that of the geographic system of the same datum."""
+    assert stated({MODEL: 3, GEOGRAPHIC: code}).text == text
+
+
+@pytest.mark.parametrize("code", [4269, 1025])
+def test_earth_centred_coordinates_of_another_datum_are_not_guessed(code: int) -> None:
+    found = stated({MODEL: 3, GEOGRAPHIC: code})
+    assert found.text == ""
+    assert found.doubts == (
+        "The header's coordinate system (without a name) has no known code: give it.",
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "code", "projection"),
+    [
+        ("NAD83(CSRS) / MTM zone 7", 2949, None),
+        ("WGS 84 / UTM zone 19N", 32619, None),
+        ("WGS 84 / UTM zone 19N", 32619, 16019),
+        ("WGS 84 / UTM zone 19S", 32719, 16119),
+        ("WGS 84 / UTM zone 19N", None, 16018),
+        ("WGS 84 / UTM zone 19S", None, 16019),
+        ("Utm 19", None, None),
+    ],
+)
+def test_a_name_without_a_code(name: str, code: int | None, projection: int | None) -> None:
+    """It counts where it is the very name and the zone of the projection is no other one."""
+    numbers = {MODEL: 1, PROJECTED: 32767}
+    found = stated(
+        numbers | ({PROJECTION: projection} if projection else {}), {PROJECTED_CITATION: name}
+    )
+    if code is None:
+        said = f"The header's coordinate system ({name}) has no known code: give it."
+    else:
+        said = f"The header gives no code but the name {name}, taken as EPSG:{code}: check it."
+    assert found.text == ("" if code is None else f"EPSG:{code}")
+    assert found.doubts == (said,)
+
+
+@pytest.mark.parametrize(
+    ("system", "unit"),
+    [("EPSG:2949+6647", "metre"), ("EPSG:2229+6360", "us-survey-foot"), ("EPSG:2157+5754", "")],
+)
+def test_keys_that_are_written_are_read_as_written(system: str, unit: str) -> None:
+    """The feet of the heights above Poolbeg, EPSG:5754, have no key here: their code has them."""
+    header = laspy.LasHeader(point_format=1, version="1.2")
+    state_system(header, CRS(system))
+    header.vlrs.extract("WktCoordinateSystemVlr")
+    found = stated_system(header)
+    assert (found.text, found.height_unit, found.doubts) == (system, unit, ())
+    assert str(header.version) == "1.2"
+
+
+def test_heights_without_a_code_are_written_as_wkt_alone() -> None:
+    """In version 1.4, which may have WKT with any point format."""
+    wkt = CRS("EPSG:2949+6647").to_wkt("WKT1_GDAL")
+    own = wkt.replace("CGVD2013(CGG2013) height", "tide gauge").replace("CGVD2013", "gauge")
+    start = own.index("VERT_CS")
+    own = own[:start] + own[start:].replace(',AUTHORITY["EPSG","6647"]', "").replace(
+        ',AUTHORITY["EPSG","1127"]', ""
+    )
+    system = CRS(own)
+    assert system.sub_crs_list[1].to_epsg() is None
+    header = laspy.LasHeader(point_format=1, version="1.2")
+    state_system(header, system)
+    assert str(header.version) == "1.4"
+    assert not header.vlrs.get("GeoKeyDirectoryVlr")
+    assert "gauge" in stated_system(header).name
