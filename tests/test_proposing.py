@@ -1,6 +1,7 @@
 """What is proposed, and what is not: ripples, natural planes alone, a drone's planes."""
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
@@ -9,11 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.cli.main import main
-from lispac.errors import RankDeficient, TargetNotFound
+from lispac.errors import AdjustmentError, RankDeficient, TargetNotFound
 from lispac.project import Project, Target
-from lispac.simulation.scene import tilted
+from lispac.simulation.scene import tilted, upright
 from lispac.simulation.survey import SimulatedSurvey
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.scan import Scan
@@ -26,6 +27,7 @@ from lispac.workflow.projects import open_project
 from lispac.workflow.proposing import propose
 from lispac.workflow.qualities import lidar_noise, qualities
 from lispac.workflow.survey import Survey, load_survey
+from tests.few_passes import passes
 from tests.finder_scenes import WALL, Site, rippled, site
 from tests.test_finder_sites import board, wall
 
@@ -206,6 +208,61 @@ def test_boards_that_leave_an_angle_open_are_not_kept_to() -> None:
         answer(project, survey, boards)
     result = answer(project, survey, chosen)
     assert (np.abs(result.boresight - seen.boresight) < 3 * result.sigma).all()
+
+
+def test_planes_that_all_face_one_way_are_proposed_where_that_is_accepted() -> None:
+    """Two upright boards, one a little behind the other; else that no board leans is said."""
+    boards = [upright(f"T{k}", (k - 1.5, WALL - k / 2), 7.0, 8.2, 1.2, 270) for k in (1, 2)]
+    seen = site(boards, lines=3, pulses_per_second=50_000.0)
+    project, survey = seen.opened((1, -1, 1))
+    with pytest.raises(AdjustmentError) as caught:
+        propose(project, survey)
+    assert str(caught.value) == (
+        "All flat surfaces found face one way, and that leaves the boresight open; put up a board "
+        "of another inclination, or set seeds by hand."
+    )
+    accepted = replace(project.settings, accept_one_facing=True)
+    project = project.with_settings(accepted)
+    proposal = propose(project, survey)
+    assert [target.name for target in proposal.targets] == ["T1", "T2"]
+    result = estimate(replace(project, targets=proposal.targets), survey, cross_check=False).result
+    assert result is not None
+    assert (np.abs(result.boresight - seen.boresight) < 3.5 * result.sigma).all()
+
+
+def test_in_thesis_mode_the_same_boards_are_proposed() -> None:
+    project, survey = passes().opened((1, -1, 1))
+    thesis = project.with_settings(replace(project.settings, pos_errors="independent"))
+    usual, proposal = propose(project, survey), propose(thesis, survey)
+    for one, other in zip(usual.targets, proposal.targets, strict=True):
+        assert (one.name, one.seed) == (other.name, other.seed)
+    # Each point's POS error of its own averages out over many: it tells roll far too well.
+    assert proposal.sigma[0] < 0.5 * usual.sigma[0]
+
+
+def test_boards_are_added_as_long_as_each_tells_clearly_more() -> None:
+    """Of eight that hardly differ, four are left for validation."""
+    facing = [(0, 3), (0, 6), (3, 0), (-3, 0), (6, 3), (-6, 3), (3, 6), (35, 0)]
+    boards = [
+        tilted(f"T{k}", (2.0 * (k % 4) - 3, WALL, 6.0 + 2 * (k // 4)), 1.1, 1.0, 270 + across, lean)
+        for k, (across, lean) in enumerate(facing)
+    ]
+    project, survey = site(boards, lines=4, pulses_per_second=40_000.0).opened((1, -1, 1))
+    proposal = propose(project, survey)
+    assert [target.name for target in proposal.targets] == [
+        "T1", "T2", "T3", "T4", "V1", "V2", "V3", "V4",
+    ]  # fmt: skip
+    for name in ("T3", "T4"):
+        said = re.fullmatch(
+            r"Seen on \d lines; it brings the sigma of (\w+) from ([\d.]+)° to ([\d.]+)°\.",
+            proposal.reasons[name],
+        )
+        assert said is not None, proposal.reasons[name]
+        assert float(said[3]) < 0.85 * float(said[2]) + 0.001
+    # The last one brings it to what is promised of all.
+    assert float(said[3]) == pytest.approx(
+        np.degrees(proposal.sigma[ANGLES.index(said[1])]), abs=6e-4
+    )
 
 
 @pytest.mark.long

@@ -206,7 +206,8 @@ def _linearised(project: Project, survey: Survey) -> Linearised:
     observations = observations_of(project, survey)
     model = project.settings.stochastic_model
     prior = project.mounting("prior")
-    result = adjust(observations, prior, model, diagnostics=False)
+    # Planes that all face one way are refused, or accepted, where the pairs of them are known.
+    result = adjust(observations, prior, model, accept_one_facing=True, diagnostics=False)
     shapes = np.stack([target.plane for target in result.targets])
     with one_thread():
         problem = Problem.of(observations, result.mounting, model)
