@@ -1,0 +1,240 @@
+"""The adjustment at its edges: what it refuses, gives up, or leaves alone."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment import iteration, solver
+from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
+from lispac.adjustment.components import _Likelihood
+from lispac.adjustment.observability import require_determined
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.omitted import contradictions
+from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
+from lispac.adjustment.passes import in_chunks
+from lispac.adjustment.problem import Linearised, Problem
+from lispac.adjustment.robust import Loss
+from lispac.adjustment.shapes import fit_shapes
+from lispac.adjustment.shown import significance_words
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.errors import AdjustmentError, NotConverged, RankDeficient
+from lispac.simulation.closed_form import Ball, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting
+from tests.surveys import planar_survey
+from tests.test_robustness import PRIOR, TRUTH, shifted, survey
+
+MODEL = StochasticModel()
+ROBUST = StochasticModel(loss="tukey")
+LEVEL = Mounting(np.array([-0.2, 0.04, 2.4]), np.zeros(3))
+
+
+def _linearised(
+    data: Observations, model: StochasticModel = MODEL, parameters: tuple[Parameter, ...] = ()
+) -> Linearised:
+    """At the truth, where only the data can be wrong."""
+    problem = Problem.of(data, TRUTH, model, parameters)
+    return problem.linearised(problem.start(TRUTH, fit_shapes(data, TRUTH)), Loss(model.loss))
+
+
+@pytest.fixture(scope="module")
+def few() -> Observations:
+    return survey(1, 0.3)
+
+
+def test_nothing_picked_is_refused(few: Observations) -> None:
+    none = few.where(np.zeros(len(few), dtype=bool))
+    with pytest.raises(AdjustmentError) as refused:
+        adjust(none, PRIOR, MODEL)
+    assert str(refused.value) == "There is no target to adjust; pick planar targets first."
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "said"),
+    [
+        ("points_lidar", np.nan, "A point is not a number; leave that point out."),
+        ("position", np.inf, "A position is not a number; leave that point out."),
+        ("attitude", np.nan, "A attitude is not a number; leave that point out."),
+        ("time", np.nan, "A time is not a number; leave that point out."),
+        ("points_lidar", 0.0, "A point lies in the scanner itself; leave it out."),
+    ],
+)
+def test_a_point_that_cannot_be_is_refused(
+    few: Observations, name: str, value: float, said: str
+) -> None:
+    values = getattr(few, name).copy()
+    values[3] = value
+    with pytest.raises(AdjustmentError) as refused:
+        replace(few, **{name: values}).require_usable()
+    assert str(refused.value) == said
+    few.require_usable()
+
+
+def test_what_does_not_settle_says_how_far_it_was(
+    few: Observations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(iteration, "MAX_ITERATIONS", 2)
+    with pytest.raises(NotConverged) as refused:
+        adjust(few, PRIOR, MODEL)
+    assert re.fullmatch(
+        r"The adjustment did not settle in 2 iterations \(last change \d\.\de-\d\d deg of the "
+        r"angles, \d\.\de-\d\d m of the rest\); check that each target is the same surface on "
+        "every line, and the prior boresight.",
+        str(refused.value),
+    )
+
+
+def test_a_step_that_cannot_be_solved_is_an_adjustment_that_ran_away(
+    few: Observations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def singular(self: Linearised) -> None:
+        raise np.linalg.LinAlgError
+
+    monkeypatch.setattr(Linearised, "step", singular)
+    with pytest.raises(NotConverged) as refused:
+        adjust(few, PRIOR, MODEL)
+    assert str(refused.value) == (
+        "The adjustment ran away from any answer; check that each target is the same surface on "
+        "every line, and the prior boresight."
+    )
+
+
+def test_where_foreseeing_steps_fail_plain_ones_lead_to_the_same(
+    few: Observations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    usual, failed = adjust(few, PRIOR, ROBUST, diagnostics=False), []
+    own = Problem.linearised
+
+    def failing(self, *given, tangent=False):
+        if tangent:
+            failed.append(True)
+            raise np.linalg.LinAlgError
+        return own(self, *given)
+
+    monkeypatch.setattr(Problem, "linearised", failing)
+    plain = adjust(few, PRIOR, ROBUST, diagnostics=False)
+    assert failed
+    assert np.degrees(np.abs(plain.boresight - usual.boresight)).max() < 1e-6
+
+
+def test_parallel_lines_past_two_inclinations_are_refused_for_their_course() -> None:
+    """The reason is the lines: the targets face different ways."""
+    level = planar_survey(LEVEL, headings_deg=(0, 180), scatter=False)
+    level = replace(level, sigma_attitude=10.0 * level.sigma_attitude)
+    problem = Problem.of(level, LEVEL, MODEL)
+    state = problem.start(LEVEL, fit_shapes(level, LEVEL))
+    with pytest.raises(RankDeficient) as refused:
+        require_determined(problem.linearised(state))
+    assert ": all lines run parallel. Add " in str(refused.value)
+
+
+def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
+    """Surfaces as different as they seem with it determine nothing, under attitudes that vague."""
+    wrong = replace(PRIOR, lever_arm=PRIOR.lever_arm + [1.0, 0.0, 0.0])
+    with pytest.raises(RankDeficient) as refused:
+        adjust(survey(1, 0.15).with_sigmas(1.0, 1.0, 50.0), wrong, MODEL)
+    said = re.fullmatch(
+        r"The data contradict the stated lever arm X: they want it (\d\.\d+) m smaller, and with "
+        "the stated one they do not determine the boresight. Measure it again, or have it "
+        "estimated.",
+        str(refused.value),
+    )
+    assert said
+    assert float(said[1]) == pytest.approx(1.0, abs=0.05)
+
+
+def test_open_angles_that_no_stated_value_explains_are_refused_as_such(few: Observations) -> None:
+    vague = few.with_sigmas(1.0, 1.0, 1000.0)
+    with pytest.raises(RankDeficient, match=r"^These lines and targets do not determine"):
+        solver._require_determined_still(_linearised(vague))
+
+
+def test_points_that_no_weight_is_left_of_agree_with_nothing(few: Observations) -> None:
+    """A sighting metres off: it cannot be tested, so it is neither named nor taken back."""
+    sighting = 4
+    usual = fit_shapes(few, TRUTH)
+    dirty = shifted(few, sighting, 30.0)
+    problem = Problem.of(dirty, TRUTH, ROBUST)
+    here = problem.linearised(problem.start(TRUTH, usual), Loss("tukey"))
+    off = Blunder("surface", (sighting,))
+    assert belonging(here, [off]) is None
+    assert belonging(here, [Blunder("surface", (0,))]) is not None
+    found = worst_blunder(here, ())
+    assert found is None or sighting not in found.sightings
+
+
+def test_a_ball_metres_off_stays_out_as_shifted() -> None:
+    """A ball has no tilt that could agree or not."""
+    balls = [
+        Ball(f"S{k + 1}", place, 0.3, True)
+        for k, place in enumerate([(0.0, 15.0, 5.0), (1.5, 12.0, 3.0), (-1.5, 20.0, 7.0)])
+    ]
+    generator = np.random.default_rng(3)
+    exact = exact_survey(TRUTH, balls, six_courses(), 0.05, generator)
+    clean = observed(exact, HYDROGRAPHIC_INS, generator)
+    position = clean.position.copy()
+    position[clean.sighting == 2] += [0.0, 0.4, 0.0]
+    usual = fit_shapes(clean, TRUTH)
+    problem = Problem.of(replace(clean, position=position), TRUTH, MODEL)
+    here = problem.linearised(problem.start(TRUTH, usual))
+    gone = [Blunder("shift", (2,)), Blunder("shift", (9,))]
+    assert plainly_off(here, gone) == [Blunder("shift", (2,))]
+
+
+def test_with_every_value_estimated_none_is_contradicted(few: Observations) -> None:
+    """A latency cannot be without the rates of the trajectory, so it is not asked for then."""
+    wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.3, 0.0, 0.0])
+    data, start = replace(few, pose_rate=None), fit_shapes(few, wrong)
+    stated = Problem.of(data, wrong, MODEL)
+    found = contradictions(stated.linearised(stated.start(wrong, start)))
+    assert "lever_x" in {each.name for each in found}
+    free = stated.with_parameters(tuple(Parameter(name) for name in SWITCHED if name != "latency"))
+    assert contradictions(free.linearised(free.start(wrong, start))) == ()
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [((), (Parameter("lever_x", 1e-6),)), ((Parameter("lever_x"),), (Parameter("lever_x", 1e4),))],
+)
+def test_a_stated_value_weighs_in_the_likelihood_of_the_sigmas(
+    few: Observations, one: tuple[Parameter, ...], other: tuple[Parameter, ...]
+) -> None:
+    """One held by a tiny sigma is as good as one not estimated, by a huge one as a free one."""
+    likelihoods = [_Likelihood(_linearised(few, parameters=each)) for each in (one, other)]
+    factors = np.log([1.3, 0.7, 1.5, 1.0])
+    rises = [likelihood(factors) - likelihood(np.zeros(4)) for likelihood in likelihoods]
+    assert rises[1] == pytest.approx(rises[0], rel=1e-4)
+    free = _Likelihood(_linearised(few, parameters=(Parameter("lever_x", 0.01),)))
+    assert free(factors) - free(np.zeros(4)) != pytest.approx(rises[0], rel=1e-4)
+
+
+def test_what_one_round_tells_of_the_sigmas_is_what_more_rounds_keep(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Positions stated five times too small."""
+    stated, factors = survey(1, 0.1).with_sigmas(1.0, 0.2, 1.0), []
+    for rounds in (1, 5):
+        monkeypatch.setattr(solver, "COMPONENT_ROUNDS", rounds)
+        found = adjust(stated, PRIOR, MODEL, components=True, diagnostics=False)
+        position = found.components[1]
+        assert position.applied
+        assert position.lower < 5.0 < position.upper
+        factors.append(position.used)
+    assert factors[0] == pytest.approx(factors[1], rel=0.02)
+
+
+def test_a_pass_over_no_points_calls_nothing() -> None:
+    called: list[tuple[int, int]] = []
+    in_chunks(lambda first, last: called.append((first, last)), np.zeros(0, np.int64))
+    assert called == []
+    in_chunks(lambda first, last: called.append((first, last)), np.array([5, 9]))
+    assert called == [(0, 2)]
+
+
+def test_a_value_that_is_not_seen_has_no_significance() -> None:
+    assert significance_words(Estimate("lever_z", 0.0, None, reason="not seen")) == ""
+    seen = Estimate("lever_z", 0.0, None, value=0.1, sigma=0.01, significance=9.0)
+    assert significance_words(seen) == "significant"
