@@ -1,0 +1,180 @@
+"""Lines of few points past a short trajectory: what of them is read, and what is refused."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.errors import InputError, ProjectError
+from lispac.io.registry import PointChunk
+from lispac.project import LineSource, Project, Reading, Settings
+from lispac.workflow.importing import _from, _usable, import_line
+from lispac.workflow.projects import (
+    create_project,
+    require_folder,
+    unsaved_work,
+    with_lines_added,
+)
+from lispac.workflow.reading import local_trajectory, settled, usual_or_settled
+from lispac.workflow.survey import load_survey
+from tests.intake_files import LEVER, START, write_line, write_survey
+from tests.trajectory_files import write_records
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A trajectory of 40 s with its accuracies, and lines from 2 to 12 and from 15 to 25 s."""
+    (tmp_path / "files").mkdir()
+    return write_survey(tmp_path / "files")
+
+
+@pytest.fixture
+def project(folder: Path, tmp_path: Path) -> Project:
+    return create_project(
+        tmp_path / "quay", trajectory=folder / "pos.sbet", accuracy=folder / "smrmsg.out",
+        lines=[LineSource("L1", folder / "L1.laz")], settings=Settings(LEVER),
+    )  # fmt: skip
+
+
+# -- importing ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("latency", [0.0, 4.0, -4.0])
+def test_points_that_a_latency_takes_out_of_the_trajectory_are_left_out(
+    project: Project, folder: Path, latency: float
+) -> None:
+    """A line with all its times inside, but not with the latency added to them."""
+    times = START + np.linspace(1, 39, 3801)
+    line = LineSource("all", write_line(folder / "all.las", times))
+    project = project.with_settings(replace(project.settings, latency=latency))
+    project = replace(project, lines=(line,))
+    trajectory, _ = local_trajectory(project)
+    stored = import_line(project, line, trajectory).stored
+    moved = times + latency
+    inside = (moved >= trajectory.time[0]) & (moved <= trajectory.time[-1])
+    assert stored.manifest.left_out == np.count_nonzero(~inside)
+    assert len(stored) == np.count_nonzero(inside)
+    assert (stored.manifest.left_out > 0) == (latency != 0)
+    survey = load_survey(project)
+    assert survey.scans["all"].first_time == times[inside][0]
+
+
+def test_a_chunk_without_points_says_nothing_of_poses(project: Project) -> None:
+    """As a text file gives one at its end."""
+    trajectory, _ = local_trajectory(project)
+    assert _usable(np.zeros(0), 0.0, trajectory) is None
+    inside = np.array([START + 1.0, START + 2.0])
+    assert _usable(inside, 0.0, trajectory) is None
+    found = _usable(inside, -1.5, trajectory)
+    assert found is not None
+    assert found.tolist() == [False, True]
+
+
+@pytest.mark.parametrize("first", [0, 3, 4, 7, 11])
+def test_an_import_taken_up_again_has_the_rest_with_its_places(first: int) -> None:
+    """Chunks that were taken in already are passed over, a chunk begun is given from there on."""
+    sizes, at = (4, 4, 3), 0
+    chunks = []
+    for size in sizes:
+        own = np.arange(at, at + size)
+        xyz = np.repeat(own[:, None], 3, axis=1).astype(float)
+        chunks.append(PointChunk(xyz, own.astype(float), {"ring": own}, 11))
+        at += size
+    got = list(_from(iter(chunks), 0, first))
+    rest = [int(value) for chunk, _ in got for value in chunk.time]
+    assert rest == list(range(first, 11))
+    for chunk, read in got:
+        (index,) = (values for name, values in chunk.extra.items() if name != "ring")
+        assert index.tolist() == chunk.extra["ring"].tolist() == chunk.xyz[:, 0].tolist()
+        assert read == np.cumsum(sizes)[np.searchsorted(np.cumsum(sizes), index[-1], "right")]
+
+
+def test_a_line_without_points_is_not_imported(project: Project, folder: Path) -> None:
+    path = folder / "empty.las"
+    laspy.LasData(laspy.LasHeader(point_format=6, version="1.4")).write(path)
+    line = LineSource("empty", path)
+    project = replace(project, lines=(line,))
+    trajectory, _ = local_trajectory(project)
+    with pytest.raises(InputError) as caught:
+        import_line(project, line, trajectory)
+    assert str(path) in str(caught.value)
+    assert "no points" in str(caught.value)
+    assert not (project.folder / "lines").exists() or not any((project.folder / "lines").iterdir())
+
+
+# -- projects -------------------------------------------------------------------------------------
+
+
+def test_a_file_that_is_a_line_already_is_not_added_again(project: Project, folder: Path) -> None:
+    again = LineSource("again", folder / "L1.laz")
+    with pytest.raises(ProjectError) as caught:
+        with_lines_added(project, [again])
+    assert str(caught.value) == f"{folder / 'L1.laz'}: this is the line L1 already."
+    more, survey = with_lines_added(project, [LineSource("L2", folder / "L2.las")])
+    assert survey.lines == ("L1", "L2")
+    assert more.lines[0] == project.lines[0]
+
+
+def test_where_nothing_is_unsaved_nothing_is_found(project: Project) -> None:
+    assert unsaved_work(project.folder) is None
+
+
+def test_a_folder_that_went_away_is_not_made_anew(project: Project) -> None:
+    require_folder(project)
+    project.folder.rename(project.folder.with_name("elsewhere"))
+    with pytest.raises(InputError) as caught:
+        require_folder(project)
+    assert str(caught.value) == (
+        f"{project.folder}: the folder of the project is no longer there; bring it back to this "
+        "place and name, then save."
+    )
+    assert not project.folder.exists()
+
+
+# -- reading --------------------------------------------------------------------------------------
+
+
+def test_a_file_that_no_format_of_its_kind_knows_is_refused(folder: Path) -> None:
+    path = folder / "letter.md"
+    with pytest.raises(InputError) as caught:
+        settled(path, "trajectory", Reading())
+    assert str(caught.value) == (
+        f"{path}: no format of a trajectory file knows it; `lispac look` shows what it may be, "
+        "otherwise say which format it is."
+    )
+    assert usual_or_settled(path, "trajectory", Reading()) == (Reading(), ())
+
+
+def test_an_accuracy_of_another_day_is_refused(project: Project, folder: Path) -> None:
+    rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
+    for first in (START - 1000, START + 1000):
+        rows[:, 0] = first + np.arange(41)
+        path = write_records(folder / "other.out", rows)
+        with pytest.raises(InputError) as caught:
+            load_survey(replace(project, accuracy=path))
+        assert str(caught.value) == (
+            f"{path}: its times ({first:.1f} to {first + 40:.1f} s) do not meet those of the "
+            f"trajectory ({START:.1f} to {START + 1999 / 50:.1f} s); give the accuracy file that "
+            "belongs to it."
+        )
+
+
+def test_named_columns_are_kept_to_for_a_text_and_for_no_other_file(folder: Path) -> None:
+    """What a user names of a table is not looked for in it; a LAS file has no columns to name."""
+    table = folder / "L3.txt"
+    np.savetxt(table, [[START + 1, 1.0, 2.0, 3.0], [START + 2, 1.0, 2.0, 3.0]], fmt="%.4f")
+    assert usual_or_settled(table, "points", Reading(), columns=True) == (Reading(), ())
+    found = usual_or_settled(folder / "L1.laz", "points", Reading(), columns=True)
+    assert found == usual_or_settled(folder / "L1.laz", "points", Reading())
+
+
+def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project) -> None:
+    survey = load_survey(project)
+    told: list[str] = []
+    shown = survey.shown(project, "prior", progress=lambda _share, words="": told.append(words))
+    assert told == ["Placing L1"]
+    assert dict(shown) == dict(survey.clouds)
+    with pytest.raises(ProjectError, match="there is no estimated boresight yet; estimate first"):
+        survey.shown(project, "estimated")
