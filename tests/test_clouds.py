@@ -274,3 +274,29 @@ def test_waveforms_stay_behind_and_that_is_said(tmp_path: Path) -> None:
     after = to_las(source, tmp_path / "map.las", coordinate_system(UTM))
     assert not after.header.global_encoding.waveform_data_packets_internal
     assert [record.record_data for record in after.evlrs or []] == [b"e" * 70]
+
+
+def test_a_line_without_points_is_refused(tmp_path: Path) -> None:
+    mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
+    path = tmp_path / "L1.las"
+    with pytest.raises(InputError) as caught:
+        write_cloud([], path, path, mapper, pattern_of_columns)
+    assert str(caught.value) == "L1: this line holds no points; leave it out."
+    assert not path.exists()
+
+
+def test_chunks_before_the_trajectory_write_nothing_and_are_counted(tmp_path: Path) -> None:
+    points, time = sweep(track(), 600)
+    early = PointChunk(points[:200], time[:200] - 7200.0, {}, 800)
+    inside = PointChunk(points, time, {}, 800)
+    mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
+    path = tmp_path / "L1.las"
+    done = write_cloud([early, inside], path, path, mapper, pattern_of_columns)
+    assert (done.points, done.outside) == (600, 200)
+    assert len(laspy.read(path).points) == 600
+    with pytest.raises(InputError) as caught:
+        write_cloud([early, early], path, path, mapper, pattern_of_columns)
+    assert str(caught.value) == (
+        "L1: none of its 400 points lies within the trajectory (400000.0 to 400060.0 s); check the "
+        "date and the time base, or leave the line out."
+    )

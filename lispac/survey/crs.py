@@ -143,6 +143,11 @@ class CoordinateSystem:
         longitude, latitude, height = place
         if strict:
             self._require_inside(place, (x, y, z))
+        else:  # PROJ says infinity, of which a sine is warned about
+            inside = np.isfinite(np.stack(place)).all(axis=0)
+            latitude, longitude, height = (
+                np.where(inside, each, np.nan) for each in (latitude, longitude, height)
+            )
         return np.radians(latitude), np.radians(longitude), height
 
     def _block_from_geodetic(

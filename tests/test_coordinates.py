@@ -1,0 +1,80 @@
+"""Coordinates that are typed or listed: their names, and what is said of those that are a slip."""
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.survey.crs import coordinate_system
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.coordinates import away, axes_of, local_places, require_near, too_far
+from tests.cloud_files import track
+
+UTM, GEOGRAPHIC, GEOCENTRIC = "EPSG:32619", "EPSG:4326", "EPSG:4978"
+
+
+@pytest.fixture(scope="module")
+def circle() -> LocalTrajectory:
+    """800 m about a place in Quebec."""
+    return track()
+
+
+@pytest.mark.parametrize(
+    ("code", "axes"),
+    [
+        ("", ("north", "west", "up")),
+        (UTM, ("easting", "northing", "height")),
+        (GEOGRAPHIC, ("longitude", "latitude", "height")),
+        (GEOCENTRIC, ("X", "Y", "Z")),
+    ],
+)
+def test_coordinates_go_by_the_names_of_their_system(code: str, axes: tuple[str, ...]) -> None:
+    assert axes_of(coordinate_system(code) if code else None) == axes
+
+
+def test_places_that_are_none_are_infinitely_far_away(circle: LocalTrajectory) -> None:
+    start = circle.position[0]
+    places = np.array([start, [np.nan, 0.0, 0.0], start + [0.0, 0.0, 900.0]])
+    found = away(places, circle)
+    assert found[0] == pytest.approx(0.0, abs=1e-6)
+    assert found[1] == np.inf
+    assert found[2] == pytest.approx(900.0, abs=2.0)  # the vessel heaves by a metre
+    assert (away(places[1:2], circle) == np.inf).all()
+
+
+def test_what_lies_in_reach_has_its_place(circle: LocalTrajectory) -> None:
+    system = coordinate_system(GEOGRAPHIC)
+    near = np.array([-71.2, 46.8, 5.0])
+    assert too_far(near, system, circle) == ""
+    place = require_near(near, system, circle, "P1")
+    np.testing.assert_allclose(place, local_places(near, system, circle)[0])
+    assert np.linalg.norm(place[:2]) < 1000
+
+
+@pytest.mark.parametrize(
+    ("code", "point", "said"),
+    [
+        (
+            GEOGRAPHIC, (46.8, -71.2, 5.0),
+            "longitude comes first, then latitude: exchange the two",
+        ),
+        (
+            GEOGRAPHIC, (-71.2, 20.0, 5.0),
+            "check the coordinate system and the order of the numbers",
+        ),
+        (UTM, (3e10, 5_000_000.0, 5.0), "they lie outside WGS 84 / UTM zone 19N"),
+        (
+            "", (90_000.0, 0.0, 0.0),
+            "give metres north, west and up from its origin, or a coordinate system",
+        ),
+    ],
+)  # fmt: skip
+def test_a_slip_is_told_with_what_it_may_be(
+    circle: LocalTrajectory, code: str, point: tuple[float, ...], said: str
+) -> None:
+    system = coordinate_system(code) if code else None
+    told = too_far(np.array(point), system, circle)
+    assert said in told
+    with pytest.raises(InputError) as caught:
+        require_near(np.array(point), system, circle, "P1")
+    numbers = " ".join(f"{v:g}" if abs(v) < 1e6 else f"{v:.1f}" for v in point)
+    assert str(caught.value) == f"P1: the coordinates {numbers} cannot be used: {told}."

@@ -1,0 +1,52 @@
+"""What is said of a plan before it is sailed: too near to the wall, boards in one place."""
+
+from dataclasses import replace
+
+import pytest
+
+from lispac.adjustment.observability import RankDeficient
+from lispac.design.choices import thesis_plan
+from lispac.design.plan import Line, Plan
+from lispac.design.site import Site, Wall
+from lispac.io.plan_file import TitledPlan
+from lispac.workflow.designing import ONE_WAY, cautions, many_surveys, words_of
+
+WALL = Wall((0.0, 0.0, 0.0), 270.0)
+
+
+@pytest.fixture
+def plan() -> Plan:
+    return thesis_plan(Site(WALL.middle, 270.0))
+
+
+def test_the_usual_plan_can_be_done(plan: Plan) -> None:
+    assert cautions(TitledPlan("Quay", plan, WALL)) == ()
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (Line(0.0, 2.0, True), "Line 1 comes within 2.0 m of the wall where it is straight: "),
+        (Line(45.0, 5.0, True), "Line 1 would run through the wall, to "),
+    ],
+)
+def test_lines_that_a_vessel_cannot_sail_are_told(plan: Plan, line: Line, said: str) -> None:
+    (told,) = cautions(TitledPlan("Quay", replace(plan, lines=(line,)), WALL))
+    assert told.startswith(said)
+    assert told.endswith("sail it farther off, or turn it.")
+
+
+def test_boards_in_one_place_are_told(plan: Plan) -> None:
+    one = plan.targets[0]
+    twins = replace(plan, targets=(one, replace(one, name="twin"), *plan.targets[1:]))
+    told = cautions(TitledPlan("Quay", twins, WALL))
+    assert told[0] == f"{one.name} and twin hang over each other: move one of them."
+
+
+def test_boards_that_face_one_way_are_not_simulated(plan: Plan) -> None:
+    one = plan.targets[0]
+    alike = replace(plan, targets=(one, replace(one, name="twin")))
+    assert words_of(alike) == (ONE_WAY,)
+    with pytest.raises(RankDeficient) as caught:
+        many_surveys(alike, 3, seed=1)
+    assert str(caught.value) == ONE_WAY
