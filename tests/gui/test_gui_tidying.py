@@ -9,6 +9,7 @@ import types
 import weakref
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
@@ -133,12 +134,26 @@ def test_what_a_window_leaves_goes_though_modules_came_while_it_was_there(
     gc.unfreeze()
 
 
+def resident() -> int:
+    """Bytes that the process holds."""
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    return pages * mmap.PAGESIZE
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux' C library")
+def test_arrays_leave_no_holes() -> None:
+    """Nor after a larger one has gone, by which the library laid all others side by side."""
+    large = np.ones(3_900_000)
+    del large
+    GivingBack()
+    arrays = [np.ones(400_000) for _ in range(100)]
+    held = resident()
+    del arrays[::2]
+    assert resident() < held - 140e6
+
+
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux' C library")
 def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyPatch) -> None:
-    def resident() -> int:
-        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
-        return pages * mmap.PAGESIZE
-
     blocks = [b"x" * 100_000 for _ in range(4000)]  # 400 MB, too small to be mapped by itself
     held = resident()
     del blocks[::2]
