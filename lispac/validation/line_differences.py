@@ -113,8 +113,11 @@ def line_difference(
     if not flat.any():
         raise NotComparable(f"{one} and {other} share no flat place.")
     cores, wide = cores[flat], wide[flat]
-    found = on_surface(
-        points, points, surface, cores, facing=vessel - cores, diameters=wide, reach=reach,
-        roughest=roughest,
-    ).before  # fmt: skip
+    try:
+        found = on_surface(
+            points, points, surface, cores, facing=vessel - cores, diameters=wide, reach=reach,
+            roughest=roughest,
+        ).before  # fmt: skip
+    except NotComparable as error:  # its words are those of one line and a reference
+        raise NotComparable(f"{one} and {other} share no flat place.") from error
     return LineDifference(one, other, found.cores, found.distance, found.half_width, found.normals)

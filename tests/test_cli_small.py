@@ -1,0 +1,377 @@
+"""What commands print, keep and note on a small survey, and their answers as JSON beside it.
+
+Where an answer takes long and is tested elsewhere, the command is given a small one.
+"""
+
+import json
+import shutil
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+
+import numpy as np
+import pytest
+
+import lispac
+from lispac.cli import check, patchtest, pick, propose, quality, targetless, warnings
+from lispac.errors import ProjectError
+from lispac.io.project_file import read_project, write_project
+from lispac.patchtest.answer import PatchTest
+from lispac.patchtest.boxes import Box, PatchObject
+from lispac.patchtest.pairs import LinePair
+from lispac.patchtest.sigmas import ObjectFound
+from lispac.picks import PickedSighting, Target
+from lispac.project import LineSource, Project
+from lispac.validation.absolute import PointCheck
+from lispac.workflow import patch_test
+from lispac.workflow.proposing import Proposal
+from lispac.workflow.seed_lists import ListedSeed, Outcome
+from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.targetless import Targetless
+from tests.report_sample import sample_project
+from tests.sharing import once
+from tests.test_absolute_cautions import check as against_reference
+from tests.test_cli import answer, refused, run
+
+SQUARE = Box(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
+
+
+def _made(folder: Path) -> Project:
+    return lispac.demo(folder, points_per_second=5_000.0).project
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """The built-in survey with few points; not to be changed on disk."""
+    return once(tmp_path_factory, "small", _made)
+
+
+@pytest.fixture
+def project(small: Project, tmp_path: Path) -> Project:
+    """A project of the same files, in a folder of its own."""
+    mine = replace(small, folder=tmp_path / "mine")
+    write_project(mine)
+    return mine
+
+
+@pytest.fixture(scope="module")
+def survey(small: Project) -> Survey:
+    """Its lines, laid onto each other once."""
+    return load_survey(small)
+
+
+AtHand = Callable[[ModuleType], None]
+
+
+@pytest.fixture
+def at_hand(survey: Survey, monkeypatch: pytest.MonkeyPatch) -> AtHand:
+    """Let a command have the survey that is loaded."""
+
+    def give(command: ModuleType) -> None:
+        monkeypatch.setattr(command, "load_survey", lambda *_, **__: survey)
+
+    return give
+
+
+def told(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
+    """What a command that goes well prints, and what it notes."""
+    code, out, err = run(capsys, *words)
+    assert code == 0, err
+    return out, err
+
+
+def test_a_script_makes_the_survey_and_changes_it(small: Project, project: Project) -> None:
+    assert small.targets == ()
+    assert read_project(small.folder).lines == small.lines
+    opened = lispac.open(project.folder)
+    before, survey = opened.project, opened.survey
+    opened.change(subsample=before.settings.subsample)
+    assert opened.project is before, "a setting as it was changes nothing"
+    opened.change(subsample=0.3)
+    assert opened.project.settings.subsample == 0.3
+    with pytest.raises(ProjectError) as error:
+        opened.seed("T1")
+    assert str(error.value) == "T1: give its place or a point of a line, one of them."
+    again = project.folder.parent / "again"
+    first, *others = small.lines
+    made = lispac.new(
+        again, lines=[replace(first, name="first")], trajectory=small.trajectory,
+        lever_arm=small.settings.lever_arm, origin_deg_m=small.settings.origin_deg_m,
+    )  # fmt: skip
+    made.add_lines(others[0].path, LineSource("third", others[1].path))
+    assert [line.name for line in made.project.lines] == ["first", others[0].path.stem, "third"]
+    for name, line in zip(made.survey.lines, small.lines, strict=False):
+        np.testing.assert_array_equal(
+            made.survey.scans[name].time, survey.scans[line.name].time, strict=True
+        )
+
+
+class Bench:
+    """A patch test that notes what it is asked for, and answers at once."""
+
+    def __init__(self) -> None:
+        self.pairs: tuple[LinePair, ...] = ()
+        self.line_pairs = patch_test.line_pairs
+
+    def propose(self, *_: object, count: int, **__: object) -> SimpleNamespace:
+        found = tuple(PatchObject(f"A0{k + 1}", SQUARE) for k in range(count))
+        return self.lay(None, None, found, np.radians([0.2, -1.0, 0.3]))
+
+    def lay(
+        self, _: object, __: object, objects: Sequence[PatchObject], boresight: np.ndarray
+    ) -> SimpleNamespace:
+        return SimpleNamespace(objects=objects, boresight=boresight)
+
+    def find(
+        self, _: object, __: object, laid: SimpleNamespace, *, pairs: tuple[LinePair, ...],
+        **___: object,
+    ) -> PatchTest:  # fmt: skip
+        self.pairs = pairs
+        named = [each.name for each in laid.objects]
+        objects = tuple(ObjectFound(name, ("L1 L2",), 0.01, 0, 0.0, 0.001) for name in named)
+        return answered(laid.boresight, objects)
+
+
+def answered(angles: np.ndarray, objects: tuple[ObjectFound, ...]) -> PatchTest:
+    return PatchTest(
+        angles, angles, np.diag(np.radians([0.01, 0.02, 0.03]) ** 2), np.array([10.0, 20.0, 30.0]),
+        0.05, 0.01, ("L1", "L2", "L3"), objects, 3, True,
+    )  # fmt: skip
+
+
+def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
+    capsys: pytest.CaptureFixture[str], project: Project, survey: Survey,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    bench = Bench()
+    monkeypatch.setattr(patchtest, "workflow", bench)
+    placed = SimpleNamespace(mounting=project.mounting("prior"))
+    shown = SimpleNamespace(heading=survey.heading, clouds=survey.clouds, aligned=placed)
+    monkeypatch.setattr(patchtest, "load_survey", lambda *_, **__: shown)
+
+    def objects(*words: object) -> list[str]:
+        found = answer(capsys, "patchtest", project.folder, *words)
+        return [each["name"] for each in found["objects"]]
+
+    mine = ("--object", "pole=0,-15,5,1,1,4", "edge=3,-15,5,1,1,4,20")
+    assert objects(*mine) == ["pole", "edge"], "none is looked for besides"
+    assert len(bench.pairs) == 15
+    assert objects(*mine, "--count", 2) == ["pole", "edge", "A01", "A02"]
+    assert objects("--count", 1, "--pairs", "reciprocal", "crossing") == ["A01"]
+    assert {pair.kind for pair in bench.pairs} == {"reciprocal", "crossing"}
+    assert objects("--lines", "L1_000", "L2_180", "L3_045", "--count", 1) == ["A01"]
+    assert len(bench.pairs) == 3
+    rows = told(capsys, "patchtest", project.folder, *mine)[0].splitlines()
+    assert [row.split()[0] for row in rows[5:7]] == ["pole", "edge"]
+    assert "The answer rests on 2 objects and 3 lines." in rows
+
+
+def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) -> None:
+    angles = np.radians([0.25, -1.1, 0.4])
+    objects = (
+        ObjectFound("pole", ("L1 L2",), 0.012, 0, np.radians(0.01), np.radians(0.05)),
+        ObjectFound("moved", ("L1 L2", "L1 L3"), 0.04, 2, np.radians(-0.2), np.radians(0.05)),
+    )
+    patchtest.print_answer(answered(angles, objects))
+    rows = capsys.readouterr().out.splitlines()
+    assert rows[2].split() == ["pitch", "-1.1000", "0.0200", "-1.1000", "3.5"]
+    assert rows[5].split() == ["pole", "1", "12.0", "roll", "+0.0100", "0.0500"]
+    assert rows[6].split() == ["moved", "2", "40.0", "yaw", "-0.2000", "0.0500", "DIFFERS"]
+    assert rows[-1].startswith("moved does not agree: ")
+
+
+def _target(name: str, role: str, north: float, one_in: int = 1) -> Target:
+    sightings = tuple(
+        PickedSighting(line, np.arange(50) + len(name), 0.003, one_in=one_in)
+        for line in ("L1_000", "L2_180")
+    )
+    return Target(name, role, (north, -15.0, 5.0), 0.01, 1.5, sightings)  # type: ignore[arg-type]
+
+
+def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
+    capsys: pytest.CaptureFixture[str], project: Project, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    targets = (_target("T1", "target", 1.25), _target("V1", "validation", -4.0, one_in=3))
+    reasons = {"T1": "Seen on 2\u00a0lines.", "V1": "Flat."}
+    proposal = Proposal(targets, reasons, np.radians([0.01, 0.02, 0.03]))
+    monkeypatch.setattr(propose, "proposal_for", lambda *_, **__: proposal)
+    out, err = told(capsys, "propose", project.folder)
+    assert out.splitlines() == [
+        "T1   target     at 1.25 -15.00 5.00 m", "     Seen on 2 lines.",
+        "V1   validation at -4.00 -15.00 5.00 m", "     Flat.",
+        "sigmas roll 0.010, pitch 0.020, yaw 0.030 deg",
+    ]  # fmt: skip
+    assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
+    assert "one in 3 of them" in err
+    assert read_project(project.folder).targets == ()
+    numbers = answer(capsys, "propose", project.folder, "--accept")
+    assert numbers["accepted"] is True
+    assert numbers["sigma_deg"] == pytest.approx({"roll": 0.01, "pitch": 0.02, "yaw": 0.03})
+    assert numbers["targets"][0] == {
+        "name": "T1", "role": "target", "seed_m": [1.25, -15.0, 5.0], "reason": "Seen on 2 lines.",
+        "lines": {line: {"points": 50, "rms_m": 0.003} for line in ("L1_000", "L2_180")},
+    }  # fmt: skip
+    kept = read_project(project.folder).targets
+    assert [(each.name, each.role) for each in kept] == [("T1", "target"), ("V1", "validation")]
+
+
+def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
+    capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    found = Targetless(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
+    monkeypatch.setattr(targetless, "find", lambda *_, **__: found)
+    out, _ = told(capsys, "targetless", project.folder)
+    assert out.splitlines()[-len(found.sentences) :] == list(found.sentences)
+    assert "boresight  " in out
+    assert read_project(project.folder).opinions == ()
+    numbers = answer(capsys, "targetless", project.folder, "--keep")
+    assert list(numbers["boresight_deg"].values()) == pytest.approx(
+        np.degrees(found.result.boresight).tolist()
+    )
+    assert numbers["remarks"] == list(found.sentences)
+    wanted = {"rounds": 3, "settled": False, "candidates": 40, "targets": 0}
+    assert {key: numbers[key] for key in wanted} == wanted
+    assert numbers["disagreeing_lines"] == ["L6"]
+    kept = read_project(project.folder).opinion("targetless")
+    assert kept is not None
+    np.testing.assert_allclose(kept.boresight, found.result.boresight)
+
+
+def test_lines_that_share_nothing_are_noted_by_their_names(
+    capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand
+) -> None:
+    at_hand(quality)
+    out, err = told(capsys, "quality", project.folder)
+    assert err == "note: L1_000 and L4_225 share no flat place.\n"
+    rows = [row.split()[:2] for row in out.splitlines()[2:]]
+    compared = {(one, other) for one, other in rows if one != "all"}
+    assert compared
+    assert ("L1_000", "L4_225") not in compared
+
+
+def test_surveyed_points_stand_in_a_table_of_their_own(
+    capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    points = (PointCheck("A1", 6, 0.003, -0.2, 0.0041, 0.025), PointCheck("OLD", 2, 0.01, 0.1, 0.1))
+    found = against_reference({"L1": 0.004}, points=points)
+    at_hand(check)
+    monkeypatch.setattr(
+        check, "check_absolute", lambda project, *_, **__: (project.with_absolute(found), ("So.",))
+    )
+    out, err = told(capsys, "check", project.folder, "--reference", "points.csv")
+    assert err == "note: So.\n"
+    table = [row.split() for row in out[out.index("surveyed ") :].splitlines()[:3]]
+    assert table == [
+        ["surveyed", "lines", "sigma", "before", "after", "95", "%", "mm"],
+        ["A1", "6", "3.0", "-200.0", "+4.1", "25.0"],
+        ["OLD", "2", "10.0", "+100.0", "+100.0", "nan"],
+    ]
+    assert read_project(project.folder).absolute == found
+
+
+def test_a_script_that_cannot_find_a_file_says_so(
+    capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path
+) -> None:
+    line = Path(shutil.copy(project.lines[0].path, tmp_path / "L1_000.laz"))
+    moved = replace(project, lines=(replace(project.lines[0], path=line), *project.lines[1:]))
+    write_project(moved)
+    told(capsys, "import", project.folder, "--lines", "L1_000")
+    line.unlink()
+    out, err = told(capsys, "script", project.folder)
+    assert err == f"note: The script needs what is not there now: {line}.\n"
+    assert "project.import_lines(['L1_000'])" in out
+    numbers = answer(capsys, "script", project.folder)
+    assert numbers == {"script": out, "remarks": [err.removeprefix("note: ").rstrip("\n")]}
+
+
+def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
+    capsys: pytest.CaptureFixture[str], project: Project
+) -> None:
+    words = ("import", project.folder, "--lines", "L1_000")
+    out, err = told(capsys, *words)
+    assert "points/s" in out
+    assert "imported again" not in err
+    (manifest,) = project.folder.rglob("store.json")
+    manifest.write_text("{")
+    out, err = told(capsys, *words)
+    assert "points/s" in out
+    assert err.startswith("note: L1_000 was imported again: ")
+    assert "imported already" in told(capsys, *words)[0]
+
+
+def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
+    capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand, tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    seeds = tmp_path / "seeds.csv"
+    seeds.write_text("T1,-1.1,-14.38,7.7\nAIR,0.0,-14.4,60.0\n")
+
+    def picked(
+        project: Project, _: Survey, listed: Sequence[ListedSeed], *__: object, **___: object
+    ) -> tuple[Project, tuple[Outcome, ...]]:
+        there, none = listed
+        target = _target(there.name, there.role, -1.1)
+        found = (Outcome(there, target), Outcome(none, None, "No plane."))
+        return project.with_target(target), found
+
+    at_hand(pick)
+    monkeypatch.setattr("lispac.cli.pick_list.pick_seeds", picked)
+    code, out, err = run(capsys, "pick", project.folder, "--seeds", seeds, "--json")
+    assert code == 1
+    good, none = json.loads(out)["seeds"]
+    assert (good["name"], good["found"], good["reason"]) == ("T1", True, "")
+    assert {line: each["points"] for line, each in good["lines"].items()} == {
+        "L1_000": 50, "L2_180": 50,
+    }  # fmt: skip
+    assert none == {
+        "row": 2, "name": "AIR", "role": "target", "seed_m": [0.0, -14.4, 60.0], "found": False,
+        "reason": "No plane.", "lines": {}, "missing": {},
+    }  # fmt: skip
+    assert "AIR" in err
+    assert [target.name for target in read_project(project.folder).targets] == ["T1"]
+
+
+def test_nothing_to_warn_of_is_said(
+    capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    at_hand(warnings)
+    monkeypatch.setattr(warnings, "concerns", lambda *_: ())
+    assert told(capsys, "warnings", project.folder) == ("Nothing to warn of.\n", "")
+    assert answer(capsys, "warnings", project.folder) == {"warnings": []}
+
+
+def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
+    capsys: pytest.CaptureFixture[str], small: Project, tmp_path: Path
+) -> None:
+    """One line meets nothing: no method but that of the targets has an answer."""
+    sample = sample_project(tmp_path / "sample")
+    project = replace(small, folder=tmp_path / "p", result=sample.result, lines=small.lines[:1])
+    write_project(project)
+    out, err = told(capsys, "compare", project.folder, "--compute")
+    assert out.splitlines()[1].startswith("targets ")
+    notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
+    assert set(notes) == {"natural planes", "targetless", "patch test"}
+    assert "one line meets nothing" in notes["targetless"]
+    assert "has not been asked" not in err
+    _, err = told(capsys, "compare", project.folder)
+    assert err.count("has not been asked") == 3
+    bare = replace(project, result=None)
+    write_project(bare)
+    assert "let --compute ask other methods" in refused(capsys, "compare", project.folder)
+
+
+def test_the_trajectory_goes_out_as_text(
+    capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path
+) -> None:
+    path = tmp_path / "track.txt"
+    words = ("export", project.folder, "--what", "trajectory", "--format", "text", "--output", path)
+    found = answer(capsys, *words)
+    assert found == {"files": [str(path)]}
+    out, err = told(capsys, *words)
+    assert out == f"{path}\n"
+    assert "SBET" not in err, "what an SBET lacks is not said of a text"
+    assert "datum" in err
