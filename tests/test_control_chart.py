@@ -168,3 +168,22 @@ def test_the_axis_of_days_ends_a_little_beyond_the_calibrations(days: tuple[int,
     beyond = max((days[-1] - days[0]) / max(len(days) - 1, 1), 2.0)
     assert date2num(at[0]) - first < beyond
     assert last - date2num(at[-1]) < beyond
+
+
+def test_what_is_not_estimated_or_not_named_is_told(tmp_path: Path) -> None:
+    surveyed(tmp_path / "a", "2024-05-02", vessel="")
+    dated = sample_project(tmp_path / "b")
+    write_project(
+        replace(dated, result=None, cross_checks=None, identity=Identity(dates="2025-05-02"))
+    )
+    nameless = sample_project(tmp_path / "c")
+    write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
+    found, remarks = histories([tmp_path])
+    assert remarks == ("Left out: b has no answer yet.",)
+    told = {history.entries[0].project.name: history.remarks for history in found}
+    sentence = (
+        "These projects do not name vessel, scanner and INS/GNSS: whether they are of one system "
+        "is not known."
+    )
+    assert sentence not in told["a"]  # its scanner is named
+    assert sentence in told["c"]

@@ -7,10 +7,13 @@ import pytest
 
 from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
-from lispac.project import Project
+from lispac.project import PickedSighting, Project, Target
+from lispac.simulation.scene import Sphere
 from lispac.workflow.editing import BESIDE, FEWEST, with_points, without_points
 from lispac.workflow.reselection import reselect
 from lispac.workflow.survey import Survey
+from tests.few_passes import picked
+from tests.finder_scenes import WALL, site
 
 
 def test_points_are_taken_away_and_found_again(calibrated: tuple[Project, Survey]) -> None:
@@ -89,3 +92,44 @@ def test_what_was_edited_by_hand_is_not_selected_again_and_survives_the_file(
     read = read_project(copy.folder).target("T1")
     assert [s.by_hand for s in read.sightings] == [s.line == line for s in read.sightings]
     np.testing.assert_array_equal(read.sightings[0].indices, less.sightings[0].indices)
+
+
+def test_points_of_a_ball_are_those_near_its_surface() -> None:
+    """Half of it is cut off and comes back; the RMS is that to a sphere of the known radius."""
+    centre, radius = np.array([0.0, WALL, 8.0]), 0.4
+    ball = Sphere("T1", centre, radius, 200.0)
+    seen = site([ball], lines=2, pulses_per_second=200_000.0)
+    _, survey = seen.opened()
+    sightings = tuple(
+        PickedSighting(line, np.flatnonzero(seen.on(line, "T1")), 0.002) for line in survey.lines
+    )
+    target = Target(
+        "S1", "target", (0.0, WALL, 8.0), 0.02, 1.0, sightings, shape="sphere",
+        sphere_radius=radius,
+    )  # fmt: skip
+    less, count = without_points(target, survey.clouds, lambda p: p[:, 2] > 8.0)
+    assert count > 50
+    more, back = with_points(less, survey.clouds, lambda p: np.ones(len(p), bool))
+    assert back >= 0.9 * count
+    for line, whole, low, again in zip(
+        survey.lines, sightings, less.sightings, more.sightings, strict=True
+    ):
+        points = survey.clouds[line][low.indices]
+        assert points[:, 2].max() <= 8.0
+        assert len(again.indices) >= 0.95 * len(whole.indices)
+        off = np.linalg.norm(survey.clouds[line][again.indices] - centre, axis=1) - radius
+        assert np.ptp(off) < 0.1
+        assert 0.001 < again.rms < 0.01
+
+
+def test_what_would_be_left_on_one_straight_line_is_no_surface() -> None:
+    project, survey = picked()
+    target = project.target("T1")
+    one = target.sightings[0]
+    twice = replace(one, indices=np.repeat(one.indices[:1], 2 * FEWEST))
+    thin = replace(target, sightings=(twice,))
+    first = iter([True])
+    with pytest.raises(ProjectError, match="T1: what would be left is no surface"):
+        without_points(
+            thin, survey.clouds, lambda p: np.arange(len(p)) < (1 if next(first, False) else 0)
+        )

@@ -13,6 +13,7 @@ from lispac.project import Project
 from lispac.validation.line_differences import line_difference
 from lispac.workflow.line_quality import Figures, line_quality
 from lispac.workflow.survey import Survey
+from tests.few_passes import picked
 from tests.test_cli import answer, refused, run
 
 VESSEL = np.array([0.0, 0.0, 3.0])
@@ -123,3 +124,23 @@ def test_what_is_not_there_is_refused(calibrated: tuple[Project, Survey]) -> Non
     bare = Project(project.folder, project.trajectory, project.lines, project.settings)
     with pytest.raises(ProjectError, match="estimate first"):
         line_quality(bare, survey, which="estimated")
+
+
+def test_of_one_pair_nothing_is_said_of_all_together() -> None:
+    project, survey = picked()
+    found = line_quality(project, survey, reach=0.5)
+    assert {(one, other) for one, other, _, _ in found.rows()} >= {("L1", "L2"), ("all", "all")}
+    two = {name: survey.clouds[name] for name in ("L1", "L2")}
+    pair = line_quality(project, replace(survey, clouds=two), reach=0.5)
+    assert {(one, other) for one, other, _, _ in pair.rows()} == {("L1", "L2")}
+
+
+def test_lines_that_are_nowhere_near_each_other_are_refused() -> None:
+    project, survey = picked()
+    alone = replace(survey, clouds={"L1": survey.clouds["L1"]})
+    with pytest.raises(NotComparable) as caught:
+        line_quality(project, alone, reach=0.25)
+    assert str(caught.value) == (
+        "site: no two lines share a flat place within 0.25 m of each other; widen the reach, or "
+        "add lines over the same scene."
+    )

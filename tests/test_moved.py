@@ -12,7 +12,7 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.project_file import keep_unsaved, read_project
 from lispac.project import Project
-from lispac.workflow import demo
+from lispac.workflow import demo, moved
 from lispac.workflow.moved import missing, with_files_beside, with_files_in, with_files_of
 from lispac.workflow.projects import create_project, open_project, opened_with_notes, unsaved_work
 from lispac.workflow.survey import load_survey
@@ -150,3 +150,32 @@ def test_at_the_command_line_and_in_a_script(
     assert main(["locate", str(home), str(usb)]) == 0
     assert capsys.readouterr().out == "No file is missing.\n"
     assert np.isfinite(load_survey(open_project(home)).trajectory.time).all()
+
+
+def test_another_state_of_a_project_takes_the_files_that_were_found(disk: Path) -> None:
+    """As an undo does: the older state still points at where the files were."""
+    opened = read_project(disk / "projects" / "quay")
+    assert with_files_of(opened, opened) is opened
+    bare = replace(opened, accuracy=None)
+    shutil.move(disk / "survey", disk / "elsewhere")
+    found = with_files_in(bare, disk / "elsewhere")
+    assert missing(found) == ()
+    again = with_files_of(bare, found)
+    assert (again.trajectory, again.lines) == (found.trajectory, found.lines)
+    assert again.accuracy is None
+    fewer = replace(found, lines=found.lines[1:])
+    assert missing(with_files_of(bare, fewer)) == (bare.lines[0].path,)
+
+
+def test_a_whole_disk_is_not_looked_through(
+    disk: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each file in a folder of another name: it is found by its own, as far as is looked."""
+    opened = read_project(disk / "projects" / "quay")
+    usb = tmp_path / "usb"
+    for k, path in enumerate(files(opened)):
+        (usb / f"{k}").mkdir(parents=True)
+        shutil.move(path, usb / f"{k}" / path.name)
+    assert missing(with_files_in(opened, usb)) == ()
+    monkeypatch.setattr(moved, "MOST_LOOKED_AT", len(files(opened)) + 1)  # the folders, and two
+    assert len(missing(with_files_in(opened, usb))) == len(files(opened)) - 2

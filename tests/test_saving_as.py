@@ -22,6 +22,7 @@ from lispac.workflow.importing import LINES, import_lines, line_folder
 from lispac.workflow.projects import open_project
 from lispac.workflow.saving_as import MARK, save_project_as
 from lispac.workflow.survey import Survey, load_survey
+from tests.few_passes import picked
 
 KILLED = """
 import os, signal, sys
@@ -177,3 +178,35 @@ def test_a_file_is_no_folder_to_save_in(calibrated: tuple[Project, Survey], tmp_
     with pytest.raises(ProjectError, match="this is a file"):
         save_project_as(*calibrated, file)
     assert file.read_text() == "mine"
+
+
+def test_a_folder_with_a_project_is_not_saved_over(tmp_path: Path) -> None:
+    project, survey = picked()
+    moved, _ = save_project_as(project, survey, tmp_path / "quay")
+    before = (moved.folder / "project.json").read_bytes()
+    with pytest.raises(ProjectError) as caught:
+        save_project_as(replace(project, targets=()), survey, tmp_path / "quay")
+    assert str(caught.value) == (
+        f"{tmp_path / 'quay'}: there is a project here already; choose another folder."
+    )
+    assert (moved.folder / "project.json").read_bytes() == before
+
+
+def test_points_that_were_there_before_stay_where_a_save_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A folder of points without its project is perhaps all that is left of one."""
+    project, survey = picked()
+    kept = tmp_path / "kept" / "sightings"
+    kept.mkdir(parents=True)
+    (kept / "theirs.npz").write_bytes(b"points")
+
+    @contextmanager
+    def full(path: Path) -> Iterator[Path]:
+        raise InputError(f"{path}: cannot be written (No space left on device).")
+        yield path
+
+    monkeypatch.setattr(project_file, "written_whole", full)
+    with pytest.raises(InputError, match="No space left"):
+        save_project_as(project, survey, tmp_path / "kept")
+    assert (kept / "theirs.npz").read_bytes() == b"points"

@@ -9,6 +9,7 @@ from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.trajectory_quality import trajectory_on_lines
+from tests.few_passes import picked
 
 
 @pytest.fixture(scope="module")
@@ -46,3 +47,15 @@ def test_a_gap_is_seen_on_its_line(survey: Survey) -> None:
     found = {each.line: each for each in trajectory_on_lines(replace(survey, trajectory=gappy))}
     assert found[name].longest_gap_s == pytest.approx(0.505, abs=0.006)
     assert all(each.longest_gap_s < 0.01 for line, each in found.items() if line != name)
+
+
+def test_a_line_beside_a_trajectory_that_has_one_state_there_is_left_out() -> None:
+    """Of which nothing can be said: neither a speed nor an interval."""
+    _, survey = picked()
+    whole = survey.trajectory
+    second = survey.scans["L2"]
+    until = int(np.searchsorted(whole.time, second.first_time)) - 50
+    short = LocalTrajectory(
+        whole.frame, whole.time[:until], whole.position[:until], whole.attitude[:until]
+    )
+    assert [each.line for each in trajectory_on_lines(replace(survey, trajectory=short))] == ["L1"]
