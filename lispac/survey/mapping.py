@@ -198,7 +198,7 @@ class _Fits:
         on_map = self._system.from_local(places, self._frame, strict=False)
         on_map = on_map[np.isfinite(on_map).all(axis=1)]
         if not len(on_map):  # no part of the site is on the map: the points will say so
-            on_map = np.zeros((1, 3))
+            on_map = np.array([[-1.0] * 3, [1.0] * 3])  # a box, for there is no fit about a point
         return fitted(
             lambda points: self._system.to_local(points, self._frame, strict=False),
             on_map.min(axis=0),

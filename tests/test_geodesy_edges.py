@@ -1,0 +1,249 @@
+"""Coordinate systems, trajectories and times where they end, are empty, or tell nothing."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pyproj import CRS
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame, ecef_to_geodetic, geodetic_to_ecef
+from lispac.survey.crs import coordinate_system
+from lispac.survey.crs_area import meant_elsewhere
+from lispac.survey.crs_operation import realizations
+from lispac.survey.geoid import geoid_grid
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.mapping import PointMapper
+from lispac.survey.recovery import Recovery, require_within_reach
+from lispac.survey.time_base import LEAP_SECONDS_NOW, Match, base_of, from_gps, plausible, to_gps
+from lispac.survey.time_quality import Coverage, left_out
+from lispac.survey.time_stated import Known, following_words
+from lispac.survey.trajectory import LocalTrajectory
+
+ENGINEERING = 'ENGCRS["site",EDATUM["pegs"],CS[Cartesian,2],AXIS["x",east],AXIS["y",north],LENGTHUNIT["metre",1]]'  # fmt: skip # noqa: E501
+ITRF = CRS("EPSG:7912")
+AT_POS = Mounting(np.zeros(3), np.zeros(3))
+
+
+def _track(longest_gap: float = 1.0, latitude: float = 0.8, longitude: float = -1.2):
+    """States every half second from 0 to 10 s, but none from 4 to 7 s; 2 m/s to the north."""
+    time = np.concatenate([np.arange(0.0, 4.1, 0.5), np.arange(7.0, 10.1, 0.5)])
+    position = np.column_stack([2.0 * time, 0 * time, 0 * time])
+    frame = LocalFrame(latitude, longitude, 0.0)
+    return LocalTrajectory(frame, time, position, np.zeros((len(time), 3)), longest_gap)
+
+
+# -- trajectories ----------------------------------------------------------------------------
+
+
+def test_a_gap_is_not_bridged_but_its_ends_are_states() -> None:
+    track = _track()
+    assert track.has_gaps
+    times = np.array([-0.1, 0.0, 3.9, 4.0, 4.1, 6.9, 7.0, 7.1, 10.0, 10.1])
+    np.testing.assert_array_equal(
+        track.covers(times),
+        [False, True, True, True, False, False, True, True, True, False],
+    )
+    assert not _track(longest_gap=5.0).has_gaps
+    assert _track(longest_gap=5.0).covers(times[1:-1]).all()
+
+
+@pytest.mark.parametrize("times", [[-1.0, 2.0], [2.0, 11.0], [2.0, 5.0]])
+def test_a_pose_outside_the_trajectory_is_refused(times: list[float]) -> None:
+    with pytest.raises(InputError) as refused:
+        _track().at(np.array(times))
+    assert str(refused.value) == (
+        f"Points from {times[0]:.3f} to {times[1]:.3f} s lie outside the trajectory (0.000 to "
+        "10.000 s): check that both use the same time base."
+    )
+
+
+def test_poses_of_no_points_are_none_and_others_lie_between_the_states() -> None:
+    assert len(_track().at(np.zeros(0)).position) == 0
+    np.testing.assert_allclose(_track().at(np.array([0.25, 7.2])).position[:, 0], [0.5, 14.4])
+
+
+# -- coordinate systems ----------------------------------------------------------------------
+
+
+def test_a_place_that_is_no_number_harms_no_other() -> None:
+    place = geodetic_to_ecef(np.array([0.8]), np.array([-1.2]), np.array([30.0]))
+    found = np.stack(ecef_to_geodetic(np.vstack([place, np.full((1, 3), np.nan)])), axis=-1)
+    np.testing.assert_allclose(found[0], [0.8, -1.2, 30.0], rtol=1e-9)
+    assert np.isnan(found[1]).all()
+
+
+def test_heights_of_earth_centred_coordinates_cannot_be_chosen() -> None:
+    with pytest.raises(InputError) as refused:
+        coordinate_system("EPSG:4978", height="EPSG:5703")
+    assert str(refused.value).endswith(
+        "earth-centred coordinates have no heights to choose; leave the height out."
+    )
+
+
+def test_what_is_not_tied_to_the_earth_has_no_realization() -> None:
+    assert realizations(CRS(ENGINEERING), ITRF) == []
+
+
+def test_a_projection_of_ones_own_has_no_code_on_a_realization() -> None:
+    """EPSG names none, and PROJ can compose none of a projection that has no number."""
+    own = CRS(
+        "+proj=tmerc +lat_0=0 +lon_0=-71 +k=0.9999 +x_0=304800 +ellps=GRS80 +units=m +type=crs"
+    ).to_json_dict()
+    own["base_crs"] = CRS("EPSG:4617").to_json_dict()
+    own["name"] = "my own"
+    assert realizations(CRS.from_json_dict(own), ITRF) == []
+
+
+def test_a_system_that_states_no_area_is_meant_for_everywhere() -> None:
+    assert CRS("+proj=utm +zone=19 +type=crs").area_of_use is None
+    assert meant_elsewhere(CRS("+proj=utm +zone=19 +type=crs"), -40.0, 170.0) == ""
+    assert meant_elsewhere(CRS("EPSG:32619"), -40.0, 170.0) != ""
+    assert meant_elsewhere(CRS("EPSG:32619"), 46.0, -71.0) == ""
+
+
+@pytest.mark.parametrize("name", ["a,b.gtx", 'a"b.gtx'])
+def test_a_geoid_grid_whose_path_proj_cannot_take_is_refused(tmp_path: Path, name: str) -> None:
+    grid = tmp_path / name
+    grid.write_bytes(b"grid")
+    with pytest.raises(InputError) as refused:
+        geoid_grid(grid)
+    assert str(refused.value) == (
+        f"{grid}: PROJ takes no commas or quotes in a path; rename the grid."
+    )
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (False, "there is no such geoid grid; check the path."),
+        (True, "cannot be read as a geoid grid; give a .gtx or GeoTIFF grid of PROJ."),
+    ],
+)
+def test_a_geoid_grid_that_is_none_is_refused(tmp_path: Path, make: bool, said: str) -> None:
+    grid = tmp_path / "geoid.gtx"
+    if make:
+        grid.write_bytes(b"no grid")
+    with pytest.raises(InputError) as refused:
+        geoid_grid(grid)
+    assert str(refused.value) == f"{grid}: {said}"
+
+
+def test_points_farther_off_get_a_wider_map_and_the_same_places() -> None:
+    """Those near the trajectory first, some 3 km off next, and near ones again."""
+    system = coordinate_system("EPSG:32619")
+    track = _track(longest_gap=5.0, latitude=np.radians(46.0), longitude=np.radians(-69.0))
+    mapper = PointMapper(system, track, AT_POS)
+    time = np.array([1.0, 8.0])
+    for metres in (20.0, 3000.0, 25.0):
+        seen = np.array([[1.0, metres, 2.0], [3.0, -metres, 1.0]])
+        found = mapper.to_scanner(mapper.to_map(seen, time), time)
+        np.testing.assert_allclose(found, seen, atol=1e-4)
+
+
+def test_a_site_that_is_not_on_the_map_says_so_by_its_points() -> None:
+    """A gnomonic map shows half of the earth, and the vessel is on the other half."""
+    system = coordinate_system("+proj=gnom +lat_0=-46 +lon_0=110 +datum=WGS84 +type=crs")
+    track = _track(longest_gap=5.0, latitude=np.radians(46.0), longitude=np.radians(-69.0))
+    time, points = np.array([1.0, 8.0]), np.array([[1.0, 2.0, 3.0], [5e5, -4e5, 20.0]])
+    found = PointMapper(system, track, AT_POS).to_scanner(points, time)
+    local = system.to_local(points, track.frame)
+    np.testing.assert_allclose(
+        found, PointMapper(None, track, AT_POS).to_scanner(local, time), atol=1e-3
+    )
+    assert np.linalg.norm(found, axis=1).min() > 1e7, "the other side of the earth"
+
+
+def test_no_points_are_within_reach_of_any_scanner() -> None:
+    system = coordinate_system("EPSG:32619")
+    recovery = Recovery(system, _track(), AT_POS, Path("a.las"))
+    require_within_reach(np.zeros((0, 3)), recovery)
+    with pytest.raises(InputError, match=r"^a\.las: half of the points come out farther than"):
+        require_within_reach(np.full((3, 3), 1e6), recovery)
+
+
+# -- times -----------------------------------------------------------------------------------
+
+
+def test_no_times_are_in_no_base_and_stay_none() -> None:
+    week, nothing = base_of("gps-week"), np.zeros(0)
+    assert plausible(nothing) == ()
+    assert plausible(np.array([1.0, np.nan])) == ()
+    assert week in plausible(np.array([1.0, 2.0]))
+    assert to_gps(nothing, week).shape == (0,)
+    assert from_gps(nothing, week).shape == (0,)
+
+
+def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> Coverage:
+    return Coverage(0.0, 10.0, count, outside, in_gaps, (), 1.0)
+
+
+@pytest.mark.parametrize(
+    ("covered", "said"),
+    [
+        (_covered(0), "The line has no points."),
+        (_covered(8), "The trajectory covers all points."),
+        (
+            _covered(2000, 500, 20),
+            "520 of 2,000 points cannot be used: 500 (25.0 %) lie outside the trajectory, 20 "
+            "(1.0 %) in gaps of it longer than 1 s.",
+        ),
+    ],
+)
+def test_how_a_line_is_covered_is_said(covered: Coverage, said: str) -> None:
+    assert str(covered) == said
+
+
+@pytest.mark.parametrize(
+    ("covered", "lost", "said"),
+    [
+        (
+            _covered(2000, 1500), 1500,
+            "1,500 points outside the trajectory's time, of 2,000, are left out",
+        ),
+        (
+            _covered(2000, 0, 20), 27,
+            "20 points in a gap of the trajectory longer than 1 s and 7 points where the "
+            "trajectory's pitch is beyond 80 deg, of 2,000, are left out",
+        ),
+    ],
+)  # fmt: skip
+def test_what_is_left_out_is_said(covered: Coverage, lost: int, said: str) -> None:
+    assert left_out(covered, lost) == said
+
+
+def test_shares_of_no_points_are_none() -> None:
+    assert (_covered(0).share_outside, _covered(0).share_in_gaps) == (0.0, 0.0)
+    assert (_covered(8, 2, 4).share_outside, _covered(8, 2, 4).share_in_gaps) == (0.25, 0.5)
+
+
+def test_leap_seconds_taken_for_granted_are_said() -> None:
+    week, utc = base_of("gps-week"), base_of("utc-week")
+    own, other = Known(utc, stated=True), Known(week)
+    match = Match(((utc, week),), 18.0, 1.0)
+    told = (
+        f"+18.000 s are added to its times, from {utc.name} (stated) to the trajectory's "
+        f"{week.name} (as read from the file)"
+    )
+    assert following_words((match,), own, other) == told
+    assumed = Match(((utc, week),), 18.0, 1.0, leap_assumed=True)
+    assert following_words((assumed,), own, other) == (
+        f"{told}, with the leap seconds of today, {LEAP_SECONDS_NOW} s, as neither tells the date"
+    )
+
+
+def test_another_way_that_fits_as_well_is_said() -> None:
+    """A day later as many points lie inside; two days later fewer do."""
+    day = base_of("utc-day")
+    pair = ((day, base_of("gps-week")),)
+    ways = tuple(Match(pair, 86400.0 * k + 18.0, share) for k, share in ((1, 1.0), (2, 0.998)))
+    own, other = Known(day, stated=True), Known(pair[0][1])
+    said = following_words((*ways, Match(pair, 259218.0, 0.9)), own, other)
+    assert said.startswith("+86,418.000 s are added to its times, from ")
+    assert said.endswith("; +172,818.000 s would fit as well: make sure of the day")
+
+
+def test_a_base_that_nothing_tells_is_not_known() -> None:
+    week = base_of("gps-week")
+    assert Known().words == "not known"
+    assert Known(week, suggested=True).words == f"{week.name} (as its values suggest)"

@@ -1,0 +1,92 @@
+"""Plans, sites and sites' limits at their edges: what is not allowed, seen, or adjusted."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.design.choices import Choice, Space
+from lispac.design.monte_carlo import surveyed
+from lispac.design.objective import Objective
+from lispac.design.plan import Line, Plan
+from lispac.design.prediction import UNSEEN
+from lispac.design.simulated_plan import simulated
+from lispac.design.site import least_off, steps
+from lispac.errors import LispacError, RankDeficient
+from lispac.simulation.closed_form import Ball, Board
+from tests.prediction_study import BOARDS, PLAN
+from tests.test_design import SMALL
+
+SPACE = Space(SMALL, Objective())
+CHOICE = Choice((0, 5), (0, 1, 2))
+MADE = SPACE.plan(CHOICE)
+AWAY = Board("away", (0.0, -15.0, 5.0), (0.0, -1.0, 0.0))
+
+
+def test_the_choice_that_a_plan_is_is_found_again() -> None:
+    assert SPACE.nearest(MADE) == CHOICE
+    assert SPACE.choice(SPACE.genes(CHOICE)) == CHOICE
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        replace(MADE, lines=MADE.lines[:2]),
+        replace(MADE, targets=MADE.targets[:1]),
+        replace(MADE, lines=(*MADE.lines[:2], Line(12.0))),
+        replace(MADE, targets=(MADE.targets[0], BOARDS[0])),
+        replace(MADE, targets=(MADE.targets[0], Ball("S1", MADE.targets[1].centre, 0.3, True))),
+    ],
+)
+def test_a_plan_that_the_site_does_not_allow_is_no_choice(other: Plan) -> None:
+    assert SPACE.nearest(other) is None
+
+
+def test_lines_past_nothing_come_near_no_wall() -> None:
+    assert least_off(replace(MADE, targets=()), SMALL.wall) == ()
+    assert len(least_off(MADE, SMALL.wall)) == 3
+
+
+@pytest.mark.parametrize(
+    ("given", "values"),
+    [
+        ((0.0, 1.0, 0.5), (0.0, 0.5, 1.0)),
+        ((2.0, 2.0, 1.0), (2.0,)),
+        ((0.0, 0.3, 0.2), (0, 0.2, 0.3)),
+    ],
+)
+def test_steps_end_where_they_are_told(given: tuple, values: tuple) -> None:
+    assert steps(*given) == pytest.approx(values)
+
+
+def test_what_no_line_sees_is_no_sighting() -> None:
+    """A board that looks away from all lines beside those that do not."""
+    both = simulated(replace(PLAN, targets=(*BOARDS, AWAY)), np.random.default_rng(1))
+    assert set(both.targets) == {"T1", "T2"}
+    assert len(both.sightings) == 2 * len(PLAN.lines)
+    with pytest.raises(RankDeficient) as refused:
+        simulated(replace(PLAN, targets=(AWAY,)), np.random.default_rng(1))
+    assert str(refused.value) == UNSEEN
+
+
+def test_where_no_survey_can_be_adjusted_there_is_no_scatter() -> None:
+    def failing(trial, numbers):
+        return (np.full((2, 3), np.nan) for _ in numbers)
+
+    with pytest.raises(LispacError) as refused:
+        surveyed(PLAN, 3, mapper=failing)
+    assert str(refused.value) == (
+        "None of the simulated surveys could be adjusted; add lines or targets."
+    )
+
+
+def test_surveys_that_could_not_be_adjusted_are_counted() -> None:
+    errors = iter([1.0, np.nan, -1.0])
+
+    def made(trial, numbers):
+        return (np.full((2, 3), next(errors)) for _ in numbers)
+
+    found = surveyed(PLAN, 3, mapper=made)
+    assert found.failed == 1
+    np.testing.assert_array_equal(found.errors, [[1.0] * 3, [-1.0] * 3])
+    assert "1 surveys could not be adjusted and are left out." in found.words

@@ -1,0 +1,142 @@
+"""Targets and surfaces where nothing, or more than one, is what is sought."""
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError, SphereNotFound, TargetNotFound
+from lispac.geometry.spheres import fit_sphere
+from lispac.natural.clutter import is_water
+from lispac.natural.planes import LinePlanes
+from lispac.natural.regions import Regions
+from lispac.patchtest.boxes import Box, checked
+from lispac.targets.expected import ExpectedTarget, deviations
+from lispac.targets.lines import Surroundings, best_match, shifts_into
+from lispac.targets.settings import FinderSettings
+from lispac.targets.shift import Shift, find_shifts
+from lispac.targets.sphere_finder import RadiusSought
+from lispac.targets.spheres_across_lines import find_spheres_in_lines
+
+
+def test_an_inclination_that_is_not_known_is_not_compared() -> None:
+    upright, size = np.array([0.0, 1.0, 0.0]), np.array([1.2, 1.0])
+    assert deviations(ExpectedTarget(1.2, 1.0), size, upright) == ()
+    assert deviations(ExpectedTarget(1.2, 1.0, np.radians(45.0)), size, upright) == (
+        "It is inclined by 90.0 deg, 45.0 deg more than the 45.0 deg expected.",
+    )
+
+
+def _cube(seed: int, off: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> np.ndarray:
+    return np.random.default_rng(seed).uniform(-0.5, 0.5, (400, 3)) + off
+
+
+def test_clouds_that_no_translation_lays_onto_each_other_have_no_shift() -> None:
+    first = _cube(1)
+    assert find_shifts(first, np.ones(400), _cube(1, (30.0, 0.0, 0.0)), 0.5) == []
+    (found, *_) = find_shifts(first, np.ones(400), first + [0.2, 0.0, 0.0], 0.5)
+    np.testing.assert_allclose(found.vector, [0.2, 0.0, 0.0], atol=0.05)
+
+
+def test_a_line_like_nothing_about_the_target_is_said() -> None:
+    """There are points within reach of the seed, but none where the target could have moved."""
+    settings = FinderSettings(radius=2.0, max_shift=0.3)
+    reference = Surroundings(_cube(1), np.ones(400))
+    for off, said in (
+        ((0.0, 1.7, 0.0), "Nothing in this line resembles the target and its surroundings."),
+        ((9.0, 0.0, 0.0), "The line has no points within 2.3 m of the seed."),
+    ):
+        with pytest.raises(TargetNotFound) as refused:
+            shifts_into(_cube(2, off), None, reference, np.zeros(3), settings)
+        assert str(refused.value) == said
+
+
+def test_two_matches_that_cannot_both_be_meant_are_refused() -> None:
+    shifts = [Shift(np.array([k, 0.0, 0.0]), 0.9) for k in (0.0, 1.0)]
+
+    def match(shift: Shift) -> tuple[str, float]:
+        return f"at {shift.vector[0]:g}", 0.9
+
+    def contradiction(best: str, other: str) -> str | None:
+        return f"{best} or {other}"
+
+    with pytest.raises(TargetNotFound, match=r"^at 0 or at 1$"):
+        best_match(shifts, match, contradiction)
+    assert best_match(shifts, match, lambda best, other: None) == "at 0"
+    assert best_match(shifts[:1], match, contradiction) == "at 0"
+
+
+def _ball(centre: tuple[float, float, float], radius: float = 0.15) -> np.ndarray:
+    """The half of a ball that is seen from the east."""
+    away = np.random.default_rng(3).normal(size=(3000, 3))
+    away /= np.linalg.norm(away, axis=1, keepdims=True)
+    return centre + radius * away[away[:, 1] < -0.2]
+
+
+def _balls(second: np.ndarray) -> dict[str, str]:
+    clouds = {"L1": _ball((0.0, 15.0, 5.0)), "L2": second}
+    found, missing = find_spheres_in_lines(
+        clouds,
+        np.array([0.0, 15.0, 5.0]),
+        RadiusSought(0.1, 0.5),
+        FinderSettings(),
+        first_line="L1",
+    )
+    assert set(found) | set(missing) == {"L1", "L2"}
+    return missing
+
+
+def test_two_balls_alike_beside_where_one_was_are_not_told_apart() -> None:
+    assert _balls(_ball((0.4, 15.0, 5.0))) == {}
+    twins = np.vstack([_ball((0.6, 15.0, 5.0)), _ball((-0.6, 15.0, 5.0))])
+    assert _balls(twins) == {
+        "L2": "Two spheres 1.20 m apart resemble the target equally; set a seed of its own for "
+        "this line."
+    }
+
+
+def test_a_ball_of_another_size_is_not_the_target() -> None:
+    (said,) = _balls(_ball((0.0, 15.0, 5.0), 0.4)).values()
+    assert said == (
+        "The sphere found has a radius of 0.400 m, but in the line clicked it has 0.150 m."
+    )
+
+
+def test_a_speck_of_a_ball_does_not_tell_where_it_is() -> None:
+    """Four points a tenth of a micrometre apart, of a ball of a metre."""
+    speck = 1e-7 * np.array([(0.0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 1e-3)])
+    with pytest.raises(SphereNotFound) as refused:
+        fit_sphere(speck, 1.0)
+    assert str(refused.value) == (
+        "The points are too small a part of a sphere of this radius to tell where its centre "
+        "lies; take more of the surface."
+    )
+
+
+# -- surfaces of the scene -------------------------------------------------------------------
+
+
+def test_a_scene_without_surfaces_has_no_region() -> None:
+    leaves = np.random.default_rng(1).uniform(0.0, 2.0, (600, 3))
+    found = Regions.of(leaves, 0.02)
+    assert found.count == 0
+    np.testing.assert_array_equal(found.at(leaves[:5]), np.full(5, -1))
+
+
+def test_of_no_planes_none_is_water() -> None:
+    fields = dict.fromkeys(LinePlanes.__dataclass_fields__, np.zeros(0))
+    none = LinePlanes(**{**fields, "centre": np.zeros((0, 3)), "normal": np.zeros((0, 3))})
+    assert is_water(none).shape == (0,)
+    assert is_water(none).dtype == bool
+
+
+@pytest.mark.parametrize(
+    ("centre", "size", "said"),
+    [
+        ([0.0, np.nan, 0.0], [1.0, 1.0, 1.0], "the box's centre or turn is not a number"),
+        ([0.0, 0.0, 0.0], [1.0, 0.0, 1.0], "a side of the box is not between"),
+    ],
+)
+def test_a_box_that_is_none_is_refused(centre: list, size: list, said: str) -> None:
+    with pytest.raises(InputError, match=f"^mast: {said}"):
+        checked("mast", Box(np.array(centre), np.array(size)))
+    sound = Box(np.zeros(3), np.ones(3))
+    assert checked("mast", sound).box is sound
