@@ -57,6 +57,12 @@ def test_from_a_tenth_on_it_is_told(shared: int, told: bool) -> None:
         assert words.startswith(f"T3 shares points with T2: {shared / 10:.0f} % of its points on ")
 
 
+def test_a_sighting_without_points_shares_none() -> None:
+    empty = picked("T8", {"L1": range(0)})
+    assert overlaps([BOARD, empty]) == ()
+    assert overlap_words(empty, [BOARD]) == ""
+
+
 def test_order_of_the_numbers_does_not_matter() -> None:
     mixed = np.random.default_rng(1).permutation(np.arange(1110, 2110))
     sighting = replace(AGAIN.sightings[0], indices=mixed)

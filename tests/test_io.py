@@ -183,6 +183,7 @@ def test_text_columns_in_any_order_and_passed_over(tmp_path: Path) -> None:
     [
         ("1 2 3 4\n", ("time", "x", "y"), "lack z"),
         ("1 2 3 4\n", (), "lack time, x, y, z"),
+        ("1 2 3 4\n", ("time", "x", "x", "y", "z"), "two columns are named x; name each once"),
         ("1 2 3 4\n1 2 3\n", ("time", "x", "y", "z"), "row 2: 3 columns where 4 were named"),
         ("1 2 3 4\n1 2 x 4\n", ("time", "x", "y", "z"), "row 2"),
         ("1 2 nan 4\n", ("time", "x", "y", "z"), "not a number"),
@@ -214,6 +215,28 @@ def test_plane_file_sightings_are_told_apart_by_gaps_in_time(tmp_path: Path) -> 
     assert named == [("T1", "L1"), ("T1", "L2"), ("T2", "L1"), ("T2", "L2")]
     assert observations.counts.tolist() == [3, 3, 1, 2]
     np.testing.assert_array_equal(planes, [[0, 1, 0, -15], [0, 1, 0, -15]])
+
+
+def test_plane_files_of_one_name_are_told_apart(tmp_path: Path) -> None:
+    paths = [tmp_path / day / "T1.txt" for day in ("may", "june")]
+    for path in paths:
+        path.parent.mkdir()
+        np.savetxt(path, [plane_row(t) for t in (0.0, 0.5)])
+    observations, _ = read_plane_files(paths, 0.003)
+    assert [each.target for each in observations.sightings] == ["T1-1", "T1-2"]
+    with pytest.raises(InputError) as refused:
+        read_plane_files([], 0.003)
+    assert str(refused.value) == "No plane file was given; name at least one."
+
+
+def test_a_file_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The system is asked; who may read everything is told as others are."""
+    monkeypatch.setattr("lispac.io.files.os.access", lambda *_: False)
+    path = tmp_path / "plane.txt"
+    np.savetxt(path, [plane_row(0.0)])
+    with pytest.raises(InputError) as refused:
+        read_plane_files([path], 0.003)
+    assert str(refused.value) == (f"{path}: this plane file cannot be read; check its permissions.")
 
 
 def test_plane_file_round_trip(shared_data: Path, tmp_path: Path) -> None:

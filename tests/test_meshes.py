@@ -160,6 +160,11 @@ def test_an_obj_that_is_cut_is_refused_with_its_line(wrong: str, tmp_path: Path)
 
 
 def test_what_is_no_mesh_is_refused(tmp_path: Path) -> None:
+    def of_triangle(first: str, last: str) -> Path:
+        path = tmp_path / f"{first}.obj"
+        path.write_text(f"v {first}\nv 1 0 0\nv {last}\nf 1 2 3\n")
+        return path
+
     cloud = tmp_path / "cloud.ply"
     cloud.write_text(
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
@@ -169,6 +174,8 @@ def test_what_is_no_mesh_is_refused(tmp_path: Path) -> None:
     other.write_text("x")
     for path, said in (
         (cloud, "no triangles"), (other, "ends in"), (tmp_path / "none.stl", "no such"),
+        (of_triangle("nan 0 0", "1 1 0"), "a vertex is not a number; export the mesh again"),
+        (of_triangle("0 0 0", "2 0 0"), "all its triangles are without area; export the mesh"),
     ):  # fmt: skip
         with pytest.raises(InputError, match=said):
             read_mesh(path, "m", 0.4)

@@ -112,6 +112,15 @@ def test_straight_level_course_leaves_up_open(tmp_path: Path) -> None:
     assert said(finding, "does not tell them apart")
 
 
+def test_straight_level_course_leaves_up_open_about_a_wander_angle_too(tmp_path: Path) -> None:
+    records = vessel(wander=0.5)
+    records[:, 6] = 0
+    records[:, 3] = 10
+    finding = looked(write_records(tmp_path / "a.sbet", in_axes(records, "ned")))
+    assert finding.choice["axes"] in ("ned", "neu")
+    assert said(finding, "does not tell them apart. The platform heading is taken less the wander")
+
+
 def test_unknown_frame_is_said(tmp_path: Path) -> None:
     records = vessel()
     records[:, 4:6] = records[:, 4:6] @ np.array([[0.6, 0.8], [-0.8, 0.6]])

@@ -122,3 +122,16 @@ def test_a_cloud_is_no_list(tmp_path: Path) -> None:
         read_point_list(path)
     with pytest.raises(InputError, match="missing"):
         read_point_list(tmp_path / "missing.txt")
+
+
+@pytest.mark.parametrize(
+    ("text", "sigma", "plane"),
+    [("P1 1 2 3 0.004 quay\n", 0.004, "quay"), ("P1 1 2 3 0.004\n", 0.004, "")],
+)
+def test_check_points_by_their_order(tmp_path: Path, text: str, sigma: float, plane: str) -> None:
+    """Of check points the fifth column is the sigma; a list of targets has no such one."""
+    (point,) = read_point_list(written(tmp_path, text), check=True).points
+    assert (point.name, point.coordinates) == ("P1", (1.0, 2.0, 3.0))
+    assert (point.sigma, point.plane) == (sigma, plane)
+    with pytest.raises(InputError, match="which are x, y, z is not clear"):
+        read_point_list(written(tmp_path, text))

@@ -10,7 +10,13 @@ from PySide6.QtCore import QStandardPaths
 from lispac.errors import InputError
 from lispac.installed import resource, user_folder
 from lispac.io.scanner_file import read_scanner
-from lispac.io.sensor_file import STATES, PosFigures, PosState, ScannerFigures
+from lispac.io.sensor_file import (
+    STATES,
+    PosFigures,
+    PosState,
+    ScannerFigures,
+    read_pos_figures,
+)
 from lispac.language.catalogue import catalogue_of
 from lispac.language.translation import Translator
 from lispac.project import Settings
@@ -216,3 +222,13 @@ def test_what_the_library_lacks_is_said(
     assert code == 1
     assert said in err
     assert not (tmp_path / "quay").exists()
+
+
+def test_a_pos_without_sigmas(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('title = "My INS"\n')
+    with pytest.raises(InputError) as told:
+        read_pos_figures(path)
+    assert str(told.value) == (
+        f"{path}: no sigmas are stated; write [rtk], [ppk] or [degraded] above them."
+    )

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from lispac.adjustment.stochastic import POS_ERRORS
 from lispac.io.values import Unfit
 from lispac.project import ROLES, SHAPES, Project, require_target
 
@@ -28,8 +27,6 @@ def require_consistent(project: Project) -> None:
         for sighting in target.sightings:
             if sighting.line not in lines:
                 raise Unfit(f"{target.name} is on a line {sighting.line} that is not listed")
-    if project.result is not None and project.result.model.pos_errors not in POS_ERRORS:
-        raise Unfit(f"model {project.result.model.pos_errors!r}")
     for opinion in project.opinions:
         if not opinion.is_sound():
             raise Unfit(f"the answer of {opinion.method}")

@@ -276,12 +276,24 @@ def _name_the_row(
         for column in wanted:
             as_clock = clocks and names[column] == "time"
             try:
-                (clock if as_clock else float)(fields[column])
+                (clock if as_clock else _plain_number)(fields[column])
             except ValueError:
                 raise InputError(
                     f"{path}, row {k:,}: {names[column]} is {fields[column][:40]!r}; "
                     + ("times above it are as hh:mm:ss." if as_clock else "rows must be numbers.")
                 ) from None
+
+
+def _plain_number(field: str) -> float:
+    """A number as NumPy reads it: Python also takes ``1_000`` and digits of other scripts.
+
+    Raises
+    ------
+    ValueError
+    """
+    if "_" in field or not field.isascii():
+        raise ValueError(field)
+    return float(field)
 
 
 def _require_width(

@@ -149,7 +149,8 @@ def trajectory_of(
     convergence = 0.0 * time
     if grid is None:
         latitude, longitude = values["latitude"], values["longitude"]
-        _require_on_earth(path, latitude, longitude, numbers)
+        unit = _one(path, chosen, "latitude").unit
+        _require_on_earth(path, latitude, longitude, numbers, unit)
     else:
         latitude, longitude, convergence = grid.to_geodetic(
             path, values["easting"], values["northing"]
@@ -350,7 +351,9 @@ def _times(
     )
 
 
-def _require_on_earth(path: Path, latitude: Array, longitude: Array, numbers: Numbers) -> None:
+def _require_on_earth(
+    path: Path, latitude: Array, longitude: Array, numbers: Numbers, unit: str
+) -> None:
     bad = (np.abs(latitude) > np.pi / 2) | (np.abs(longitude) > 2 * np.pi)
     if not bad.any():
         return
@@ -358,7 +361,7 @@ def _require_on_earth(path: Path, latitude: Array, longitude: Array, numbers: Nu
     lat, lon = np.degrees(latitude[row]), np.degrees(longitude[row])
     if abs(lat) <= 180 and np.abs(longitude).max() <= np.pi / 2:
         hint = "latitude and longitude may be swapped: state the columns the other way round"
-    elif abs(lat) > 90 and np.abs(np.radians(latitude)).max() <= np.pi / 2:
+    elif unit == "rad" and np.abs(np.radians(latitude)).max() <= np.pi / 2:
         hint = "they are degrees read as radians: state degrees"
     else:
         hint = "check the columns and their unit"

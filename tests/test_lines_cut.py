@@ -1,0 +1,144 @@
+"""Lines that hold fewer points than they say, or say too little, and the times of such lines."""
+
+import os
+import struct
+from collections.abc import Sequence
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io import line_times, records
+from lispac.io.formats import format_of
+from lispac.io.las_export import cloud_file, pattern_of_columns
+from lispac.io.registry import PointChunk
+from tests import point_files as files
+
+LAS = format_of("las")
+
+
+def written(path: Path, count: int, about: Sequence[float] = (0, 0, 0)) -> tuple[Path, int, int]:
+    """A LAS file of points about a place, its first byte of points, and the bytes of each."""
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = np.full(3, 1e-4), np.array(about)
+    data = laspy.LasData(header)
+    xyz = np.random.default_rng(0).normal(0, 10, (count, 3)) + about
+    data.x, data.y, data.z = xyz.T
+    data.gps_time = np.linspace(400_000, 400_100, count)
+    data.write(path)
+    with laspy.open(path) as reader:
+        return path, reader.header.offset_to_point_data, reader.header.point_format.size
+
+
+@pytest.mark.parametrize("kept", [10_000, 10_500])
+def test_a_file_cut_between_two_points_while_it_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kept: int
+) -> None:
+    """What is left is sound by itself; only the count tells."""
+    monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 1000)
+    path, start, size = written(tmp_path / "a.las", 20_000)
+    chunks = LAS.read(path, {})
+    next(chunks)
+    os.truncate(path, start + kept * size)
+    with pytest.raises(InputError) as refused:
+        list(chunks)
+    assert str(refused.value).startswith(f"{path}: ")
+    assert str(refused.value).endswith("copy or export it again.")
+
+
+def test_laz_that_was_written_to_a_stream(tmp_path: Path) -> None:
+    """Its writer could not go back, so where the table of chunks lies stands at the very end."""
+    path = files.las(tmp_path / "a.laz")
+    content = bytearray(path.read_bytes())
+    (start,) = struct.unpack_from("<I", content, 96)
+    table = content[start : start + 8]
+    content[start : start + 8] = struct.pack("<q", -1)
+    path.write_bytes(content + table)
+    (chunk,) = LAS.read(path, {})
+    np.testing.assert_allclose(chunk.xyz, files.XYZ, atol=1e-9)
+    path.write_bytes(content + struct.pack("<q", 1 << 40))
+    with pytest.raises(InputError, match="its header does not fit"):
+        list(LAS.read(path, {}))
+
+
+def test_points_too_far_from_the_others_to_be_stored(tmp_path: Path) -> None:
+    """LAS counts steps of its resolution in 32 bits from one place."""
+    path = tmp_path / "a.las"
+    points, time = np.zeros((2, 3)), np.arange(2.0)
+    pattern = pattern_of_columns(PointChunk(points, time, {}))
+    with cloud_file(path, pattern, None, np.zeros(3), compressed=False) as cloud:
+        cloud.write(cloud.records(points, time, {}))
+        points[1, 0] = 1e9
+        with pytest.raises(InputError) as refused:
+            cloud.records(points, time, {})
+    reach = 2**31 * laspy.read(path).header.scales[0]
+    assert str(refused.value) == (
+        f"a.las: points lie more than {reach:,.0f} units from the trajectory, too far to be stored "
+        "with them; clean the line."
+    )
+
+
+def test_text_that_ends_where_a_block_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(records, "LARGEST", 32)  # one point of four numbers
+    path = tmp_path / "a.ply"
+    fields = "".join(f"property double {name}\n" for name in ("x", "y", "z", "time"))
+    path.write_text(
+        f"ply\nformat ascii 1.0\nelement vertex 2\n{fields}end_header\n1 2 3 10\n", newline="\n"
+    )
+    with pytest.raises(InputError) as refused:
+        list(format_of("ply").read(path, {}))
+    assert str(refused.value) == (
+        f"{path}: the header promises 2 points, the file holds 1; copy or export it again."
+    )
+
+
+def test_a_record_of_cidco_that_does_not_hold_together(tmp_path: Path) -> None:
+    path = files.cidco(tmp_path / "line")
+    rows = np.fromfile(path).reshape(-1, 22)
+    rows[6, 0] += 500  # a point that the scanner would see from half a kilometre off
+    rows.tofile(path)
+    with pytest.raises(InputError) as refused:
+        list(format_of("cidco").read(path, {}))
+    assert str(refused.value) == (
+        f"{path}: point 7 does not hold together (distance to the POS, angles or sigmas): the file "
+        "is not CIDCO's or has another byte order; export it again."
+    )
+
+
+@pytest.mark.parametrize("most", [10, 1000])
+def test_times_of_a_line_on_the_map(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, most: int
+) -> None:
+    """Read whole in chunks, or looked at here and there: places far off are no fault there."""
+    monkeypatch.setattr(line_times, "READ_WHOLE", most)
+    monkeypatch.setattr(line_times, "BLOCK", 30)
+    monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 16)
+    path, _, _ = written(tmp_path / "a.las", 60, [350_000, 5e6, 0])
+    found = line_times.line_times(path, LAS, {"frame": "georeferenced"})
+    assert (found.start, found.end, found.count) == (400_000, 400_100, 60)
+    assert found.whole == (most > 60)
+    with pytest.raises(InputError, match="not in the scanner frame"):
+        line_times.line_times(path, LAS, {"frame": "scanner"})
+
+
+def test_a_long_line_without_a_usable_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(line_times, "READ_WHOLE", 10)
+    monkeypatch.setattr(line_times, "BLOCK", 30)
+    path = files.las(tmp_path / "a.las")
+    data = laspy.read(path)
+    data.gps_time = np.full(files.COUNT, np.nan)
+    data.write(path)
+    with pytest.raises(InputError) as refused:
+        line_times.line_times(path, LAS, {})
+    assert str(refused.value) == (
+        f"{path}: no point looked at has a usable time; export the line again."
+    )
+
+
+def test_times_of_a_line_without_a_valid_point(tmp_path: Path) -> None:
+    path = files.e57(tmp_path / "a.e57", invalid=True, none_valid_of=files.COUNT)
+    with pytest.raises(InputError) as refused:
+        line_times.line_times(path, format_of("e57"), {})
+    assert str(refused.value) == f"{path}: this line holds no points; leave it out."

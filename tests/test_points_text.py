@@ -1,0 +1,191 @@
+"""Points as text: rows that do not fit, units that names state, and what first points tell."""
+
+import gzip
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io import text_chunks
+from lispac.io.formats import format_of
+from lispac.io.points import system_of
+from lispac.io.sight import sight
+from lispac.io.text_export import write_table
+from lispac.io.text_layout import Layout, layout_of
+from lispac.io.text_table import clock, coordinates_in, last_lines
+from lispac.io.text_units import height_unit_of, unit_doubts, units_in
+from lispac.survey.crs import coordinate_system
+from tests import point_files as files
+
+TEXT = format_of("text")
+HEAD = "time x y z\n1 2 3 4\n"
+
+
+def refused(path: Path, choice: dict[str, str] | None = None) -> str:
+    with pytest.raises(InputError) as told:
+        list(TEXT.read(path, choice or {}))
+    return str(told.value).removeprefix(str(path))
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ("2 1_5 3 4", "row 3: x is '1_5'; rows must be numbers."),
+        ("2 3 \N{ARABIC-INDIC DIGIT THREE} 4",
+         "row 3: y is '\N{ARABIC-INDIC DIGIT THREE}'; rows must be numbers."),
+        ("\n# a remark\n2 3 x 4", "row 5: y is 'x'; rows must be numbers."),
+        ("\n2 3 4", "row 4: 3 columns where 4 were named (time, x, y, z); copy or export it again "
+         "where it is cut short, or name the columns the file has."),
+    ],
+)  # fmt: skip
+def test_the_row_at_fault_is_named(tmp_path: Path, rows: str, said: str) -> None:
+    """As an editor counts the rows, with those that are empty."""
+    path = tmp_path / "a.txt"
+    path.write_text(f"{HEAD}{rows}\n", encoding="utf-8")
+    assert refused(path) == f", {said}"
+
+
+def test_a_separator_by_which_no_row_has_numbers(tmp_path: Path) -> None:
+    path = files.text(tmp_path / "a.csv", head=files.CSV_HEAD)
+    choice = {"separator": "semicolon"}
+    assert refused(path, choice) == ": this line holds no points; leave it out."
+    with pytest.raises(InputError, match="this line holds no points"):
+        TEXT.look(path, choice)
+
+
+@pytest.mark.parametrize("chunk", [15, 60])
+def test_a_file_that_ends_with_a_chunk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, chunk: int
+) -> None:
+    monkeypatch.setattr(text_chunks, "CHUNK", chunk)
+    chunks = list(TEXT.read(files.text(tmp_path / "a.csv", head=files.CSV_HEAD), {}))
+    assert [len(each.time) for each in chunks] == [chunk] * (files.COUNT // chunk)
+    np.testing.assert_array_equal(np.concatenate([each.xyz for each in chunks]), files.XYZ)
+
+
+def test_a_packed_file_whose_checksum_is_wrong(tmp_path: Path) -> None:
+    content = bytearray(gzip.compress(f"{HEAD}2 3 4 5\n".encode()))
+    content[-8] ^= 1
+    path = tmp_path / "a.csv.gz"
+    path.write_bytes(content)
+    said = refused(path)
+    assert said.startswith(": cannot be read as text (CRC check failed")
+    assert said.endswith("); copy or export it again.")
+
+
+def test_an_epoch_that_is_no_year() -> None:
+    choice = TEXT.settled({"frame": "georeferenced", "crs": "EPSG:32619", "epoch": "May"})
+    with pytest.raises(InputError) as told:
+        system_of(choice)
+    assert str(told.value) == "May: not a date as a decimal year; 2024.5 for example."
+
+
+def test_units_in_the_names_of_columns() -> None:
+    lines = ["Quay of May [m]", "time,Easting[ftUS],Northing[ftUS],Height[m],ring[x]", "1,2,3,4,5"]
+    units = units_in(lines, layout_of(lines))
+    assert units == {"x": "us-ft", "y": "us-ft", "z": "m"}
+    assert units_in(lines[2:], layout_of(lines)) == {}  # the names lie above what was looked at
+    assert units_in(lines, Layout("comma", False)) == {}
+    assert height_unit_of(units, "EPSG:2229") == "metre"
+    assert height_unit_of({"z": "ft"}, "EPSG:2229") == ""
+
+
+@pytest.mark.parametrize(
+    ("units", "crs", "doubted"),
+    [
+        ({"x": "m"}, "EPSG:2229", True),
+        ({"x": "us-ft"}, "EPSG:2229", False),
+        ({"x": "ft"}, "EPSG:2229", False),  # plain feet are those of the system
+        ({"x": "m"}, "EPSG:4326", False),  # degrees: the name is of no use
+        ({"x": "m"}, "EPSG:999999", False),  # unknown, which is said elsewhere
+        ({"x": "m"}, "", False),
+        ({}, "EPSG:2229", False),
+    ],
+)
+def test_eastings_in_another_unit_than_the_systems(
+    units: dict[str, str], crs: str, doubted: bool
+) -> None:
+    doubts = unit_doubts(units, crs)
+    assert bool(doubts) == doubted
+    if doubted:
+        assert doubts == (
+            f"By the name of its column x is in metres, but {coordinate_system(crs).name} is in US "
+            "survey foot: give the code of the same system in the unit of the file, or export in "
+            "that of the system.",
+        )
+
+
+NEAR = np.random.default_rng(4).normal(0, 10, (200, 3))
+SECONDS = 5000 + np.arange(200) / 100
+
+
+@pytest.mark.parametrize(
+    ("time", "doubts"),
+    [
+        (SECONDS, ()),
+        (SECONDS.astype(np.float32),
+         ("Times are stored with 32 bits, in steps of 0.000488 s: export with 64.",)),
+        (SECONDS.astype(np.int64), ("Times are whole numbers: check their unit.",)),
+        (np.full(200, 5000.25),
+         ("All points looked at share one time: the file may hold no times.",)),
+        (SECONDS[::-1],
+         ("Times run backward 199 times in the first 200 points; points are taken in the order of "
+          "the file.",)),
+    ],
+)  # fmt: skip
+def test_doubts_about_times(time: np.ndarray, doubts: tuple[str, ...]) -> None:
+    """Near 5,000 a float of 32 bits has steps of 2**-11."""
+    assert sight(NEAR, time, crs="").doubts == doubts
+
+
+@pytest.mark.parametrize(("crs", "doubted"), [("EPSG:4326", False), ("EPSG:999999", True)])
+def test_small_coordinates_of_a_named_system(crs: str, doubted: bool) -> None:
+    """Degrees are small as a scanner's coordinates are; of an unknown system nothing is known."""
+    told = sight(NEAR, SECONDS, crs=crs)
+    assert told.frame == "georeferenced"
+    assert told.doubts == (
+        ("The file names a coordinate system, but its coordinates are small enough for the scanner "
+         "frame: check which it is.",)
+        if doubted else ()
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("12.5 -3.25 1", ("12.5", "-3.25", "1")),
+        ("12.5; \N{MINUS SIGN}3.25; 1", ("12.5", "-3.25", "1")),
+        ("12.5 -3.25", None),
+        ("T1 12.5 -3.25 1", None),
+        ("north west up", None),
+    ],
+)
+def test_three_numbers_in_one_text(text: str, found: tuple[str, str, str] | None) -> None:
+    assert coordinates_in(text) == found
+
+
+@pytest.mark.parametrize("text", ["14h03", "25:00:00", "14:60:00", "14:03:61", ""])
+def test_what_is_no_time_of_day(text: str) -> None:
+    assert clock("14:03:07.250") == 14 * 3600 + 3 * 60 + 7.25
+    with pytest.raises(ValueError, match="is not a time as hh:mm:ss"):
+        clock(text)
+
+
+def test_the_last_lines_of_a_file_that_is_gone(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_text("one\ntwo\nthree\n")
+    assert last_lines(tmp_path / "a.txt", 12) == ["two", "three"]
+    assert last_lines(tmp_path / "absent", 12) == []
+
+
+def test_a_name_that_would_fall_apart_in_csv(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    one = np.array([1.0])
+    write_table(path, ["a"], [one], [".1f"])
+    assert path.read_text() == "a\n1.0\n"
+    for names, column in ((["a,b"], one), (["a"], np.array(['L"1']))):
+        with pytest.raises(InputError) as told:
+            write_table(path, names, [column], ["s"])
+        wrong = names[0] if "," in names[0] else 'L"1'
+        assert str(told.value) == f"a.csv: {wrong} cannot stand in CSV; rename it."
+    assert path.read_text() == "a\n1.0\n"

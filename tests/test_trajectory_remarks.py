@@ -1,0 +1,198 @@
+"""Trajectories: what single values of them are refused for, and what a look at them remarks."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io import trajectory_preview
+from lispac.io.formats import format_of
+from lispac.io.trajectory_checks import require_attitude
+from lispac.io.trajectory_facts import time_doubts
+from lispac.io.trajectory_preview import accuracy_facts
+from lispac.survey.trajectory import TrajectoryAccuracy
+from tests.test_trajectory_bad_input import edited, field, good, refused
+from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
+
+ASCII, EXAIL, SBET = (format_of(key) for key in ("ascii-trajectory", "exail-text", "sbet"))
+
+
+def test_a_negative_standard_deviation_in_text(tmp_path: Path) -> None:
+    path = edited("exail-sigmas", tmp_path / "a.txt", field(3, 9, "-0.02"))
+    row = len(path.read_text().splitlines()) - 2
+    assert refused("exail-sigmas", path) == (
+        f"{path}, row {row}: a standard deviation is negative; check that this is the column of "
+        "standard deviations, or export again."
+    )
+
+
+def test_rows_with_a_date_are_in_no_time_of_the_week(tmp_path: Path) -> None:
+    path = good("exail-text", tmp_path / "a.txt")
+    assert refused("exail-text", path, {"time": "gps-week"}) == (
+        f"{path}: its rows have a date, so their times are UTC or GPS seconds, not GPS seconds of "
+        "the week; choose unix (UTC) or gps-full (GPS)."
+    )
+
+
+def test_times_that_start_again_are_counted_on(tmp_path: Path) -> None:
+    """Seconds of the day over midnight, a row each half minute."""
+    seconds = 86_000.0 + 30 * np.arange(40)
+    path = tmp_path / "a.txt"
+    path.write_text("".join(f"{s % 86_400:.1f} 45.5 -73.5 10 0 0 90\n" for s in seconds))
+    read = ASCII.read(path, {"time": "utc-day"})
+    np.testing.assert_allclose(read.time, seconds)
+    assert (
+        "times start again 1 time (midnight or end of the week) and are counted on from there"
+    ) in read.assumptions
+
+
+@pytest.mark.parametrize(
+    ("place", "hint"),
+    [
+        ("400 -73.5", "check the columns and their unit"),
+        ("95 200", "check the columns and their unit"),
+        ("-123.5 45.5", "latitude and longitude may be swapped: state the columns the other way "
+         "round"),
+    ],
+)  # fmt: skip
+def test_places_that_are_not_on_earth(tmp_path: Path, place: str, hint: str) -> None:
+    path = tmp_path / "a.txt"
+    path.write_text("".join(f"{k} {place} 10 0 0 90\n" for k in range(1000, 1010)))
+    latitude, longitude = place.split()
+    assert refused("ascii-trajectory", path) == (
+        f"{path}, row 1: latitude {latitude} and longitude {longitude} deg are not on Earth; "
+        f"{hint}."
+    )
+
+
+@pytest.mark.parametrize(
+    ("latitude", "unit", "hint"),
+    [
+        (100.0, "degrees", "check the unit and that this is SBET"),
+        (100.0, "radians", "these look like degrees: choose the unit degrees"),
+        (500.0, "radians", "it may be of another byte order or another format: export it again"),
+    ],
+)
+def test_latitudes_of_an_sbet_that_cannot_be(
+    tmp_path: Path, latitude: float, unit: str, hint: str
+) -> None:
+    records = vessel(200)
+    records[:, 1] = latitude
+    path = write_records(tmp_path / "a.sbet", records)
+    told = refused("sbet", path, {"unit": unit})
+    assert f"latitude or longitude is out of range for {unit} from SBET record 1" in told
+    assert hint in told
+
+
+def test_a_heading_far_beyond_a_circle_has_to_have_got_there() -> None:
+    """By turning for more than a moment: one second tells nothing of how it went on."""
+    heading = np.linspace(12.5, 12.6, 11)
+    level = np.zeros(11)
+    require_attitude(Path("a"), np.arange(11.0), (level, level, heading))
+    with pytest.raises(InputError) as told:
+        require_attitude(Path("a"), np.arange(11) / 10, (level, level, heading))
+    first = int(np.argmax(heading > 4 * np.pi))
+    assert str(told.value) == (
+        f"a, record {first + 1}: roll, pitch, heading 0, 0, {np.degrees(heading[first]):.6g} deg "
+        "cannot be; state degrees where radians were taken, or check the columns."
+    )
+
+
+def test_times_against_the_base_that_is_stated() -> None:
+    time = 486_000 + np.arange(200) / 50
+    assert time_doubts(time, "gps-week") == ()
+    assert time_doubts(time, "utc-day")[0].startswith(
+        "The times cannot be utc-day; by their values they are GPS seconds of the week or "
+    )
+    assert time_doubts(time + 1e10, "gps-week") == (
+        f"Times from {time[0] + 1e10:.6g} to {time[-1] + 1e10:.6g} s fit no known time base; check "
+        "which column or record is the time.",
+    )
+
+
+def test_a_heading_across_the_course_is_doubted(tmp_path: Path) -> None:
+    """The bow of this vessel points two degrees to starboard of its course."""
+    records = vessel()
+    assert not SBET.look(write_records(tmp_path / "a.sbet", records), {}).doubts
+    records[:, 9] += np.radians(80)
+    assert (
+        "Heading and course over ground differ by 82 deg in the middle; check the heading, its "
+        "unit and its sense."
+    ) in SBET.look(write_records(tmp_path / "a.sbet", records), {}).doubts
+
+
+@pytest.mark.parametrize(
+    ("position", "attitude_deg", "doubts"),
+    [
+        (0.02, 0.01, ()),
+        (0.0, 0.01, ("Standard deviations are all zero; the file holds no accuracy.",)),
+        (0.02, 0.0, ("Standard deviations are all zero; the file holds no accuracy.",)),
+        (0.02, 2.0, ("Standard deviations are large (in the middle 0.02 m and 2 deg); check their "
+                     "unit.",)),
+        (200.0, 0.01, ("Standard deviations are large (in the middle 200 m and 0.01 deg); check "
+                       "their unit.",)),
+    ],
+)  # fmt: skip
+def test_standard_deviations_that_are_doubted(
+    position: float, attitude_deg: float, doubts: tuple[str, ...]
+) -> None:
+    sigmas = np.full((5, 3), position), np.full((5, 3), np.radians(attitude_deg))
+    assert accuracy_facts(TrajectoryAccuracy(np.arange(5.0), *sigmas))[1] == doubts
+
+
+def test_remarks_at_the_end_of_text_are_no_rows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trajectory_preview, "HEAD_ROWS", 50)
+    path = good("exail-text", tmp_path / "a.txt")
+    plain = EXAIL.look(path, {})
+    with path.open("a") as file:
+        file.write("# end of the export\n\n")
+    found = EXAIL.look(path, {})
+    assert found.facts["End"] == plain.facts["End"]
+    assert found.doubts == plain.doubts
+    assert len(EXAIL.read(path, found.choice).time) == 200
+
+
+def test_an_altitude_above_the_ellipsoid_is_a_height(tmp_path: Path) -> None:
+    """Both kinds are called altitude; only the description tells them apart."""
+    records = vessel(200)
+    path = write_delph(tmp_path / "a.txt", records)
+    text = path.read_text().replace("ellipsoidHeight", "altitude")
+    at_sea = []
+    for words in ("Altitude above the ellipsoid, meter", "Altitude above mean sea, meter"):
+        path.write_text(text.replace("Height, meter positive upward", words, 1))
+        found = EXAIL.look(path, {})
+        read = EXAIL.read(path, found.choice)
+        at_sea.append(any("heights are above sea level" in words for words in read.assumptions))
+        np.testing.assert_allclose(read.height, records[:, 3], atol=1e-4)
+    assert at_sea == [False, True]
+
+
+def test_times_of_day_without_a_date_are_utc(tmp_path: Path) -> None:
+    path = write_delph(tmp_path / "a.txt", vessel(200))
+    path.write_text(
+        path.read_text().replace("#date\ttime", "#time").replace("2023/06/27\t", "")
+    )  # fmt: skip
+    found = EXAIL.look(path, {})
+    assert found.choice["time"] == "utc-day"
+    np.testing.assert_allclose(
+        EXAIL.read(path, found.choice).time, 14 * 3600 + np.arange(200) / 50, atol=1e-4
+    )
+
+
+def test_words_among_the_rows_of_pospac(tmp_path: Path) -> None:
+    """A line of the header that begins as the names do is not taken for them."""
+    records = vessel(200)
+    path = write_pospac(tmp_path / "a.txt", records)
+    text = path.read_text()
+    path.write_text(text.replace(" Parameter setup:", " TIME, place, weather, crew, mood: fine"))
+    read = format_of("pospac-text").read(path, {})
+    np.testing.assert_allclose(read.time, records[:, 0], atol=1e-5)
+    path.write_text(f"{text}End of the export, of 200 rows\n")
+    row = len(text.splitlines()) + 1
+    assert refused("pospac-text", path) == (
+        f"{path}, row {row}: 'End of the export, of 200 rows' is not a row of numbers; export the "
+        "file again."
+    )
