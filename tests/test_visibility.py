@@ -375,3 +375,14 @@ def test_figures_hold_all_lines_and_can_be_drawn_again(
     values = CRITERIA[criterion].values(terrestrial)[TERRESTRIAL.errors.index("pitch")]
     for line, expected in zip(drawn, values, strict=True):
         assert np.array_equal(line.get_ydata(), expected, equal_nan=True)
+
+
+def test_what_no_inclination_keeps_is_told_by_the_thesis_alone(terrestrial: Visibility) -> None:
+    blind = replace(terrestrial, type_one=0 * terrestrial.type_one)
+    assert blind.kept("pitch") == ()
+    assert blind.best("pitch").inclination is None
+    (axes,) = visibility_figure(blind, "pitch", "orthogonal-distance").axes
+    assert not axes.patches, "nothing is shaded"
+    (pitch,) = (each for each in compared_with_thesis(blind) if each.best.error == "pitch")
+    assert not pitch.inclination_agrees
+    assert pitch.reason.count(" mm and ") == 1
