@@ -9,6 +9,7 @@ import pytest
 
 from lispac.io.project_file import write_project
 from lispac.project import Project
+from lispac.workflow.repeating import remarks_on
 from lispac.workflow.same_lines import shared_lines
 from tests.report_sample import sample_project, with_lines_of_its_own
 from tests.test_cli import answer, refused, run
@@ -121,3 +122,19 @@ def test_the_nearest_point_knows_no_radius(
     code, _, error = run(capsys, "validate", tmp_path, "--distance-to", "point", "--radius", "1")
     assert code == 2
     assert "knows no --radius" in error
+
+
+def test_what_makes_two_answers_hard_to_compare_is_told(tmp_path: Path) -> None:
+    first, second = (sample_project(tmp_path / name) for name in ("a", "b"))
+    assert remarks_on(("a", "b"), (first, second)) == []  # the same lines: told elsewhere
+    settings = replace(first.settings, pos_errors="independent", lever_arm=(0.0, 0.0, 1.0))
+    other = replace(second, settings=settings, lines=second.lines[:2])
+    first.lines[0].path.unlink()
+    changed = replace(first, lines=first.lines[:3])
+    told = remarks_on(("a", "b"), (changed, other))
+    assert told == [
+        "b rests on 1 of the lines of a: the two are not independent. They agree better than two "
+        "surveys would, and are less certain together than it is said.",
+        "b has another lever arm than a: part of the difference may come from it.",
+        "b and a have different models of the POS errors: their sigmas are not of one kind.",
+    ]

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.simulation.scene import Sphere
 from lispac.workflow.planned import is_plan, simulation_of_plan
 from lispac.workflow.projects import open_project
 from tests.test_cli import answer, refused, run
@@ -54,3 +55,16 @@ def test_what_is_no_plan_is_told(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert "no vessel named" in refused(
         capsys, "simulate", PORT, "--output", tmp_path / "a", "--vessel", "raft"
     )
+
+
+def test_a_planned_ball_is_sailed_past_as_a_ball(tmp_path: Path) -> None:
+    """At the place, seen from the water, that a board of these numbers would have."""
+    ball = '[[balls]]\nname = "B1"\nalong_m = 1.1\noff_m = 0.62\nup_m = 6.4\nradius_m = 0.145\n'
+    path = tmp_path / "plan.toml"
+    path.write_text(PORT.read_text().replace("[[lines]]", f"{ball}[[lines]]", 1))
+    setup = simulation_of_plan(path).setup
+    assert setup.targets == ("T1", "T2", "B1")
+    found = setup.scene["B1"]
+    assert isinstance(found, Sphere)
+    assert found.radius == 0.145
+    assert found.centre == pytest.approx(setup.scene["T2"].centre)

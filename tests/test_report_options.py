@@ -342,3 +342,19 @@ def test_the_command_takes_page_convention_and_template(
     data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
     assert data["calibrated"] is False  # the demo as it is made: nothing is estimated
     assert data["in_convention"] is None
+
+
+def test_a_logo_is_told_by_what_is_in_it(template: Path, tmp_path: Path) -> None:
+    """A PNG begins as one; its name alone does not make a picture."""
+    logo = tmp_path / "art" / "logo.png"
+    logo.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(40))
+    template.write_text(
+        template.read_text(encoding="utf-8").replace("logo.svg", "logo.png"), "utf-8"
+    )
+    assert report_options(template).logo == logo
+    logo.write_bytes(LOGO)
+    with pytest.raises(InputError) as refusal:
+        report_options(template)
+    assert str(refusal.value).endswith(
+        f"{logo}: a logo is a PNG or SVG picture; this file is neither."
+    )

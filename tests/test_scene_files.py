@@ -1,17 +1,18 @@
 """Scenes, vessels and scanners from TOML: those supplied are sound, and mistakes are told."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from lispac.errors import InputError
+from lispac.errors import InputError, ProjectError
 from lispac.installed import resource
 from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import read_scene
 from lispac.io.vessel_file import read_vessel
-from lispac.simulation.pos_error_models import GnssOutage, Jumps, Together, WhiteNoise
-from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.simulation.pos_error_models import GnssOutage, Jumps, PosErrors, Together, WhiteNoise
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.simulation.scanner import Scanner
 from lispac.simulation.scene import Cylinder, Rectangle, tilted
 from lispac.simulation.survey import (
@@ -23,6 +24,7 @@ from lispac.simulation.survey import (
     simulated,
 )
 from lispac.simulation.vessel import LAUNCH
+from lispac.workflow.simulate import _settings, require_replaceable
 from lispac.workflow.simulated_setup import KINDS, simulation, supplied
 from tests.test_meshes import as_mesh, write_mesh
 
@@ -51,6 +53,7 @@ height_m = 1
 facing_deg = 270
 """
 LINE = SCENE[SCENE.index("[[lines]]") : SCENE.index("[[surfaces]]")]
+WHITE = WhiteNoise((0.01, 0.01, 0.01), (0.001, 0.001, 0.001))
 VESSEL = resource("vessels") / "launch.toml"
 SCANNER = resource("scanners") / "profiler.toml"
 
@@ -259,3 +262,51 @@ def test_mistakes_in_a_vessel_are_told(old: str, new: str, said: str, tmp_path: 
 def test_mistakes_in_a_scanner_are_told(old: str, new: str, said: str, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=said):
         read_scanner(edited(tmp_path, SCANNER.read_text(), old, new))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            SCENE.replace(LINE, '[[lines]]\nstart_s = 10\nstop_s = 20\nside = "port"\n'),
+            "its lines have start_s, so a recorded trajectory is needed; give --trajectory, or "
+            "trajectory in the scene.",
+        ),
+        (
+            SCENE.replace("[origin]\nlatitude_deg = 46\nlongitude_deg = -71\nheight_m = 0\n", ""),
+            "[origin] is missing; say where the scene lies.",
+        ),
+    ],
+)
+def test_a_scene_that_cannot_be_sailed_is_refused(text: str, said: str, tmp_path: Path) -> None:
+    path = edited(tmp_path, text, "title", "title")
+    with pytest.raises(InputError) as told:
+        simulation(str(path))
+    assert str(told.value) == f"{path}: {said}"
+
+
+@pytest.mark.parametrize(
+    ("pos", "times"),
+    [
+        (PosErrorModel((0.1, 0.1, 0.1), (0.1, 0.1, 0.1), 120.0, 240.0), (120.0, 240.0)),
+        (WHITE, (300.0, 600.0)),
+        (Together((WHITE, PosErrorModel((0.1,) * 3, (0.1,) * 3, 90.0, 80.0))), (90.0, 80.0)),
+        (Together((WHITE, WHITE)), (300.0, 600.0)),
+    ],
+)
+def test_the_surveyor_knows_the_correlation_times_where_there_are_any(
+    pos: PosErrors, times: tuple[float, float], tmp_path: Path
+) -> None:
+    """Of errors that are not correlated in time the usual ones are stated."""
+    made = simulation(str(edited(tmp_path, SCENE, "title", "title")))
+    settings = _settings(replace(made, setup=replace(made.setup, pos=pos)))
+    assert (settings.position_time, settings.attitude_time) == times
+    assert settings.lever_arm == LEVER_ARM
+
+
+def test_a_file_is_no_folder_for_a_survey(tmp_path: Path) -> None:
+    path = tmp_path / "notes.txt"
+    path.write_text("mine")
+    with pytest.raises(ProjectError) as told:
+        require_replaceable(path, "simulated")
+    assert str(told.value) == f"{path}: this is a file; choose a folder for the simulated survey."

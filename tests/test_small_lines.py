@@ -10,6 +10,7 @@ import pytest
 from lispac.errors import InputError, ProjectError
 from lispac.io.registry import PointChunk
 from lispac.project import LineSource, Project, Reading, Settings
+from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import _from, _usable, import_line
 from lispac.workflow.projects import (
     create_project,
@@ -19,7 +20,7 @@ from lispac.workflow.projects import (
 )
 from lispac.workflow.reading import local_trajectory, settled, usual_or_settled
 from lispac.workflow.survey import load_survey
-from tests.intake_files import LEVER, START, write_line, write_survey
+from tests.intake_files import LEVER, START, fan, write_line, write_survey
 from tests.trajectory_files import write_records
 
 
@@ -178,3 +179,40 @@ def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project
     assert dict(shown) == dict(survey.clouds)
     with pytest.raises(ProjectError, match="there is no estimated boresight yet; estimate first"):
         survey.shown(project, "estimated")
+
+
+# -- writing --------------------------------------------------------------------------------------
+
+
+def test_a_table_with_named_columns_is_written_as_the_line_it_is(
+    project: Project, folder: Path, tmp_path: Path
+) -> None:
+    """As the same points in LAS are, to the rounding of the two files."""
+    times, points = START + np.linspace(2, 12, 300), fan(300)
+    table = folder / "table.txt"
+    np.savetxt(table, np.column_stack([points[:, 2], times, points[:, :2]]), fmt="%.6f")
+    las = write_line(folder / "las.las", times, points)
+    lines = (LineSource("table", table, ("Z", " time", "x", "y")), LineSource("las", las))
+    both = replace(project, lines=lines)
+    written = georeference_project(both, tmp_path / "out", "prior", system="local", ending="las")
+    assert [(each.points, each.outside) for each in written] == [(300, 0), (300, 0)]
+    one, other = (laspy.read(each.path) for each in written)
+    np.testing.assert_allclose(one.xyz, other.xyz, atol=3e-4)
+    np.testing.assert_allclose(one.gps_time, other.gps_time, atol=1e-6)
+
+
+@pytest.mark.parametrize("there", [False, True])
+def test_what_cannot_be_written_leaves_no_folder_of_its_own(
+    project: Project, folder: Path, tmp_path: Path, there: bool
+) -> None:
+    """A line of another day is refused; a folder that was there before stays."""
+    late = write_line(folder / "late.las", START + 9000 + np.linspace(0, 1, 50))
+    lines = (LineSource("late", late),)
+    out = tmp_path / "new" / "out"
+    if there:
+        out.mkdir(parents=True)
+    with pytest.raises(InputError, match="none of its 50 points lies within the trajectory"):
+        georeference_project(
+            replace(project, lines=lines), out, "prior", system="local", ending="las"
+        )
+    assert out.exists() == there

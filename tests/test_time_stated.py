@@ -209,3 +209,33 @@ def test_the_dialogue_offers_the_shift_that_brings_in_more(track, tmp_path) -> N
     covered = mended.coverage(named(mended, "early.las"))
     assert covered is not None
     assert covered.outside == 0
+
+
+def test_beside_a_line_that_is_stated_the_others_stay_as_they_are(track, tmp_path) -> None:
+    utc, own = write_points(tmp_path / "utc.las", -18), write_points(tmp_path / "own.las", 0)
+    lines = [LineSource("utc", utc, reading=Reading("", UTC_WEEK)), LineSource("own", own)]
+    project, survey = new_project(
+        tmp_path / "p", trajectory=track, lines=lines, settings=Settings(lever_arm=LEVER)
+    )
+    assert [line.reading.time_shift for line in project.lines] == [pytest.approx(18.0), 0.0]
+    assert survey.scans["own"].time.min() == pytest.approx(START + 30)
+    assert not any(note.startswith("own.las: ") and "added" in note for note in survey.notes)
+
+
+def test_a_typed_shift_holds_where_the_bases_lead_nowhere(track, tmp_path) -> None:
+    """The clock of the line was wrong besides, and its user knows by how much."""
+    line = write_points(tmp_path / "L.las", 50_000)
+    project, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK, -50_000.0))
+    assert survey.scans["L"].time.min() == pytest.approx(START + 30)
+    assert project.lines[0].reading.time_shift == -50_000.0
+
+
+def test_of_a_typed_shift_it_is_not_said_that_the_base_is_not_told(tmp_path) -> None:
+    track = write_track(tmp_path / "utc.sbet", -18)
+    rows = np.column_stack([START + np.linspace(30, 60, 500), np.ones((500, 3)) * 5])
+    path = tmp_path / "L.txt"
+    np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
+    stated = Reading("", (("time", "utc-week"),))
+    _, survey = made(tmp_path / "p", track, path, Reading("", (), -18.0), stated)
+    assert survey.scans["L"].time.min() == pytest.approx(START + 12)
+    assert "does not say what its times count" not in " ".join(survey.notes)

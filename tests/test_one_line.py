@@ -1,0 +1,181 @@
+"""Targets sought, cut, compared and accepted line by line, on a few passes."""
+
+from dataclasses import replace
+from math import radians
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.result import ANGLES
+from lispac.design.choices import thesis_plan
+from lispac.design.site import Site, Wall
+from lispac.errors import AdjustmentError, NotComparable, ProjectError
+from lispac.io.plan_file import TitledPlan
+from lispac.targets.expected import ExpectedTarget
+from lispac.workflow.accepting import not_picked, with_accepted
+from lispac.workflow.calibration import check
+from lispac.workflow.patch_test import propose
+from lispac.workflow.picking import find, pick
+from lispac.workflow.proposing import Proposal
+from lispac.workflow.replay import LEFT_OPEN, replay
+from lispac.workflow.sections import cut_target
+from lispac.workflow.survey import Survey
+from lispac.workflow.validation import validate
+from tests.few_passes import answered, on_board, picked
+
+
+def only(survey: Survey, *lines: str) -> Survey:
+    """The survey with some of its lines."""
+    return replace(
+        survey,
+        scans={name: survey.scans[name] for name in lines},
+        clouds={name: survey.clouds[name] for name in lines},
+        heading={name: survey.heading[name] for name in lines},
+    )
+
+
+def test_what_is_expected_of_a_target_is_kept_with_its_other_lines() -> None:
+    project, survey = picked()
+    before = project.target("T2")
+    seed = survey.clouds["L2"][before.sightings[1].indices].mean(axis=0)
+    expected = ExpectedTarget(1.23, 1.0, radians(45.0))
+    edited = pick(project, survey, seed, name="T2", line="L2", expected=expected)
+    after = edited.target("T2")
+    assert after.expected == expected
+    assert after.seed == before.seed
+    assert [each.line for each in after.sightings] == ["L1", "L2", "L3"]
+    assert after.sightings[0] is before.sightings[0]
+    assert after.sightings[2] is before.sightings[2]
+    # Where nothing is said of it the next time, it is kept.
+    assert pick(edited, survey, seed, name="T2", line="L2").target("T2").expected == expected
+
+
+def test_of_radii_that_no_second_line_answers_to_the_smallest_is_kept() -> None:
+    """Of a validation plane 4, 10 and 20 m are tried."""
+    project, survey = picked()
+    alone = only(survey, "L1")
+    place = on_board("T1", 0.0, 0.0)
+    found = find(replace(project, targets=()), alone, place, name="V1", role="validation")
+    assert found.radius == 4.0
+    assert [each.line for each in found.sightings] == ["L1"]
+
+
+def test_a_section_of_a_ball_does_not_say_how_far_lines_are_apart() -> None:
+    """Along which direction that would be is not known of it, as it is of a plane."""
+    project, survey = answered()
+    for cut in cut_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
+        assert cut.apart is not None
+    ball = replace(project.target("T1"), shape="sphere")
+    round_one = replace(project, targets=(ball,))
+    for cut in cut_target(round_one, survey, "T1", level=True, size=2.0, thickness=0.2):
+        assert cut.apart is None
+
+
+def test_planes_on_single_lines_are_each_refused_with_their_reason() -> None:
+    project, survey = answered()
+    planes = tuple(
+        replace(each, role="validation", sightings=each.sightings[:1]) for each in project.targets
+    )
+    with pytest.raises(NotComparable) as caught:
+        validate(replace(project, targets=planes), survey)
+    for name in ("T1", "T2"):
+        assert name in str(caught.value)
+
+
+def test_one_line_shares_no_objects() -> None:
+    project, survey = picked()
+    with pytest.raises(AdjustmentError) as caught:
+        propose(project, only(survey, "L2"))
+    assert str(caught.value) == (
+        "site: one line meets nothing; add lines in other directions over the same scene."
+    )
+
+
+def test_lines_in_the_clouds_share_no_objects() -> None:
+    """As over water: points of each line anywhere, and none beside those of another."""
+    project, survey = picked()
+    rng = np.random.default_rng(4)
+    scans = {
+        name: replace(scan, points_lidar=rng.uniform(-15, 15, scan.points_lidar.shape))
+        for name, scan in survey.scans.items()
+    }
+    clouds = {
+        name: type(cloud).of(scans[name], survey.trajectory, project.mounting("prior"))
+        for name, cloud in survey.clouds.items()
+    }
+    with pytest.raises(AdjustmentError) as caught:
+        propose(project, replace(survey, scans=scans, clouds=clouds))
+    assert str(caught.value) == (
+        "site: the lines share no flat surface; lay boxes about objects that two lines see."
+    )
+
+
+def test_an_answer_that_says_nothing_of_what_is_seen_gets_no_advice() -> None:
+    project, survey = answered()
+    assert project.result is not None
+    bare = project.with_result(replace(project.result, observability=None))
+    advised = check(bare, bare, survey, cross_check=False)
+    assert advised.result is bare.result
+    told = check(project, project, survey, cross_check=False)
+    assert told.result is not None
+    assert told.result.observability is not None
+    assert project.result.observability is not None
+    more = len(told.result.observability.sentences) - len(project.result.observability.sentences)
+    assert more in (0, 1)
+
+
+def test_what_is_picked_already_is_not_proposed_again() -> None:
+    """The same boards found another time: those for the adjustment are named."""
+    project, survey = picked()
+    seeds = {each.name: on_board(each.name, 0.0, 0.0) for each in project.targets}
+    found = tuple(
+        find(project, survey, seed, name=f"{name[0]}{9 - k}")
+        for k, (name, seed) in enumerate(seeds.items())
+    )
+    plane = replace(found[1], role="validation")
+    reasons = {each.name: "Seen on 3 lines." for each in found}
+    proposal = Proposal((found[0], plane), reasons, np.zeros(3))
+    left = not_picked(project, proposal)
+    assert (left.targets, left.picked) == ((), ("T1",))
+    bare = replace(project, targets=project.targets[:1])
+    left = not_picked(bare, proposal)
+    assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
+    assert left.reasons == {"V1": "Seen on 3 lines."}
+    accepted, names = with_accepted(bare, left, ["V1", "no such name"])
+    assert names == ("V1",)
+    assert [each.name for each in accepted.targets] == ["T1", "V1"]
+
+
+@pytest.fixture
+def planned() -> TitledPlan:
+    """Boards T1 and T2 at the quay of the passes, and six lines past it."""
+    wall = Wall((0.0, -15.0, 7.5), 270.0)
+    plan = thesis_plan(Site(wall.middle, 270.0))
+    named = [replace(each, name=f"T{k}") for k, each in enumerate(plan.targets, start=1)]
+    return TitledPlan("Quay", plan.with_targets(named), wall)
+
+
+def test_a_plan_is_compared_with_an_answer_only(planned: TitledPlan) -> None:
+    with pytest.raises(ProjectError) as caught:
+        replay(*picked(), planned)
+    assert str(caught.value) == "site has no result yet; estimate the boresight first."
+
+
+def test_what_was_sailed_of_a_plan_may_leave_the_boresight_open(planned: TitledPlan) -> None:
+    """One board and two opposite lines: what is missing is said, and what it would have done."""
+    project, survey = answered()
+    one = project.target("T1")
+    few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))
+    found = replay(few, only(survey, "L1", "L2"), planned)
+    assert not np.isfinite(found.sailed).all()
+    assert found.words[0] == LEFT_OPEN
+    assert found.missing_targets == ("T2",)
+    assert len(found.missing_lines) == 4
+    assert len(found.costs) == 5
+    assert all(" was not sailed; " in words for words in found.costs[:4])
+    assert found.costs[4].startswith("Target T2 was not used; ")
+    assert {words.split("; ")[1] for words in found.costs} <= {
+        "with it the boresight would be determined.", "more is missing.",
+    }  # fmt: skip
+    assert len(ANGLES) == len(found.rows[1]) - 1
+    assert "–" in found.rows[1]
