@@ -7585,8 +7585,8 @@ m/s</translation>
         <translation>Aucune fiche technique sous la main ; POSPac, antennes à 2 m l&apos;une de l&apos;autre, la base à 10 km</translation>
     </message>
     <message>
-        <source>No data sheet at hand; antennas 2 m apart, the base 10 km away</source>
-        <translation>Aucune fiche technique sous la main ; antennes à 2 m l&apos;une de l&apos;autre, la base à 10 km</translation>
+        <source>Heading: POS MV V4 User Guide (2009), page 1-8, antennas 2 m apart; the rest without a data sheet, the base 10 km away</source>
+        <translation>Cap : POS MV V4 User Guide (2009), page 1-8, antennes à 2 m l&apos;une de l&apos;autre ; le reste sans fiche technique, la base à 10 km</translation>
     </message>
     <message>
         <source>No data sheet at hand; precision, and the resolution of the angle, taken for its sigma</source>
