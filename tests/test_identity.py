@@ -17,7 +17,7 @@ from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.project import LineSource, Reading
+from lispac.project import LineSource, Project, Reading
 from lispac.report.document import document_of
 from lispac.report.html import html_text
 from lispac.report.pdf import write_pdf
@@ -194,6 +194,19 @@ def test_auto_refuses_where_the_times_do_not_tell(
 ) -> None:
     assert main(["identity", str(demo_folder), "--dates", "auto"]) == 1
     assert "do not tell the date; type it" in capsys.readouterr().err
+
+
+def test_auto_takes_the_days_that_the_times_tell(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    noon = _adjusted(2026, 3, 4, 12)
+    line = _line(tmp_path / "one.las", [noon, noon + 60], absolute=True)
+    sample = sample_project(tmp_path / "p")
+    write_project(Project(sample.folder, sample.trajectory, (line,), sample.settings))
+    code, out, err = run(capsys, "identity", tmp_path / "p", "--dates", "auto")
+    assert (code, err) == (0, "")
+    assert "Survey dates             2026-03-04\n" in out
+    assert read_project(tmp_path / "p").identity.dates == "2026-03-04"
 
 
 def test_dates_without_a_day_are_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

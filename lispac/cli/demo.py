@@ -22,15 +22,16 @@ def demo(arguments: Namespace) -> None:
         report = project.folder / "report.pdf"
         write_report(project, survey, report)
         write_report(project, survey, report.with_suffix(".html"))
+    truth_deg = project.truth_deg
+    assert truth_deg is not None  # the survey is simulated
     if arguments.json:
-        truth = dict(zip(ANGLES, project.truth_deg or (), strict=True))
+        truth = dict(zip(ANGLES, truth_deg, strict=True))
         print_json(project_numbers(project) | {"truth_deg": truth, "rms_truth_m": true}
                     | {"report": str(report), "project": str(project.folder)})  # fmt: skip
     else:
         assert project.result is not None
         print_result(project.result, project.cross_checks, doubles(project))
-        if project.truth_deg is not None:
-            print("truth      " + "".join(f"{angle:+12.4f}" for angle in project.truth_deg))
+        print("truth      " + "".join(f"{angle:+12.4f}" for angle in truth_deg))
         print_validation(project, true)
         print(f"project    {project.folder}")
         print(f"report     {report}")

@@ -1,0 +1,308 @@
+"""What commands say of answers that are there already: tables, notes and what is left out."""
+
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from lispac.cli import budget, demo, design, subsample, visibility
+from lispac.cli.pick import notes_on
+from lispac.cli.qualities import print_doubtful
+from lispac.cli.validate import print_validation
+from lispac.installed import resource, window_command
+from lispac.io.plan_file import read_plan
+from lispac.io.plane_file import write_plane_file
+from lispac.io.project_file import write_project
+from lispac.picks import Target
+from lispac.report.budget_values import BeamErrors, Budget, ErrorSource, PointError
+from lispac.simulation.thesis_site import MARINE
+from lispac.survey.conventions.words import THESIS_MODE
+from lispac.survey.georeferencing import Mounting
+from lispac.targets.quality import SightingQuality
+from lispac.workflow import sensors
+from lispac.workflow.subsampling import Subsampled
+from tests.report_sample import sample_project
+from tests.surveys import TARGETS, planar_survey
+from tests.test_cli import answer, run
+
+
+def told(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
+    """What a command that goes well prints, and what it notes."""
+    code, out, err = run(capsys, *words)
+    assert code == 0, err
+    return out, err
+
+
+def quality(light: str, *reasons: str) -> SightingQuality:
+    return SightingQuality(
+        500, 0.003, 15.0, 900.0, 0.3, np.ones(2), 0.9, 0.0, False, 0.0, light, reasons  # type: ignore[arg-type]
+    )  # fmt: skip
+
+
+def test_only_what_is_less_than_good_is_listed_the_poor_first(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    found = {
+        ("T1", "L1"): quality("good"),
+        ("T1", "L2"): quality("doubtful", "It has only 48 points."),
+        ("T2", "L1"): quality("poor", "It is bent."),
+    }
+    print_doubtful(found)
+    assert capsys.readouterr().out.splitlines() == [
+        "", "Sightings that are less than good:", "- T2 on L1: Poor. It is bent.",
+        "- T1 on L2: Doubtful. It has only 48 points.",
+    ]  # fmt: skip
+    print_doubtful({("T1", "L1"): quality("good")})
+    assert capsys.readouterr().out == ""
+
+
+def test_planes_that_were_not_compared_are_told_with_the_reason(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    project = replace(sample_project(tmp_path), not_compared={"V4": "V4: seen on one line."})
+    print_validation(project, {"V1": 0.0123})
+    rows = capsys.readouterr().out.splitlines()
+    assert rows[0].split()[-6:] == ["with", "truth", "mm,", "line", "to", "line"]
+    one, two = (row.split() for row in rows[1:3])
+    assert (one[0], one[-1]) == ("V1", "12.3")
+    assert (two[0], len(two)) == ("V2", len(one) - 1), "no truth is known of it"
+    assert "not compared: V4: seen on one line." in rows
+
+
+@pytest.mark.parametrize(
+    ("asked", "radius", "notes"),
+    [
+        (None, 1.0, ()),
+        (None, 3.0, ("T1: fewer than two lines have a plane within 2 m of the seed; sought "
+                     "within 3 m",)),
+        (3.0, 3.0, ()),
+    ],
+)  # fmt: skip
+def test_that_a_target_was_sought_farther_off_is_noted(
+    asked: float | None, radius: float, notes: tuple[str, ...]
+) -> None:
+    assert notes_on(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), asked) == notes
+
+
+def one_line(path: Path) -> Path:
+    """A plan of one line only, which determines nothing."""
+    text = (Path(__file__).parent / "data" / "port-plan.toml").read_text()
+    path.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
+    return path
+
+
+def test_what_a_plan_leaves_open_has_no_number(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    plan = one_line(tmp_path / "plan.toml")
+    out, _ = told(capsys, "predict", plan)
+    assert "This plan does not determine the boresight" in out
+    assert "sigma      " not in out
+    assert "correlation" not in out
+    assert "without" in out
+
+
+def test_the_first_days_of_a_project_have_no_identity(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    project = sample_project(tmp_path / "p")
+    write_project(project)
+    before = (project.folder / "project.json").read_bytes()
+    out, err = told(capsys, "identity", project.folder)
+    assert {row.split()[-1] for row in out.splitlines()} == {"-"}
+    assert err == ""
+    assert (project.folder / "project.json").read_bytes() == before, "nothing is written"
+    out, _ = told(capsys, "identity", project.folder, "--remarks", "First.\nSecond.")
+    first, second = out.splitlines()[-2:]
+    assert first.split() == ["Remarks", "First."]
+    assert second == second.strip().rjust(len(second))
+    assert second.index("Second.") == first.index("First.")
+
+
+def test_files_found_beside_a_project_that_was_moved_are_told(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    raw = tmp_path / "raw"
+    project = replace(sample_project(raw), folder=tmp_path / "home")
+    write_project(project)
+    raw.rename(project.folder / "raw")
+    out, err = told(capsys, "locate", project.folder, tmp_path)
+    rows = out.splitlines()
+    assert len(rows) == 8, "a trajectory, its accuracy and six lines"
+    assert all(str(project.folder / "raw") in row for row in rows)
+    assert err == ""
+    assert told(capsys, "locate", project.folder, tmp_path)[0] == "No file is missing.\n"
+
+
+def test_a_sensor_of_ones_own_that_cannot_be_read_is_noted(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sensors, "user_folder", lambda: tmp_path)
+    damaged = tmp_path / "sensors" / "scanners" / "mine.toml"
+    damaged.parent.mkdir(parents=True)
+    damaged.write_text("title = ")
+    out, err = told(capsys, "sensors")
+    assert err.startswith(f"note: {damaged}: ")
+    assert "mine" not in out.replace(str(tmp_path), "")
+    assert "Z+F PROFILER 9012" in out
+
+
+def test_plane_files_are_adjusted_and_told(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    true = Mounting(np.array([0.1, -0.2, 0.3]), np.radians([0.27, -1.14, 0.36]))
+    observations = planar_survey(true, points=40)
+    files = [tmp_path / f"{name}.txt" for name in ("T1", "T2")]
+    nowhere = np.zeros_like(observations.points_lidar)  # what was georeferenced is not read
+    for path in files:
+        centre, normal = TARGETS[path.stem]
+        plane = np.append(normal, -normal @ centre)
+        write_plane_file(path, observations, path.stem, nowhere, plane)
+    words = ("estimate", "--planes", *files, "--lever-arm", 0.1, -0.2, 0.3, "--no-cross-checks")
+    out, _ = told(capsys, *words)
+    numbers = answer(capsys, *words)
+    (row,) = (row.split() for row in out.splitlines() if row.startswith("boresight "))
+    np.testing.assert_allclose([float(word) for word in row[1:]], [0.27, -1.14, 0.36], atol=1e-4)
+    assert list(numbers["boresight_deg"].values()) == pytest.approx([0.27, -1.14, 0.36], abs=1e-4)
+
+
+def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project = replace(sample_project(tmp_path / "demo"), truth_deg=(0.27, -1.14, 0.36))
+    started: list[list[str]] = []
+    monkeypatch.setattr(demo.demo_survey, "run_demo", lambda *_, **__: (project, None))
+    monkeypatch.setattr(demo, "write_report", lambda *_: None)
+    monkeypatch.setattr(demo, "rms_with_truth", lambda *_: {"V1": 0.0123})
+    monkeypatch.setattr(subprocess, "run", lambda words, **_: started.append(words))
+    monkeypatch.setattr(demo, "has_display", lambda: True)
+    out, _ = told(capsys, "demo", "--output", project.folder)
+    assert started == [[*window_command(), str(project.folder)]]
+    (row,) = (row.split() for row in out.splitlines() if row.startswith("truth "))
+    assert row[1:] == ["+0.2700", "-1.1400", "+0.3600"]
+    told(capsys, "demo", "--output", project.folder, "--no-window")
+    monkeypatch.setattr(demo, "has_display", lambda: False)
+    numbers = answer(capsys, "demo", "--output", project.folder)
+    assert len(started) == 1
+    assert numbers["report"] == str(project.folder / "report.pdf")
+    assert numbers["truth_deg"] == {"roll": 0.27, "pitch": -1.14, "yaw": 0.36}
+    assert numbers["rms_truth_m"] == {"V1": 0.0123}
+
+
+def test_the_visibility_study_is_told_beside_the_thesis(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    few = replace(MARINE, inclinations=tuple(np.radians([-20.0, 0.0, 40.0]).tolist()))
+    monkeypatch.setattr(visibility, "SITES", {"marine": few})
+    monkeypatch.setattr(visibility, "write_visibility", lambda *_, **__: [tmp_path / "a.csv"])
+    words = ("visibility", "marine", "--output", tmp_path, "--error", "roll", "yaw")
+    rows = told(capsys, *words)[0].splitlines()
+    assert rows[0].split()[0] == "Error"
+    assert [row.split("  ")[0] for row in rows[1:3]] == ["Roll 2 deg", "Yaw 2 deg"]
+    assert rows[3] == ""
+    assert any(row.startswith("Roll 2 deg: A board that leans back") for row in rows[4:])
+    assert not any(row.startswith("Pitch") for row in rows), "it is not asked for"
+    assert rows[-1] == f"1 files in {tmp_path}"
+    assert told(capsys, *words, "--struck")[0] == f"1 files in {tmp_path}\n"
+
+
+def test_what_goes_with_the_angles_of_a_project_is_told(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    project = sample_project(tmp_path, model="independent")
+    assert project.result is not None
+    mounting = replace(project.result.mounting, range_offset=-0.05, latency=0.02)
+    write_project(replace(project, result=replace(project.result, mounting=mounting)))
+    out, _ = told(capsys, "angles", project.folder)
+    words = " ".join(out.split())
+    assert "range offset -0.0500 m" in words
+    assert "latency +20.0000 ms" in words
+    assert words.count(" ".join(THESIS_MODE.split())) == 1, "the sigmas are told to be too small"
+    write_project(sample_project(tmp_path))
+    words = " ".join(told(capsys, "angles", project.folder)[0].split())
+    assert THESIS_MODE not in words
+    assert "range offset" not in words
+
+
+def test_a_matrix_has_no_angles_to_show(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    matrix = tmp_path / "matrix.txt"
+    np.savetxt(matrix, np.eye(3))
+    words = ("angles", "--from-matrix", matrix, "--from", "pdal", "--to", "lispac")
+    out, _ = told(capsys, *words)
+    before, after = out.split("\nTO ")
+    assert before.startswith("FROM        PDAL")
+    assert "degrees" not in before
+    assert "degrees" in after
+    assert "lever arm" not in out, "none was given"
+
+
+def test_a_budget_shows_what_nobody_knows(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    known = ErrorSource("POS position", (PointError(0.012, 0.02, 0.01, 0.03),))
+    unknown = ErrorSource("Lever arm", None)
+    beam = BeamErrors("level to starboard", (known, unknown), known, known)
+    found = Budget((50.0,), (beam,), ("So it is.",))
+    monkeypatch.setattr(budget, "load_survey", lambda *_, **__: None)
+    monkeypatch.setattr(budget, "budget_of", lambda *_, **__: None)
+    monkeypatch.setattr(budget, "Budget", SimpleNamespace(of=lambda _: found))
+    write_project(sample_project(tmp_path))
+    rows = told(capsys, "budget", tmp_path)[0].splitlines()
+    assert rows[0].split() == ["beam", "level", "to", "starboard", "at", "50", "m"]
+    assert rows[2].split() == ["POS", "position", "1.20", "2.00", "1.00"]
+    assert rows[3].split() == ["Lever", "arm", "not", "known"]
+    assert len(rows[3]) == len(rows[2])
+    assert rows[-1] == "So it is."
+
+
+def test_a_row_for_each_distance_and_one_for_all_points(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    angles, sigma = np.radians([0.27, -1.14, 0.36]), np.radians([0.01, 0.02, 0.03])
+    rows = (
+        Subsampled(0.0, 12_345, angles, sigma, 1.5), Subsampled(0.1, 2_345, angles, sigma, 0.25),
+    )  # fmt: skip
+    monkeypatch.setattr(subsample, "load_survey", lambda *_, **__: None)
+    monkeypatch.setattr(subsample, "subsampling_study", lambda *_, **__: rows)
+    write_project(sample_project(tmp_path))
+    heads, every, some = (
+        row.split() for row in told(capsys, "subsample", tmp_path)[0].splitlines()
+    )
+    assert heads[:3] == ["distance", "m", "points"]
+    of_all = ["+0.2700", "0.0100", "-1.1400", "0.0200", "+0.3600", "0.0300"]
+    assert every == ["all", "12,345", *of_all, "1.50"]
+    assert some == ["0.10", "2,345", *of_all, "0.25"]
+
+
+def test_a_design_is_told_beside_a_usual_plan_that_leaves_an_angle_open(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = (resource("sites") / "quay.toml").read_text()
+    for wide, narrow in (
+        ("along_m = [-8, -4, -1, 1, 4, 8]", "along_m = [-1, 1]"),
+        ("up_m = [2, 5, 8]", "up_m = [5]"),
+        ("from_level_deg = [90, 60, 45, 120, 135]", "from_level_deg = [90, 45]"),
+        ("lines = 6", "lines = 3"),
+        ("headings_deg = [0, 45, 90, 135, 180, 225, 270, 315]", "headings_deg = [0, 45, 135]"),
+        ("distances_m = [10, 15, 20, 30, 40]", "distances_m = [15]"),
+    ):
+        assert wide in text
+        text = text.replace(wide, narrow)
+    site, folder = tmp_path / "site.toml", tmp_path / "out"
+    site.write_text(text)
+    usual = read_plan(one_line(tmp_path / "plan.toml")).plan
+    monkeypatch.setattr(design, "thesis_plan", lambda _: usual)
+    written: list[Path] = []
+    monkeypatch.setattr(design, "write_design", lambda folder, *_: written.append(folder))
+    out, _ = told(capsys, "design", site, "--workers", 1, "--output", folder)
+    rows = out.splitlines()
+    assert rows[1].startswith("best plan   roll ")
+    assert rows[2] == "thesis      not determined"
+    assert rows[-1] == str(folder)
+    assert written == [folder]
+    numbers = answer(capsys, "design", site, "--workers", 1)
+    assert numbers["thesis_sigma_deg"] is None
+    assert len(written) == 1, "nothing is written where no folder is named"
