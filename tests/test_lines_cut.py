@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import line_times, records
+from lispac.io import las, line_times, records
 from lispac.io.formats import format_of
 from lispac.io.las_export import cloud_file, pattern_of_columns
+from lispac.io.las_guard import require_sound_header
 from lispac.io.registry import PointChunk
 from tests import point_files as files
 
@@ -44,8 +45,29 @@ def test_a_file_cut_between_two_points_while_it_is_read(
     os.truncate(path, start + kept * size)
     with pytest.raises(InputError) as refused:
         list(chunks)
-    assert str(refused.value).startswith(f"{path}: ")
-    assert str(refused.value).endswith("copy or export it again.")
+    assert str(refused.value) == (
+        f"{path}: the header promises 20,000 points, the file holds {kept:,}; copy or export it "
+        "again."
+    )
+
+
+@pytest.mark.parametrize("kept", [150, 100])
+def test_a_file_cut_after_its_header_was_checked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kept: int
+) -> None:
+    path, start, size = written(tmp_path / "a.las", 200)
+
+    def checked_and_cut(path: Path) -> None:
+        require_sound_header(path)
+        os.truncate(path, start + kept * size)
+
+    monkeypatch.setattr(las, "require_sound_header", checked_and_cut)
+    monkeypatch.setattr(las, "CHUNK", 100)
+    with pytest.raises(InputError) as refused:
+        las.read_scan(path)
+    assert str(refused.value) == (
+        f"{path}: the header promises 200 points, the file holds {kept}; copy or export it again."
+    )
 
 
 def test_laz_that_was_written_to_a_stream(tmp_path: Path) -> None:

@@ -245,3 +245,28 @@ def test_e57_whose_first_scan_has_no_valid_point(tmp_path: Path) -> None:
     with pytest.raises(InputError) as refused:
         FORMATS["e57"].look(path, {})
     assert str(refused.value) == f"{path}: this line holds no points; leave it out."
+
+
+def crc32c(data: bytes) -> int:
+    """Castagnoli's checksum (RFC 3720, appendix B.4), bit by bit."""
+    crc = 0xFFFFFFFF
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = (crc >> 1) ^ (0x82F63B78 if crc & 1 else 0)
+    return crc ^ 0xFFFFFFFF
+
+
+def test_e57_that_promises_more_points_than_it_holds(tmp_path: Path) -> None:
+    """With checksums that hold: each page of 1,020 bytes is followed by its own."""
+    path = files.e57(tmp_path / "a.e57", scans=1)
+    paged = path.read_bytes()
+    plain = b"".join(paged[k : k + 1020] for k in range(0, len(paged), 1024))
+    plain = plain.replace(b'recordCount="60"', b'recordCount="90"')
+    path.write_bytes(
+        b"".join(
+            plain[k : k + 1020] + struct.pack(">I", crc32c(plain[k : k + 1020]))
+            for k in range(0, len(plain), 1020)
+        )
+    )
+    assert said(path, "e57") == ("a scan promises 90 points and holds 60; copy or export it again.")

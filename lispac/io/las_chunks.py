@@ -178,8 +178,6 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
             time = np.array(points.gps_time)
             require_points(xyz, time, path, done)
             done += len(time)
-            if not len(time):
-                break
             extra = PackedColumns(points, others)
             yield PointChunk(xyz * scale if scale != 1 else xyz, time, extra, header.point_count)
         if done != header.point_count:
