@@ -84,7 +84,7 @@ def test_lines_stand_in_the_script_as_they_are_read(tmp_path: Path) -> None:
         LineSource("L3", data / "L3.txt", ("time", "x", "y", "z")),
         LineSource("L4", data / "L4.las", reading=shifted),
     )
-    text = Reading("trajectory-text", (("columns", "time north"),))
+    text = Reading("ascii-trajectory", (("columns", "time north"),))
     read = replace(
         project, trajectory=data / "pos.txt", lines=lines, targets=(), trajectory_reading=text
     )
