@@ -6,18 +6,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment import iteration, solver
+from lispac.adjustment import iteration, scatter, solver
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
 from lispac.adjustment.components import _Likelihood
 from lispac.adjustment.observability import require_determined
-from lispac.adjustment.observations import Observations
+from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.omitted import contradictions
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.passes import in_chunks
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.robust import Loss
+from lispac.adjustment.scatter import unforeseen
 from lispac.adjustment.shapes import fit_shapes
 from lispac.adjustment.shown import significance_words
+from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient
@@ -166,22 +168,34 @@ def test_points_that_no_weight_is_left_of_agree_with_nothing(few: Observations) 
     assert found is None or sighting not in found.sightings
 
 
-def test_a_ball_metres_off_stays_out_as_shifted() -> None:
-    """A ball has no tilt that could agree or not."""
-    balls = [
-        Ball(f"S{k + 1}", place, 0.3, True)
-        for k, place in enumerate([(0.0, 15.0, 5.0), (1.5, 12.0, 3.0), (-1.5, 20.0, 7.0)])
-    ]
+def _balls(metres: float) -> Observations:
+    """Three balls past which six lines go, the third sighting off by so much to the west."""
+    places = ((0.0, 15.0, 5.0), (1.5, 12.0, 3.0), (-1.5, 20.0, 7.0))
+    balls = [Ball(f"S{k + 1}", place, 0.3, True) for k, place in enumerate(places)]
     generator = np.random.default_rng(3)
     exact = exact_survey(TRUTH, balls, six_courses(), 0.05, generator)
     clean = observed(exact, HYDROGRAPHIC_INS, generator)
     position = clean.position.copy()
-    position[clean.sighting == 2] += [0.0, 0.4, 0.0]
-    usual = fit_shapes(clean, TRUTH)
-    problem = Problem.of(replace(clean, position=position), TRUTH, MODEL)
+    position[clean.sighting == 2] += [0.0, metres, 0.0]
+    return replace(clean, position=position)
+
+
+def test_a_ball_metres_off_stays_out_as_shifted() -> None:
+    """A ball has no tilt that could agree or not."""
+    dirty, usual = _balls(0.4), fit_shapes(_balls(0.0), TRUTH)
+    problem = Problem.of(dirty, TRUTH, MODEL)
     here = problem.linearised(problem.start(TRUTH, usual))
     gone = [Blunder("shift", (2,)), Blunder("shift", (9,))]
     assert plainly_off(here, gone) == [Blunder("shift", (2,))]
+
+
+@pytest.mark.parametrize("metres", [0.5, 3.0])
+def test_a_ball_far_off_on_a_line_is_named_and_does_no_harm(metres: float) -> None:
+    near = TRUTH.with_boresight(TRUTH.boresight + np.radians([0.2, -0.2, 0.2]))
+    clean, dirty = (adjust(_balls(off), near, ROBUST) for off in (0.0, metres))
+    assert clean.suspects == ()
+    assert dirty.suspects == (Sighting("S1", "L3"),)
+    assert (np.abs(dirty.boresight - clean.boresight) < 0.1 * clean.sigma).all()
 
 
 def test_with_every_value_estimated_none_is_contradicted(few: Observations) -> None:
@@ -215,7 +229,7 @@ def test_what_one_round_tells_of_the_sigmas_is_what_more_rounds_keep(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Positions stated five times too small."""
-    stated, factors = survey(1, 0.1).with_sigmas(1.0, 0.2, 1.0), []
+    stated, factors = survey(1, 0.2).with_sigmas(1.0, 0.2, 1.0), []
     for rounds in (1, 5):
         monkeypatch.setattr(solver, "COMPONENT_ROUNDS", rounds)
         found = adjust(stated, PRIOR, MODEL, components=True, diagnostics=False)
@@ -238,3 +252,14 @@ def test_a_value_that_is_not_seen_has_no_significance() -> None:
     assert significance_words(Estimate("lever_z", 0.0, None, reason="not seen")) == ""
     seen = Estimate("lever_z", 0.0, None, value=0.1, sigma=0.01, significance=9.0)
     assert significance_words(seen) == "significant"
+
+
+def test_of_two_targets_and_halves_of_lines_nothing_is_told_of_their_scatter(
+    few: Observations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two parts of a kind are too few for a jackknife."""
+    solved = Solved.of(adjust(few, PRIOR, MODEL), few, PRIOR)
+    assert solved is not None
+    assert unforeseen(solved).shape == (3,)
+    monkeypatch.setattr(scatter, "STRETCHES", 2)
+    np.testing.assert_array_equal(unforeseen(solved), np.zeros(3))

@@ -1,6 +1,7 @@
 """Plans, sites and sites' limits at their edges: what is not allowed, seen, or adjusted."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,6 +15,8 @@ from lispac.design.simulated_plan import simulated
 from lispac.design.site import least_off, steps
 from lispac.errors import LispacError, RankDeficient
 from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.scene import Cylinder, Sphere, upright
+from lispac.simulation.survey import _seeds
 from tests.prediction_study import BOARDS, PLAN
 from tests.test_design import SMALL
 
@@ -90,3 +93,16 @@ def test_surveys_that_could_not_be_adjusted_are_counted() -> None:
     assert found.failed == 1
     np.testing.assert_array_equal(found.errors, [[1.0] * 3, [-1.0] * 3])
     assert "1 surveys could not be adjusted and are left out." in found.words
+
+
+def test_seeds_lie_on_what_can_be_picked() -> None:
+    """In the middle of a board, on the ball where it faces the vessel, and on no mast."""
+    board = upright("T1", (0.0, -12.0), 4.0, 5.0, 1.0, 270)
+    ball = Sphere("S1", np.array([3.0, -10.0, 2.0]), 0.5)
+    mast = Cylinder("mast", 6.0, -10.0, 0.0, 9.0, 0.3)
+    scene = {each.name: each for each in (board, ball, mast)}
+    motion = SimpleNamespace(position=np.array([[3.0, -2.0, 1.0], [3.0, 2.0, 3.0]]))
+    found = _seeds(SimpleNamespace(scene=scene), tuple(scene), motion)
+    assert set(found) == {"T1", "S1"}
+    np.testing.assert_allclose(found["T1"], [0.0, -12.0, 4.5])
+    np.testing.assert_allclose(found["S1"], [3.0, -9.5, 2.0])

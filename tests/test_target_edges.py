@@ -8,13 +8,20 @@ from lispac.geometry.spheres import fit_sphere
 from lispac.natural.clutter import is_water
 from lispac.natural.planes import LinePlanes
 from lispac.natural.regions import Regions
+from lispac.patchtest import optimise
 from lispac.patchtest.boxes import Box, checked
+from lispac.patchtest.mismatch import Mismatch
+from lispac.patchtest.sample import Sample
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.trajectory import Poses
+from lispac.targets.across_lines import find_in_lines
 from lispac.targets.expected import ExpectedTarget, deviations
 from lispac.targets.lines import Surroundings, best_match, shifts_into
 from lispac.targets.settings import FinderSettings
 from lispac.targets.shift import Shift, find_shifts
-from lispac.targets.sphere_finder import RadiusSought
-from lispac.targets.spheres_across_lines import find_spheres_in_lines
+from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
+from lispac.targets.sphere_ransac import draw
+from lispac.targets.spheres_across_lines import _contradiction, find_spheres_in_lines
 
 
 def test_an_inclination_that_is_not_known_is_not_compared() -> None:
@@ -100,6 +107,43 @@ def test_a_ball_of_another_size_is_not_the_target() -> None:
     )
 
 
+def test_a_ball_found_twice_is_no_contradiction() -> None:
+    def found(centre: tuple[float, float, float]) -> SpherePatch:
+        return find_sphere(
+            _ball(centre), np.array(centre), RadiusSought(0.1, 0.5), FinderSettings()
+        )
+
+    here = found((0.0, 15.0, 5.0))
+    assert _contradiction(here, found((0.02, 15.0, 5.0))) is None
+    assert _contradiction(here, found((0.5, 15.0, 5.0))) == (
+        "Two spheres 0.50 m apart resemble the target equally; set a seed of its own for this line."
+    )
+
+
+def test_through_points_in_one_plane_goes_no_ball() -> None:
+    level = np.random.default_rng(1).uniform(-5.0, 5.0, (300, 3)) * [1.0, 1.0, 0.0]
+    assert draw(level, np.ones(300), 0.05, 0.5, FinderSettings()) == []
+
+
+def _board(centre: tuple[float, float, float]) -> np.ndarray:
+    """A square metre that faces east."""
+    rng = np.random.default_rng(5)
+    flat = rng.uniform(-0.5, 0.5, (2500, 2))
+    return np.column_stack([flat[:, 0], rng.normal(0.0, 0.002, 2500), flat[:, 1]]) + centre
+
+
+def test_two_boards_alike_at_different_depths_are_not_told_apart() -> None:
+    place = (0.0, 15.0, 5.0)
+    twins = np.vstack([_board((0.8, 15.2, 5.0)), _board((-0.8, 14.8, 5.0))])
+    _, missing = find_in_lines(
+        {"L1": _board(place), "L2": twins}, np.array(place), FinderSettings(), first_line="L1"
+    )
+    assert missing == {
+        "L2": "Two planes 1.65 m apart resemble the target equally; set a seed of its own for "
+        "this line."
+    }
+
+
 def test_a_speck_of_a_ball_does_not_tell_where_it_is() -> None:
     """Four points a tenth of a micrometre apart, of a ball of a metre."""
     speck = 1e-7 * np.array([(0.0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 1e-3)])
@@ -140,3 +184,31 @@ def test_a_box_that_is_none_is_refused(centre: list, size: list, said: str) -> N
         checked("mast", Box(np.array(centre), np.array(size)))
     sound = Box(np.zeros(3), np.ones(3))
     assert checked("mast", sound).box is sound
+
+
+# -- the patch test --------------------------------------------------------------------------
+
+NOTHING = Sample(
+    (), np.zeros((0, 3)), Poses(np.zeros((0, 3)), np.zeros((0, 3))),
+    Mounting(np.zeros(3), np.zeros(3)),
+)  # fmt: skip
+
+
+def test_where_no_lines_meet_there_is_no_mismatch() -> None:
+    mismatch = Mismatch(NOTHING, ())
+    assert np.isnan(mismatch(np.zeros(3)))
+    assert np.isnan(mismatch.curve(np.zeros(3), 0, np.radians([-1.0, 1.0]))).all()
+
+
+def test_angles_that_never_come_to_rest_are_said_not_to_have_settled(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Every step is a degree: all steps are taken, and none is the last."""
+    monkeypatch.setattr(optimise, "_step", lambda _, __, turned: np.radians(np.ones(len(turned))))
+    found = optimise.minimise(NOTHING, (), np.zeros(3), (0, 2))
+    assert not found.settled
+    steps = optimise.STEPS * len(optimise.SCALES)
+    np.testing.assert_allclose(np.degrees(found.boresight), [steps, 0.0, steps])
+    one_by_one = optimise.one_after_another(NOTHING, (), np.zeros(3))
+    assert (one_by_one.rounds, one_by_one.settled) == (optimise.ROUNDS, False)
+    np.testing.assert_allclose(np.degrees(one_by_one.boresight), [optimise.ROUNDS] * 3)
