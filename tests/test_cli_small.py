@@ -23,6 +23,7 @@ from lispac.patchtest.pairs import LinePair
 from lispac.patchtest.sigmas import ObjectFound
 from lispac.picks import PickedSighting, Target
 from lispac.project import LineSource, Project
+from lispac.targets.quality import undetermined
 from lispac.validation.absolute import PointCheck
 from lispac.workflow import patch_test
 from lispac.workflow.proposing import Proposal
@@ -172,12 +173,14 @@ def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) ->
     objects = (
         ObjectFound("pole", ("L1 L2",), 0.012, 0, np.radians(0.01), np.radians(0.05)),
         ObjectFound("moved", ("L1 L2", "L1 L3"), 0.04, 2, np.radians(-0.2), np.radians(0.05)),
+        ObjectFound("ball", ("L1 L2",), 0.02, None, 0.0, 0.0),
     )
     patchtest.print_answer(answered(angles, objects))
     rows = capsys.readouterr().out.splitlines()
     assert rows[2].split() == ["pitch", "-1.1000", "0.0200", "-1.1000", "3.5"]
     assert rows[5].split() == ["pole", "1", "12.0", "roll", "+0.0100", "0.0500"]
     assert rows[6].split() == ["moved", "2", "40.0", "yaw", "-0.2000", "0.0500", "DIFFERS"]
+    assert rows[7].split() == ["ball", "1", "20.0", "none", "+0.0000", "0.0000"], "not judged"
     assert rows[-1].startswith("moved does not agree: ")
 
 
@@ -318,14 +321,17 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
         return project.with_target(target), found
 
     at_hand(pick)
+    seen = undetermined(50, 0.003, "It has only 50 points.")
+    monkeypatch.setattr(
+        "lispac.cli.pick_list.judge_target", lambda *_: {"L1_000": seen, "L2_180": seen}
+    )
     monkeypatch.setattr("lispac.cli.pick_list.pick_seeds", picked)
     code, out, err = run(capsys, "pick", project.folder, "--seeds", seeds, "--json")
     assert code == 1
     good, none = json.loads(out)["seeds"]
     assert (good["name"], good["found"], good["reason"]) == ("T1", True, "")
-    assert {line: each["points"] for line, each in good["lines"].items()} == {
-        "L1_000": 50, "L2_180": 50,
-    }  # fmt: skip
+    assert set(good["lines"]) == {"L1_000", "L2_180"}
+    assert good["lines"]["L1_000"]["quality"]["reasons"] == ["It has only 50 points."]
     assert none == {
         "row": 2, "name": "AIR", "role": "target", "seed_m": [0.0, -14.4, 60.0], "found": False,
         "reason": "No plane.", "lines": {}, "missing": {},
@@ -339,6 +345,7 @@ def test_nothing_to_warn_of_is_said(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     at_hand(warnings)
+    monkeypatch.setattr(warnings, "qualities", lambda *_, **__: {})
     monkeypatch.setattr(warnings, "concerns", lambda *_: ())
     assert told(capsys, "warnings", project.folder) == ("Nothing to warn of.\n", "")
     assert answer(capsys, "warnings", project.folder) == {"warnings": []}

@@ -148,6 +148,24 @@ def test_balls_take_part_too(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert (np.abs(error) < 3 * np.degrees(project.result.sigma)).all()
 
 
+def test_balls_of_a_scene_get_a_list_of_seeds_of_their_own(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene, folder = tmp_path / "balls.toml", tmp_path / "balls"
+    text = (resource("scenes") / "marine.toml").read_text()
+    scene.write_text(text + BALL.format(k=1, north=-2.5, up=6.0))
+    rows = done(
+        capsys, "simulate", scene, "--output", folder, "--points-per-second", 2_000
+    ).splitlines()  # fmt: skip
+    seeds, balls = folder / "targets.csv", folder / "balls.csv"
+    assert rows[-2] == f"seeds      {seeds} (for lispac pick --seeds)"
+    assert rows[-1] == f"balls      {balls} (for lispac pick --shape sphere --seeds)"
+    assert "B1" not in seeds.read_text()
+    name, *place, _ = balls.read_text().splitlines()[1].split(",")
+    assert name == "B1"
+    assert [float(value) for value in place] == pytest.approx([-2.5, -12.5, 6.0], abs=0.26)
+
+
 REPLAYED = """
 title = "A wall beside a recorded trajectory"
 vessel = "launch"
