@@ -290,3 +290,33 @@ def test_of_a_long_file_it_is_said_that_the_rest_comes_later() -> None:
         "The file is long: the first 1,500 times looked at stand for it here, the rest is checked "
         "when the project is made.",
     )
+
+
+@pytest.mark.parametrize(
+    ("first", "level", "words"),
+    [
+        (0.0, None, ""),
+        (20.0, "doubt", "It covers 486,020.0 to 486,060.0 s, not the whole trajectory"),
+        (
+            900.0,
+            "error",
+            "Its times (486,900.0 to 486,940.0 s) do not meet those of the",
+        ),
+    ],
+)
+def test_accuracies_are_held_against_the_trajectorys_times(
+    files: Path, tmp_path: Path, first: float, level: str | None, words: str
+) -> None:
+    rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
+    rows[:, 0] = START + first + np.arange(41)
+    path = write_records(tmp_path / "smrmsg.out", rows)
+    alone = taken_in(Intake(), path)
+    assert words == "" or words not in said(alone, "smrmsg.out")
+    intake = taken_in(alone, files / "pos.sbet")
+    told = [each for each in intake.remarks(named(intake, "smrmsg.out")) if each.text[:3] == "Its"
+            or each.text.startswith("It covers")]  # fmt: skip
+    assert [each.level for each in told] == ([] if level is None else [level])
+    assert all(each.text.startswith(words) for each in told)
+    assert [remedy.role for each in told for remedy in each.remedies] == (
+        ["none"] if level == "error" else []
+    )

@@ -41,7 +41,7 @@ PLANE = Target(
         PickedSighting("L2", np.array([3, 9]), 0.0019, used=False, fingerprint="12-b", one_in=4),
     ),
     missing={"L3": "There are no points at the seed."},
-    expected=ExpectedTarget(1.2, 1.0, radians(45.0)), choices=FinderChoices(min_points=30),
+    expected=ExpectedTarget(1.2, 1.0, radians(45.0)), choices=FinderChoices(min_points=45),
 )  # fmt: skip
 
 

@@ -1,0 +1,98 @@
+"""What a campaign does while its cluster is slow or loses workers, with answers made by hand."""
+
+from collections.abc import Callable, Iterator
+from threading import Timer
+from typing import Any
+
+import pytest
+
+from lispac.errors import LispacError
+from lispac.workflow import cluster as cluster_module
+from lispac.workflow.cluster import SENDINGS, _Cluster
+
+distributed = pytest.importorskip("distributed")
+
+
+class Future:
+    """Done at once or never; asked for its answer it may first run out of time."""
+
+    def __init__(self, answer: list[int] | Exception, slow: int) -> None:
+        self._answer, self._slow = answer, slow
+
+    def add_done_callback(self, call: Callable[["Future"], None]) -> None:
+        call(self)
+
+    def exception(self, timeout: float) -> Exception | None:
+        if self._slow:
+            self._slow -= 1
+            raise TimeoutError
+        return self._answer if isinstance(self._answer, Exception) else None
+
+    def result(self, timeout: float) -> list[int]:
+        assert not isinstance(self._answer, Exception)
+        return self._answer
+
+    def release(self) -> None: ...
+
+
+class Late(Future):
+    """Comes back after a while, in a thread of its own, as a client's do."""
+
+    def __init__(self, answer: list[int]) -> None:
+        super().__init__(answer, slow=0)
+
+    def add_done_callback(self, call: Callable[[Future], None]) -> None:
+        Timer(0.08, call, [self]).start()
+
+
+class Client:
+    """Two threads, and the answers of one chunk after the other."""
+
+    def __init__(self, answers: Iterator[Future]) -> None:
+        self.sent, self._answers = 0, answers
+
+    def nthreads(self) -> dict[str, int]:
+        return {"one": 1, "other": 1}
+
+    def submit(self, task: Any, chunk: list[int], *, pure: bool) -> Future:
+        self.sent += 1
+        return next(self._answers)
+
+
+def lost() -> Exception:
+    return distributed.scheduler.KilledWorker("task", "worker", 0)
+
+
+def test_an_answer_that_takes_long_is_waited_for_while_there_are_workers() -> None:
+    client = Client(iter([Future([1], slow=3)]))
+    assert list(_Cluster(client, "tcp://here:1").map(abs, [-1])) == [1]
+    assert client.sent == 1
+
+
+@pytest.mark.parametrize("losses", range(SENDINGS + 1))
+def test_what_lost_its_worker_is_sent_again_and_not_for_ever(losses: int) -> None:
+    futures = [*(Future(lost(), slow=0) for _ in range(losses)), Future([7], slow=0)]
+    client = Client(iter(futures))
+    cluster = _Cluster(client, "tcp://here:1")
+    if losses < SENDINGS:
+        assert list(cluster.map(abs, [-7])) == [7]
+        assert client.sent == losses + 1
+        return
+    with pytest.raises(LispacError) as caught:
+        list(cluster.map(abs, [-7]))
+    assert client.sent == SENDINGS
+    assert str(caught.value) == (
+        "tcp://here:1: the same 1 calculations lost their worker again and again; it has too "
+        "little memory, or is stopped from outside."
+    )
+    assert not cluster.under_way
+
+
+def test_a_calculation_that_takes_long_does_not_end_the_campaign(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Nothing comes back for several looks, but the workers are there."""
+    monkeypatch.setattr(cluster_module, "LOOK", 0.01)
+    monkeypatch.setattr(cluster_module, "PATIENCE", 0.0)
+    client = Client(iter([Late([5])]))
+    assert list(_Cluster(client, "tcp://here:1").map(abs, [-5])) == [5]
