@@ -39,6 +39,7 @@ STALL_MS = 200.0
 PATIENCE_S = 0.25
 HANGS_S = 150.0
 """After so long without an event the process ends itself, with where every thread was."""
+NEVER_PX = 100_000
 SAME = 100
 """So often in turn, and what it does leads nowhere."""
 DEMO = "harbour"
@@ -307,6 +308,8 @@ def main() -> int:
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
+    # A drag of text, or of a file in a dialogue, ends with the real mouse, which the monkey has not
+    application.setStartDragDistance(NEVER_PX)
     links = Links()
     for scheme in ("file", "http", "https"):
         QDesktopServices.setUrlHandler(scheme, links, "follow")

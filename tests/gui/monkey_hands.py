@@ -82,7 +82,6 @@ class Hands:
         front = self.front()
         if not front:
             return None
-        self._let_go()
         window = self.chance.choice(front)
         self.did = ""
         if isinstance(window, QFileDialog):
@@ -152,13 +151,6 @@ class Hands:
         if handle is not None:
             QTest.mouseMove(handle, place)
             QTest.mouseClick(handle, button, modifier, place)
-
-    @staticmethod
-    def _let_go() -> None:
-        """Release what is held: a drag of text swallowed it, and each move would begin it anew."""
-        window, held = QApplication.focusWindow(), QApplication.mouseButtons()
-        for button in held if window is not None else ():
-            QTest.mouseRelease(window, button, Modifier.NoModifier, QPoint(1, 1))
 
     def _double(self, widget: QWidget, spot: QPoint) -> None:
         handle, place = self._at(widget, spot)
