@@ -10,6 +10,7 @@ import pytest
 from lispac.io.plan_file import read_plan
 from lispac.project import Project
 from lispac.workflow.survey import Survey
+from tests.narrow_site import narrow_site
 from tests.test_cli import answer, refused, run
 
 PORT = Path(__file__).parent / "data" / "port-plan.toml"
@@ -66,19 +67,7 @@ def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
 
 def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site, folder = tmp_path / "site.toml", tmp_path / "out"
-    text = QUAY.read_text()
-    for wide, narrow in (
-        ("boards = 2", "boards = 2"),
-        ("along_m = [-8, -4, -1, 1, 4, 8]", "along_m = [-1, 1]"),
-        ("up_m = [2, 5, 8]", "up_m = [2, 8]"),
-        ("from_level_deg = [90, 60, 45, 120, 135]", "from_level_deg = [90, 45]"),
-        ("lines = 6", "lines = 3"),
-        ("headings_deg = [0, 45, 90, 135, 180, 225, 270, 315]", "headings_deg = [0, 45, 135]"),
-        ("distances_m = [10, 15, 20, 30, 40]", "distances_m = [15]"),
-    ):
-        assert wide in text
-        text = text.replace(wide, narrow)
-    site.write_text(text)
+    site.write_text(narrow_site({"up_m = [2, 5, 8]": "up_m = [2, 8]"}))
     found = answer(capsys, "design", site, "--workers", 1, "--output", folder)
     assert found["exact"]
     assert found["looked_at"] == 28 * 27
