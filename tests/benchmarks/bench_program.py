@@ -108,7 +108,7 @@ def start(began: float, words: list[str]) -> None:
     timer.timeout.connect(look)
 
     def exec_() -> int:
-        timer.start(0)
+        timer.start(10)  # not 0: that takes the processor the import of the view needs
         return run()
 
     QApplication.exec = staticmethod(exec_)
