@@ -47,6 +47,7 @@ class ScriptedDialogs(Dialogs):
         """Asked about unsaved work and other windows; tests in other processes share the demo."""
         self.recovers, self.opens_twice, self.overwrites = False, True, True
         self.asked: list[str] = []
+        self.proposed = Path()
         self.errors: list[BaseException] = []
 
     def new_project(
@@ -72,6 +73,7 @@ class ScriptedDialogs(Dialogs):
         return self.path
 
     def report_file(self, start: Path) -> Path | None:
+        self.proposed = start
         return self.path
 
     def pdf_file(self, start: Path) -> Path | None:

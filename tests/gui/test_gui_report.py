@@ -371,3 +371,18 @@ def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(
 def test_there_is_no_preview_without_an_answer(opened: Driver) -> None:
     open_step(opened, REPORT)
     assert not opened.window.report.preview.isEnabled()
+
+
+@pytest.mark.parametrize("cached", [False, True])
+def test_no_report_is_proposed_into_the_cache(
+    adjusted: Driver, monkeypatch: pytest.MonkeyPatch, cached: bool
+) -> None:
+    """It may be emptied at any time; a project elsewhere keeps its report beside it."""
+    folder = adjusted.project.folder
+    place = folder.parent if cached else folder / "cache"
+    monkeypatch.setattr("lispac.gui.reporting.cache_place", lambda: place)
+    adjusted.window.actions_["report"].trigger()
+    proposed = adjusted.dialogs.proposed
+    assert proposed.name == f"{adjusted.project.name}.pdf"
+    assert (proposed.parent == folder) is not cached
+    assert proposed.is_relative_to(folder.parent) is not cached
