@@ -73,8 +73,10 @@ def child_variables(
     testing : bool, software OpenGL and settings of its own, so that every machine tests the same
     """
     own = ENVIRONMENT / "cache"
-    # Modules of another environment would be found before the locked ones.
-    kept = {k: v for k, v in variables.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
+    # Modules of another environment would be found before the locked ones. Bytecode lies in a folder
+    # of its own, so it may be kept: without it every process compiles its libraries anew.
+    left_out = ("PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE")
+    kept = {k: v for k, v in variables.items() if k not in left_out}
     kept.update(
         PYTHONPYCACHEPREFIX=str(own / "bytecode"),
         HYPOTHESIS_STORAGE_DIRECTORY=str(own / "hypothesis"),

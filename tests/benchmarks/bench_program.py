@@ -41,7 +41,9 @@ def told(tmp_path: Path, what: str, *words: str | Path) -> dict[str, Any]:
         **os.environ, "PYTHONPATH": str(CHECKOUT), "XDG_CACHE_HOME": str(home), "HOME": str(home),
         "NUMBA_CACHE_DIR": os.environ.get("NUMBA_CACHE_DIR", str(tmp_path / "numba")),
         "MPLCONFIGDIR": os.environ.get("MPLCONFIGDIR", str(tmp_path / "fonts")),
+        "PYTHONPYCACHEPREFIX": os.environ.get("PYTHONPYCACHEPREFIX", str(tmp_path / "bytecode")),
     }  # fmt: skip
+    variables.pop("PYTHONDONTWRITEBYTECODE", None)
     run = subprocess.run(
         [sys.executable, "-m", "tests.benchmarks.bench_program", what, f"{time.time()!r}",
          *map(str, words)],
