@@ -73,8 +73,8 @@ def child_variables(
     testing : bool, software OpenGL and settings of its own, so that every machine tests the same
     """
     own = ENVIRONMENT / "cache"
-    # Modules of another environment would be found before the locked ones. Bytecode lies in a folder
-    # of its own, so it may be kept: without it every process compiles its libraries anew.
+    # Modules of another environment would be found before the locked ones. Bytecode lies in a
+    # folder of its own, so it may be kept: without it every process compiles its libraries anew.
     left_out = ("PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE")
     kept = {k: v for k, v in variables.items() if k not in left_out}
     kept.update(
