@@ -45,8 +45,10 @@ ROOMS = {
     "survey": (
         "cidco_states", "cloud", "clouds", "conventions", "convention_present",
         "convention_rules", "convention_words", "crs", "crs_operation", "frame_stated",
-        "georeferencing", "georeferencing_map", "recovery", "scanners", "time_base",
-        "time_restart", "time_stated", "trajectory_quality",
+        "geodesy_edges", "georeferencing", "georeferencing_map", "growing", "kept_header",
+        "left_out", "lines_cut", "offers", "pace", "patches_on_disk", "points_clock", "reading",
+        "recovery", "scanners", "store", "store_damage", "store_parts", "time_base",
+        "time_restart", "time_stated", "trajectory_quality", "trajectory_remarks",
     ),
 }  # fmt: skip
 """Rooms whose code is changed to see which test notices, and the tests that are quick enough."""
