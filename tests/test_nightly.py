@@ -6,7 +6,7 @@ import tomllib
 import pytest
 
 from tests.extras import nightly
-from tests.extras.nightly import CHECKOUT, COMPILED, ROOMS, answered, drawn
+from tests.extras.nightly import CHECKOUT, COMPILED, ROOMS, answered, drawn, noticed_afresh
 
 
 def test_what_it_names_is_there() -> None:
@@ -66,6 +66,24 @@ def test_a_survivor_is_answered_by_its_line_a_family_or_its_texts(ours, theirs, 
     answers = {"lines": {"for _ in range(21):": "enough"}, "families": {"strict=False": "guard"}}
     difference = f"--- a/b.py\n+++ a/b.py\n@@ -1,2 +1,2 @@\n     same\n-    {ours}\n+    {theirs}\n"
     assert answered(difference, answers) is expected
+
+
+def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
+    tmp_path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
+    tests = tmp_path / "test_table.py"
+    tests.write_text(
+        "import os\n"
+        "TABLE = os.environ.get('MUTANT_UNDER_TEST') != 'a.x_f__mutmut_1'\n"
+        "def test_table():\n    assert TABLE\n"
+    )
+    found = noticed_afresh(["a.x_f__mutmut_1", "a.x_f__mutmut_2"], tmp_path, [])
+    assert found == {"a.x_f__mutmut_1"}
+    tests.write_text("def test_never():\n    assert False\n")
+    with pytest.raises(nightly.Failed, match="fail without a change too"):
+        noticed_afresh(["a.x_f__mutmut_2"], tmp_path, [])
+    assert noticed_afresh([], tmp_path, []) == set()
 
 
 def test_every_answer_is_a_sentence_and_every_family_an_expression() -> None:
