@@ -4,11 +4,14 @@ Points are georeferenced by the formulas of the systems (`tests/test_conventions
 nothing of the converters.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 from lispac.survey.conventions.conversion import LISPAC, Setup, angles_from, state
+from lispac.survey.conventions.correction import on_top_of
 from lispac.survey.conventions.present import Replacement, present_of_matrix, replacement
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.survey.georeferencing import Mounting
@@ -64,6 +67,10 @@ def test_the_correction_moves_what_lies_by_the_present_matrix_to_where_it_belong
                                rtol=0, atol=1e-9)  # fmt: skip
     assert new.lever_arm == ("replaced" if known else "taken over")
     assert ("unchanged" in new.lever_arm_words) != known
+    assert new.correction is not None
+    np.testing.assert_allclose(
+        new.correction.rotation @ new.correction.present, new.stated.rotation, rtol=0, atol=1e-12
+    )
     if setup.convention.has_angles:
         again = FORMULAS[key](
             points, new.stated.angles, new.stated.lever_arm, np.zeros((len(points), 3))
@@ -89,6 +96,30 @@ def test_lines_already_turned_and_moved(key: str, exported: np.ndarray, points: 
     np.testing.assert_allclose(new.mounting.lever_arm, small @ OLD.lever_arm, rtol=0, atol=1e-12)
     assert new.lever_arm == "turned"
     assert new.has_lever_arm
+
+
+@pytest.mark.parametrize("applied", [True, False])
+def test_sigmas_are_those_of_the_new_settings(applied: bool) -> None:
+    setup, covariance = setup_of("applanix"), np.diag(np.radians([0.01, 0.02, 0.03]) ** 2)
+    present = present_of_matrix(setup, state(OLD, setup).rotation, None)
+    new = replacement(setup, FOUND, covariance, present, applied=applied, has_lever_arm=True)
+    whole, of_whole = FOUND, covariance
+    if applied:
+        whole, of_whole = on_top_of(setup, present.values, FOUND, covariance)
+        assert np.abs(of_whole - covariance).max() > 1e-9
+    np.testing.assert_array_equal(new.covariance, of_whole)
+    np.testing.assert_array_equal(new.stated.sigmas, state(whole, setup, of_whole).sigmas)
+
+
+def test_a_matrix_is_that_from_the_scanner_whichever_way_the_angles_go() -> None:
+    setup = setup_of("applanix")
+    other = replace(setup, convention=replace(setup.convention, direction="body_to_lidar"))
+    for each in (setup, other):
+        stated = state(OLD, each)
+        assert stated.angles is not None
+        present = present_of_matrix(each, stated.transform[:3, :3], None)
+        found = angles_from(each.convention, present.values)[0]
+        np.testing.assert_allclose(found, stated.angles, rtol=0, atol=1e-12)
 
 
 def test_a_3x3_matrix_leaves_the_lever_arm_alone() -> None:

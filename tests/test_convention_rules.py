@@ -243,6 +243,11 @@ def test_all_right_handed_axes_can_be_stated() -> None:
     assert all(nearest_axes(axes_matrix(axes).T) == axes for axes in made)
 
 
+def test_halfway_between_two_axes_a_frame_is_taken_to_look_ahead() -> None:
+    for yaw in (45.0, -45.0):
+        assert nearest_axes(rotation_matrix(0, 0, np.radians(yaw))) == FORWARD_PORT_UP
+
+
 @pytest.mark.parametrize(
     "setup",
     [

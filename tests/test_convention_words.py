@@ -73,6 +73,10 @@ def test_offsets_that_belong_to_the_boresight_are_named() -> None:
         "The boresight holds together with range offset +0.1000 m and latency +5.0000 ms: apply "
         "that there too."
     )
+    of_angles = Mounting(np.zeros(3), np.zeros(3), scan_angle_offset=float(np.radians(-0.25)))
+    assert offsets_words(of_angles) == (
+        "The boresight holds together with scan-angle offset -0.2500 deg: apply that there too."
+    )
 
 
 @pytest.mark.parametrize("convention", SYSTEMS, ids=lambda each: each.key)

@@ -64,6 +64,18 @@ def test_times_outside_the_trajectory_are_refused(wrong: float) -> None:
         georeference(points, time, path, mounting)
 
 
+def test_times_outside_are_told_beside_those_of_the_trajectory() -> None:
+    path, points, time, mounting = survey(10)
+    time[:] = np.linspace(5.0, 9.25, 10)
+    with pytest.raises(InputError) as refused:
+        georeference(points, time, path, mounting)
+    assert str(refused.value) == (
+        "Points from 5.000 to 9.250 s lie outside the trajectory "
+        f"({path.time.min():.3f} to {path.time.max():.3f} s): check that both use the same time "
+        "base."
+    )
+
+
 def test_both_ends_of_the_trajectory_belong_to_it() -> None:
     path, points, _, mounting = survey(2)
     ends = path.time[[0, -1]]

@@ -20,7 +20,7 @@ from lispac.survey.time_base import (
     to_gps,
     unrolled,
 )
-from lispac.survey.time_quality import coverage, joined, time_quality
+from lispac.survey.time_quality import Coverage, coverage, joined, time_quality
 
 EPOCH = datetime(1980, 1, 6, tzinfo=UTC)
 
@@ -248,5 +248,19 @@ def test_coverage_counts_every_point_once(line, steps, cut) -> None:
 
 def test_coverage_of_nothing() -> None:
     assert str(coverage(np.zeros(0), times(0, 5), 1)) == "The line has no points."
-    assert coverage(times(0, 5), np.zeros(0), 1).outside == 50
-    assert joined([]).count == 0
+    alone = coverage(np.array([7.0, 3.0, 4.0]), np.zeros(0), 1)
+    assert alone == Coverage(3.0, 7.0, 3, 3, 0, (), 1)
+    none = joined([])
+    assert np.isnan([none.start, none.end, none.longest_gap]).all()
+    assert (none.count, none.outside, none.in_gaps, none.gaps) == (0, 0, 0, ())
+
+
+def test_surveys_are_of_the_years_2000_to_2045() -> None:
+    def known(*when: int) -> bool:
+        second = datetime(*when, tzinfo=UTC).timestamp()
+        return base_of("unix") in plausible(np.array([second]))
+
+    assert known(2000, 1, 1)
+    assert known(2044, 12, 31, 23, 59, 59)
+    assert not known(1999, 12, 31, 23, 59, 59)
+    assert not known(2045, 1, 1)
