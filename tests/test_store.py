@@ -42,6 +42,37 @@ def test_every_point_comes_back_once_with_all_its_columns(tmp_path: Path) -> Non
     assert sorted(path.name for path in (tmp_path / "L1").iterdir()) == ["columns-1", "store.json"]
 
 
+def test_the_manifest_tells_what_the_line_extends_over(tmp_path: Path) -> None:
+    line = Line(2_500)
+    line.time = np.random.default_rng(2).permutation(line.time)
+    manifest = stored(tmp_path, line).manifest
+    local = place(line.xyz, line.time)
+    assert manifest.low == tuple(local.min(axis=0))
+    assert manifest.high == tuple(local.max(axis=0))
+    assert (manifest.first_time, manifest.last_time) == (0.0, 20.0)
+    assert manifest.reach == pytest.approx(np.linalg.norm(line.xyz, axis=1).max(), rel=1e-12)
+    assert manifest.points == 2_500
+
+
+def test_the_progress_counts_the_points_read_and_ordered(tmp_path: Path) -> None:
+    told: list[tuple[float, str]] = []
+    write_store(
+        tmp_path, RECIPE, LINE.pieces(1000), place,
+        progress=lambda done, words="": told.append((done, words)),
+    )  # fmt: skip
+    done = [part for part, _ in told]
+    assert done == sorted(done)
+    reading = [(part, words) for part, words in told if words.startswith("Reading L1")]
+    whole = LINE.index[-1] + 1
+    assert [part for part, _ in reading] == pytest.approx(
+        [0.6 * min(1.0, 1000 * k / whole) for k in range(1, len(reading) + 1)]
+    )
+    assert reading[0][1] == f"Reading L1: 1,000 of {whole:,} points"
+    ordering = [words for _, words in told if words.startswith("Ordering L1: ")]
+    assert ordering[0] == "Ordering L1: 0 of 6,300 points"
+    assert told[-1] == (1.0, "Ordering L1: bringing it on the disk")
+
+
 def test_fingerprint_is_that_of_the_points_in_memory(tmp_path: Path) -> None:
     """Picks of a project made from the file still mean the same points."""
     assert stored(tmp_path).fingerprint == Scan(LINE.xyz, LINE.time).fingerprint

@@ -1,6 +1,8 @@
 """The parts of the store one by one, where what they are given is not the usual."""
 
 import errno
+import hashlib
+import os
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -11,16 +13,19 @@ import pytest
 from lispac.errors import ProjectError
 from lispac.survey.store import lock, reading
 from lispac.survey.store.ahead import read_ahead
+from lispac.survey.store.cells import drawn, sorting
 from lispac.survey.store.columns import opened
 from lispac.survey.store.layout import (
     Column,
     DamagedStore,
+    Original,
     is_imported,
     plainly_written,
     read_manifest,
     write_manifest,
 )
 from lispac.survey.store.lock import LOCK, is_held, locked
+from lispac.survey.store.original import is_unchanged, original_of
 from lispac.survey.store.pieces import MOST, Piece
 from lispac.survey.store.reading import open_store
 from lispac.survey.store.runs import gathered
@@ -206,6 +211,45 @@ def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
         with pytest.raises(ProjectError, match="imported already"), locked(tmp_path):
             pass
     assert not is_held(tmp_path)
+
+
+def test_a_lock_that_a_process_left_behind_is_not_held(tmp_path: Path) -> None:
+    assert not is_held(tmp_path)
+    (tmp_path / LOCK).touch()
+    assert not is_held(tmp_path)
+    with locked(tmp_path):
+        assert is_held(tmp_path)
+
+
+def test_the_original_is_known_by_its_time_or_by_all_of_its_content(tmp_path: Path) -> None:
+    path, content = tmp_path / "a.las", bytes(range(256)) * 300
+    path.write_bytes(content)
+    os.utime(path, ns=(0, 10**18))
+    original = original_of(path)
+    assert original == Original(str(path), 76_800, 10**18, hashlib.sha256(content).hexdigest()[:32])
+    copy = tmp_path / "copy.las"
+    copy.write_bytes(content)
+    assert is_unchanged(original, copy)
+    for changed in (content[:40_000] + b"x" + content[40_001:], content + b"x", content[:-1]):
+        copy.write_bytes(changed)
+        assert not is_unchanged(original, copy)
+    # Size and time as they were are believed
+    copy.write_bytes(content[::-1])
+    os.utime(copy, ns=(5, 10**18))
+    assert is_unchanged(original, copy)
+
+
+def test_equal_keys_stay_as_they_stand() -> None:
+    keys = np.random.default_rng(4).integers(0, 5, 3000).astype(np.uint64)
+    np.testing.assert_array_equal(sorting(keys), np.lexsort([np.arange(3000), keys]))
+
+
+def test_a_sample_is_never_larger_than_wanted() -> None:
+    numbers = np.arange(40)
+    assert drawn(numbers, 40, 40).all()
+    assert not drawn(numbers, 40, 0).any()
+    many = np.arange(100_000)
+    assert 4000 < np.count_nonzero(drawn(many, 100_000, 5000)) <= 5000
 
 
 def test_anything_that_can_be_gone_through_is_read_ahead() -> None:

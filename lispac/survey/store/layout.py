@@ -79,7 +79,7 @@ class Original:
     size : int, bytes
     modified : int, nanoseconds
     fingerprint : str
-        Of samples of its content, see `lispac.survey.store.original`.
+        Of all of its content, see `lispac.survey.store.original`.
     """
 
     path: str

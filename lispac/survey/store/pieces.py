@@ -1,7 +1,7 @@
 """Points as they come from a file, and the blocks of fixed size that they are gathered into."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -63,9 +63,10 @@ class Piece:
         """A part of it."""
         part = slice(start, stop)
         extra = {name: values[part] for name, values in self.extra.items()}
-        return Piece(
-            self.points_lidar[part], self.time[part], self.index[part], extra, self.read, self.total
-        )
+        return replace(
+            self, points_lidar=self.points_lidar[part], time=self.time[part],
+            index=self.index[part], extra=extra,
+        )  # fmt: skip
 
 
 @dataclass(eq=False)
