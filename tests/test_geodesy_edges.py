@@ -16,7 +16,7 @@ from lispac.survey.georeferencing import Mounting
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery, require_within_reach
 from lispac.survey.time_base import LEAP_SECONDS_NOW, Match, base_of, from_gps, plausible, to_gps
-from lispac.survey.time_quality import Coverage, left_out
+from lispac.survey.time_quality import Coverage, left_out, short_of_trajectory
 from lispac.survey.time_stated import Known, following_words
 from lispac.survey.trajectory import LocalTrajectory
 
@@ -98,8 +98,29 @@ def test_a_projection_of_ones_own_has_no_code_on_a_realization() -> None:
 def test_a_system_that_states_no_area_is_meant_for_everywhere() -> None:
     assert CRS("+proj=utm +zone=19 +type=crs").area_of_use is None
     assert meant_elsewhere(CRS("+proj=utm +zone=19 +type=crs"), -40.0, 170.0) == ""
-    assert meant_elsewhere(CRS("EPSG:32619"), -40.0, 170.0) != ""
     assert meant_elsewhere(CRS("EPSG:32619"), 46.0, -71.0) == ""
+
+
+def test_a_place_is_elsewhere_from_three_degrees_beyond_the_area_on() -> None:
+    zone = CRS("EPSG:32619")  # 72 to 66 degrees west, 0 to 84 north
+    said = zone.area_of_use.name.split(".")[0]
+    assert said.startswith("Between 72°W and 66°W")
+    for latitude, longitude, elsewhere in (
+        (-2.9, -69, False), (-3.1, -69, True), (86.9, -69, False), (87.1, -69, True),
+        (46, -74.9, False), (46, -75.1, True), (46, -63.1, False), (46, -62.9, True),
+        (46, 111, True),
+    ):  # fmt: skip
+        assert meant_elsewhere(zone, latitude, longitude) == (said if elsewhere else "")
+
+
+def test_an_area_over_the_date_line_is_one() -> None:
+    fiji = CRS("EPSG:3460")  # 176.81 degrees east to 178.15 west
+    for longitude, elsewhere in (
+        (173.7, True), (173.9, False), (180, False), (-180, False), (-175.2, False), (-175.1, True),
+        (0, True),
+    ):  # fmt: skip
+        assert bool(meant_elsewhere(fiji, -17.0, longitude)) == elsewhere
+    assert meant_elsewhere(CRS("EPSG:4326"), 10.0, 179.0) == ""
 
 
 @pytest.mark.parametrize("name", ["a,b.gtx", 'a"b.gtx'])
@@ -215,6 +236,17 @@ def test_what_is_left_out_is_said(covered: Coverage, lost: int, said: str) -> No
 def test_shares_of_no_points_are_none() -> None:
     assert (_covered(0).share_outside, _covered(0).share_in_gaps) == (0.0, 0.0)
     assert (_covered(8, 2, 4).share_outside, _covered(8, 2, 4).share_in_gaps) == (0.25, 0.5)
+
+
+def test_accuracies_may_miss_two_seconds_at_either_end() -> None:
+    track = np.array([10.0, 20.0, 30.0])
+    assert short_of_trajectory(np.array([12.0, 28.0]), track) == ""
+    said = (
+        ", not the whole trajectory (10.0 to 30.0 s); beyond, its first and last values are taken"
+    )
+    for first, last in ((12.1, 30.0), (10.0, 27.9)):
+        told = short_of_trajectory(np.array([first, last]), track)
+        assert told == f"it covers {first:.1f} to {last:.1f} s{said}"
 
 
 def test_leap_seconds_taken_for_granted_are_said() -> None:

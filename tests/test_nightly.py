@@ -7,6 +7,7 @@ import pytest
 
 from tests.extras import nightly
 from tests.extras.nightly import CHECKOUT, COMPILED, ROOMS, answered, drawn, noticed_afresh
+from tests.extras.quick import SLOW
 
 
 def test_what_it_names_is_there() -> None:
@@ -78,7 +79,9 @@ def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
         "TABLE = os.environ.get('MUTANT_UNDER_TEST') != 'a.x_f__mutmut_1'\n"
         "def test_table():\n    assert TABLE\n"
     )
+    (tmp_path / SLOW).write_text('["test_table.py::test_table"]')
     found = noticed_afresh(["a.x_f__mutmut_1", "a.x_f__mutmut_2"], tmp_path, [])
+    assert not (tmp_path / SLOW).exists()
     assert found == {"a.x_f__mutmut_1"}
     tests.write_text("def test_never():\n    assert False\n")
     with pytest.raises(nightly.Failed, match="fail without a change too"):

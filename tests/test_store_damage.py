@@ -51,7 +51,10 @@ def test_flipped_bit_is_noticed(tmp_path: Path) -> None:
             open_store(tmp_path, "L1")
         content[-3] ^= 4
         path.write_bytes(content)
-    found.require_sound()
+    told: list[float] = []
+    found.require_sound(told.append)
+    sizes = [column.size for column in found.manifest.files]
+    assert told == [sum(sizes[: k + 1]) / sum(sizes) for k in range(len(sizes))]
 
 
 def test_a_copied_store_is_checked_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

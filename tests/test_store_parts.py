@@ -28,7 +28,7 @@ from lispac.survey.store.lock import LOCK, is_held, locked
 from lispac.survey.store.original import is_unchanged, original_of
 from lispac.survey.store.pieces import MOST, Piece
 from lispac.survey.store.reading import open_store
-from lispac.survey.store.runs import gathered
+from lispac.survey.store.runs import gathered, in_pieces, rows_of
 from lispac.survey.store.stamps import remember
 from lispac.survey.store.writing import write_store
 from tests.store_lines import RECIPE, Line, place, small, stored
@@ -254,6 +254,17 @@ def test_a_sample_is_never_larger_than_wanted() -> None:
 
 def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
     assert list(read_ahead(iter([3, 1, 2]), depth=2)) == [3, 1, 2]
+
+
+@pytest.mark.parametrize("rows", [1, 7, 64, 1000])
+def test_runs_are_taken_some_rows_at_a_time(rows: int) -> None:
+    ends = np.cumsum(np.random.default_rng(rows).integers(1, 30, 40))
+    runs = ends.reshape(-1, 2)
+    some = list(in_pieces(runs, rows))
+    assert [len(rows_of(each)) for each in some[:-1]] == [rows] * (len(some) - 1)
+    assert 0 < len(rows_of(some[-1])) <= rows
+    np.testing.assert_array_equal(np.concatenate([rows_of(each) for each in some]), rows_of(runs))
+    assert list(in_pieces(runs[:0], rows)) == []
 
 
 def test_no_runs_have_no_values() -> None:

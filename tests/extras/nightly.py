@@ -174,8 +174,10 @@ def noticed_afresh(names: Sequence[str], mutants: Path, tests: Sequence[str]) ->
     """Of changes that survived, those that are noticed where all is imported with them.
 
     mutmut tries a change in a copy of a process that has imported everything: what is computed
-    while modules are imported, such as the table of conventions, it never shows changed.
+    while modules are imported, such as the table of conventions, it never shows changed. Few come
+    here, so the tests that were left out as slow are taken too.
     """
+    (mutants / SLOW).unlink(missing_ok=True)
 
     def passes(**environment: str) -> bool:
         command = [*PYTEST, "-x", *tests]
