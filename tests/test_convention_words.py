@@ -92,6 +92,16 @@ def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
             assert turn.meaning in convention.signs
 
 
+def test_what_is_taken_for_the_axes_of_the_scanner_is_said() -> None:
+    opals = Setup(next(each for each in SYSTEMS if each.key == "opals"))
+    assert opals.scanner_words(rotation_matrix(0.01, 0.02, np.pi / 2)) == (
+        "An axis permutation (mounting) first lays the raw scanner axes on the body's; the angles "
+        "hold the rest. Mounting here: scanner X starboard, Y forward, Z up."
+    )
+    kept = Setup(next(each for each in SYSTEMS if each.key == "pdal"))
+    assert kept.scanner_words(np.eye(3)) == "The scanner's axes stay those of the raw points."
+
+
 def test_open_axes_say_what_was_taken() -> None:
     phoenix = next(each for each in SYSTEMS if each.open_axes)
     assert "taken as X forward, Y port, Z up" in Setup(phoenix).assumption

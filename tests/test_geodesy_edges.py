@@ -63,6 +63,16 @@ def test_poses_of_no_points_are_none_and_others_lie_between_the_states() -> None
     np.testing.assert_allclose(_track().at(np.array([0.25, 7.2])).position[:, 0], [0.5, 14.4])
 
 
+def test_rates_are_those_of_a_steady_motion() -> None:
+    time = np.arange(0.0, 10.1, 0.5)
+    turn = np.array([0.01, -0.02, 0.03])
+    steady = LocalTrajectory(
+        LocalFrame(0.8, -1.2, 0.0), time, time[:, None] * [2.0, -1.0, 0.5], time[:, None] * turn
+    )
+    found = steady.rate_at(np.array([0.0, 3.3, 10.0]))
+    np.testing.assert_allclose(found, [[2.0, -1.0, 0.5, *turn]] * 3, rtol=0, atol=1e-12)
+
+
 # -- coordinate systems ----------------------------------------------------------------------
 
 

@@ -76,6 +76,16 @@ def test_times_outside_are_told_beside_those_of_the_trajectory() -> None:
     )
 
 
+@pytest.mark.parametrize("offset", [1.0, -0.5])
+def test_a_range_offset_lengthens_every_range(offset: float) -> None:
+    mounting = Mounting(np.zeros(3), np.zeros(3), range_offset=offset)
+    points = np.array([[3.0, 4.0, 0.0], [0.0, 0.0, -20.0]])
+    longer = mounting.corrected(points)
+    np.testing.assert_allclose(np.linalg.norm(longer, axis=1), [5 + offset, 20 + offset])
+    np.testing.assert_allclose(np.cross(longer, points), 0.0, atol=1e-12)
+    np.testing.assert_allclose(mounting.as_read(longer), points, atol=1e-12)
+
+
 def test_both_ends_of_the_trajectory_belong_to_it() -> None:
     path, points, _, mounting = survey(2)
     ends = path.time[[0, -1]]

@@ -45,12 +45,12 @@ ROOMS = {
         "plan_words", "warnings", "displaced",
     ),
     "survey": (
-        "cidco_states", "cloud", "clouds", "conventions", "convention_present",
-        "convention_rules", "convention_words", "crs", "crs_operation", "frame_stated",
-        "geodesy_edges", "georeferencing", "georeferencing_map", "growing", "kept_header",
-        "left_out", "lines_cut", "offers", "pace", "patches_on_disk", "points_clock", "reading",
-        "recovery", "scanners", "store", "store_damage", "store_parts", "time_base",
-        "time_restart", "time_stated", "trajectory_quality", "trajectory_remarks",
+        "cidco_states", "cloud", "cloud_regions", "clouds", "conventions", "convention_present",
+        "convention_rules", "convention_typed", "convention_words", "crs", "crs_operation",
+        "frame_stated", "geodesy_edges", "georeferencing", "georeferencing_map", "growing",
+        "kept_header", "left_out", "lever_arm", "lines_cut", "offers", "pace", "patches_on_disk",
+        "points_clock", "reading", "recovery", "scanners", "store", "store_damage", "store_parts",
+        "time_base", "time_restart", "time_stated", "trajectory_quality", "trajectory_remarks",
     ),
 }  # fmt: skip
 """Rooms whose code is changed to see which test notices, and the tests that are quick enough."""

@@ -1,0 +1,169 @@
+"""Lines in memory and on disk, placed anew: what they have in a sphere, and how far they moved."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.geometry.frames import LocalFrame
+from lispac.survey import cloud as cloud_module
+from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, placed_with
+from lispac.survey.georeferencing import Georeferencer, Mounting, place
+from lispac.survey.scan import Scan
+from lispac.survey.store.cells import in_sample
+from lispac.survey.store.reading import open_store
+from lispac.survey.store.writing import write_store
+from lispac.survey.trajectory import LocalTrajectory
+from tests.store_lines import RECIPE, Line, small
+
+__all__ = ["small"]
+pytestmark = pytest.mark.usefixtures("small")
+
+COUNT = 6_300
+PRIOR = Mounting(np.array([0.2, 0.1, 0.5]), np.radians([1.0, -2.0, 3.0]))
+OTHER = Mounting(np.array([0.25, 0.1, 0.4]), np.radians([1.5, -1.5, 3.4]), 0.03, 1e-3, 0.02)
+TIME = np.linspace(-1.0, 21.0, 441)
+TRACK = LocalTrajectory(
+    LocalFrame(0.8, -1.2, 0.0), TIME, np.column_stack([0.9 * TIME, np.sin(TIME), 0 * TIME]),
+    np.column_stack([0.1 * np.sin(TIME), 0.05 * np.cos(TIME), 0.3 * np.sin(0.2 * TIME)]),
+)  # fmt: skip
+
+
+@pytest.fixture
+def clouds(tmp_path: Path) -> dict[str, Cloud]:
+    """The same line twice; its coordinates are those that a store has."""
+    line = Line(COUNT)
+    line.xyz = line.xyz.astype(np.float32).astype(float)
+    scan = Scan(line.xyz, line.time, line.extra["intensity"].astype(float))
+    where = Georeferencer.of(TRACK, PRIOR)
+    recipe = replace(RECIPE, placed_with={"mounting": PRIOR.values.tolist()})
+    write_store(tmp_path, recipe, line.pieces(1500), where)
+    return {
+        "memory": CloudInMemory.of(scan, TRACK, PRIOR),
+        "disk": CloudOnDisk(open_store(tmp_path, "L1"), where),
+    }
+
+
+def reference(cloud: Cloud, mounting: Mounting) -> np.ndarray:
+    """All points of the line by the reference formula, in the order of the file."""
+    line = Line(COUNT)
+    xyz = line.xyz.astype(np.float32).astype(float)
+    return place(xyz, TRACK.at(line.time + mounting.latency), mounting)
+
+
+@pytest.mark.parametrize("mounting", [PRIOR, OTHER], ids=["as placed", "placed anew"])
+@pytest.mark.parametrize("kind", ["memory", "disk"])
+def test_a_region_is_what_brute_force_finds(
+    clouds: dict[str, Cloud], kind: str, mounting: Mounting
+) -> None:
+    cloud = placed_with(clouds, mounting)[kind]
+    every = reference(cloud, mounting)
+    assert len(cloud) == COUNT
+    # Among many points, about a single one, where there is none, and all of them
+    for centre, radius in ((every[100], 3.0), (every[7], 1e-3), ([900, 0, 0], 5), ([0, 0, 0], 99)):
+        region = cloud.within(np.array(centre, dtype=float), radius)
+        off = np.linalg.norm(every - centre, axis=1)
+        np.testing.assert_array_equal(region.numbers, np.flatnonzero(off <= radius))
+        np.testing.assert_allclose(region.points, every[region.numbers], rtol=0, atol=1e-9)
+        assert region.one_in == 1
+
+
+@pytest.mark.parametrize("kind", ["memory", "disk"])
+def test_points_and_samples_are_placed_with_the_mounting(
+    clouds: dict[str, Cloud], kind: str
+) -> None:
+    line, numbers = Line(COUNT), np.array([77, 3, 5000])
+    for mounting in (PRIOR, OTHER):
+        cloud = clouds[kind].placed_with(mounting)
+        every = reference(cloud, mounting)
+        np.testing.assert_allclose(cloud[numbers], every[numbers], rtol=0, atol=1e-9)
+        sampled = np.searchsorted(line.time, cloud.sample_time)
+        np.testing.assert_array_equal(line.time[sampled], cloud.sample_time)
+        assert 1000 < len(np.unique(sampled)) == len(sampled)
+        np.testing.assert_allclose(cloud.sample, every[sampled], rtol=0, atol=1e-9)
+        np.testing.assert_array_equal(cloud.sample_intensity, line.extra["intensity"][sampled])
+        own = line.xyz[sampled].astype(np.float32).astype(float)
+        np.testing.assert_allclose(cloud.sample_range, np.linalg.norm(own, axis=1), rtol=1e-12)
+        some, their_time = cloud.sample_lidar(np.array([9, 2]))
+        np.testing.assert_array_equal(some, own[[9, 2]])
+        np.testing.assert_array_equal(their_time, cloud.sample_time[[9, 2]])
+    held = cloud.scan if isinstance(cloud, CloudInMemory) else cloud.stored
+    points, times = held.take(numbers)
+    np.testing.assert_array_equal(points, line.xyz[numbers].astype(np.float32))
+    np.testing.assert_array_equal(times, line.time[numbers])
+    np.testing.assert_array_equal(held.intensities(numbers), line.extra["intensity"][numbers])
+
+
+def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
+    clouds: dict[str, Cloud], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    centre = np.array([8.0, 20.0, 4.0])
+    one, other = (cloud.within(centre, 12.0, most=300) for cloud in clouds.values())
+    whole = clouds["memory"].within(centre, 12.0)
+    assert one.one_in == other.one_in
+    halvings = one.one_in.bit_length() - 1
+    np.testing.assert_array_equal(one.numbers, other.numbers)
+    np.testing.assert_array_equal(one.numbers, whole.numbers[in_sample(whole.numbers, halvings)])
+    np.testing.assert_allclose(one.points, other.points, rtol=0, atol=1e-9)
+    # As few halvings as leave no more than are wanted
+    assert len(one.numbers) <= 300 < np.count_nonzero(in_sample(whole.numbers, halvings - 1))
+    monkeypatch.setattr(cloud_module, "MOST", 300)
+    for cloud in clouds.values():
+        np.testing.assert_array_equal(cloud.within(centre, 12.0).numbers, one.numbers)
+
+
+def test_samples_are_halves_of_each_other() -> None:
+    numbers, before = np.arange(40_000), np.ones(40_000, bool)
+    for halvings in range(1, 6):
+        kept = in_sample(numbers, halvings)
+        assert not (kept & ~before).any()
+        assert np.count_nonzero(kept) == pytest.approx(40_000 / 2**halvings, rel=0.1)
+        before = kept
+
+
+ZERO = Mounting(np.zeros(3), np.zeros(3))
+
+
+@pytest.mark.parametrize(
+    ("other", "loose"),
+    [
+        (replace(ZERO, lever_arm=np.array([0.3, -0.4, 1.2])), 1.001),
+        (replace(ZERO, boresight=np.radians([0.0, 0.5, 0.0])), 1.01),
+        (replace(ZERO, range_offset=0.2), 1.001),
+        (replace(ZERO, scan_angle_offset=0.01), 1.01),
+        (replace(ZERO, latency=0.1), 1.2),
+        (OTHER, 2.5),
+    ],
+)
+def test_no_point_moves_farther_than_is_said_nor_is_much_more_said(
+    other: Mounting, loose: float
+) -> None:
+    """On a platform that turns by a radian in two seconds, in one place and on its way."""
+    time = np.linspace(0.0, 2.0, 21)
+    for speed in (0.0, 5.0):
+        position = np.column_stack([speed * time, 0 * time, 0 * time])
+        attitude = np.column_stack([0 * time, 0 * time, 0.5 * time])
+        track = LocalTrajectory(LocalFrame(0.8, -1.2, 0.0), time, position, attitude)
+        points = np.random.default_rng(3).normal(size=(3000, 3))
+        points *= 40.0 / np.linalg.norm(points, axis=1, keepdims=True)
+        when = np.full(3000, 1.0)
+        one, moved = Georeferencer.of(track, ZERO), Georeferencer.of(track, other)
+        off = np.linalg.norm(one(points, when) - moved(points, when), axis=1).max()
+        assert off <= one.farthest_move(other, 40.0) * (1 + 1e-12)
+        assert moved.farthest_move(ZERO, 40.0) >= off * (1 - 1e-12)
+        assert one.farthest_move(other, 40.0) <= loose * off
+    assert Georeferencer.of(track, other).farthest_move(other, 40.0) == 0
+
+
+def test_points_about_a_place_tell_how_far_it_moved() -> None:
+    before = np.random.default_rng(1).uniform(-5, 5, (2000, 3))
+    after = before + [0.3, -0.4, 0.0]
+    after[0], before[0] = [900.0, 0, 0], [0.0, 0, 0]  # far from the place
+    centre = np.zeros(3)
+    assert cloud_module._margin_near(before, after, centre, 2.0, 9.0) == pytest.approx(
+        cloud_module.SPARE * 0.5 + cloud_module.MARGIN_LEAST
+    )
+    assert cloud_module._margin_near(before, after, centre, 2.0, 0.25) == 0.25
+    # Where few lie about it nothing but the most that any can have moved is known
+    assert cloud_module._margin_near(before[:80], after[:80], centre, 0.1, 9.0) == 9.0
