@@ -1,6 +1,8 @@
 """The nightly set names tests and modules that are there."""
 
 import re
+import subprocess
+import sys
 import tomllib
 
 import pytest
@@ -95,3 +97,28 @@ def test_every_answer_is_a_sentence_and_every_family_an_expression() -> None:
     assert all(each for kind in answers.values() for each in kind.values())
     for each in answers["families"]:
         re.compile(each)
+
+
+LAZ_IN_A_COPY = """
+import os, signal, sys
+import laspy
+from tests.extras.quick import pytest_configure
+pytest_configure()
+cloud = laspy.create(point_format=6)
+cloud.x = range(100)
+cloud.write(sys.argv[1])
+laspy.read(sys.argv[1])
+copy = os.fork()
+if not copy:
+    signal.alarm(20)
+    os._exit(len(laspy.read(sys.argv[1])) != 100)
+sys.exit(os.waitstatus_to_exitcode(os.waitpid(copy, 0)[1]))
+"""
+
+
+def test_a_copy_of_a_process_that_has_read_laz_reads_it_too(tmp_path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", LAZ_IN_A_COPY, str(tmp_path / "cloud.laz")],
+        cwd=CHECKOUT, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0

@@ -2,6 +2,9 @@
 
 Each change has a process of its own, in which a fixture of the session is made anew. How long the
 other tests take is known after mutmut's first run of them; `SLOW` beside them names those.
+
+These processes are copies of one that has run the tests before, without its threads: what waits for
+those of the LAZ library would wait until the change is counted as one that hangs.
 """
 
 import json
@@ -12,6 +15,14 @@ import pytest
 SURVEYS = {"calibrated", "copy", "demo_project", "port", "shared_data", "whole_demo"}
 SLOW = Path("slow-tests.json")
 """Names of tests, in the folder that mutmut makes."""
+
+
+def pytest_configure() -> None:
+    """Read and write LAZ in the thread that asks for it."""
+    from laspy._compression import backend
+
+    single = backend.LazrsBackend(parallel=False)
+    backend._DEFAULT_BACKENDS = (single, single, backend.LaszipBackend())
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
