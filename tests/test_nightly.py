@@ -63,6 +63,8 @@ def test_of_each_module_the_same_changes_are_drawn() -> None:
         ("for _ in range(20):", "for _ in range(21):", True),
         ("for _ in range(20):", "for _ in range(22):", False),
         ("zip(a, b, strict=True)", "zip(a, b, strict=False)", True),
+        ("zip(a, b, strict=True)", "zip(a, b, )", True),
+        ("zip(a, b, strict=True)", "zip(b, strict=True)", False),
     ],
 )
 def test_a_survivor_is_answered_by_its_line_a_family_or_its_texts(ours, theirs, expected) -> None:
