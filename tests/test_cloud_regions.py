@@ -157,13 +157,18 @@ def test_no_point_moves_farther_than_is_said_nor_is_much_more_said(
 
 
 def test_points_about_a_place_tell_how_far_it_moved() -> None:
-    before = np.random.default_rng(1).uniform(-5, 5, (2000, 3))
-    after = before + [0.3, -0.4, 0.0]
-    after[0], before[0] = [900.0, 0, 0], [0.0, 0, 0]  # far from the place
-    centre = np.zeros(3)
-    assert cloud_module._margin_near(before, after, centre, 2.0, 9.0) == pytest.approx(
-        cloud_module.SPARE * 0.5 + cloud_module.MARGIN_LEAST
-    )
+    """Those within 3 m of it by half a metre, the others by more."""
+    centre = np.array([10.0, 20.0, 30.0])
+    after = centre + np.random.default_rng(1).uniform(-5, 5, (4000, 3))
+    far = np.linalg.norm(after - centre, axis=1) > 2.0 + cloud_module.BESIDE
+    before = after - np.where(far[:, None], [0.0, 2.0, 0.0], [0.3, -0.4, 0.0])
+    near = cloud_module.SPARE * 0.5 + cloud_module.MARGIN_LEAST
+    found = cloud_module._margin_near(before, after, centre, 2.0, 9.0)
+    assert found == pytest.approx(near)
     assert cloud_module._margin_near(before, after, centre, 2.0, 0.25) == 0.25
-    # Where few lie about it nothing but the most that any can have moved is known
-    assert cloud_module._margin_near(before[:80], after[:80], centre, 0.1, 9.0) == 9.0
+    # Where fewer than 50 lie about it, nothing but the most that any can have moved is known
+    chosen = np.flatnonzero(~far)
+    for count, margin in ((49, 9.0), (50, near)):
+        some = chosen[:count]
+        found = cloud_module._margin_near(before[some], after[some], centre, 2.0, 9.0)
+        assert found == pytest.approx(margin)

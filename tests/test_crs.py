@@ -44,9 +44,30 @@ def test_there_and_back(code: int) -> None:
     latitude = np.radians((place.south + place.north) / 2 + np.linspace(-0.01, 0.01, 50))
     longitude = np.radians((place.west + place.east) / 2 + np.linspace(-0.01, 0.01, 50))
     height = np.linspace(-20, 40, 50)
-    back = system.to_geodetic(system.from_geodetic(latitude, longitude, height))
+    points = system.from_geodetic(latitude, longitude, height)
+    back = system.to_geodetic(points)
     expected = geodetic_to_ecef(latitude, longitude, height)
     np.testing.assert_allclose(geodetic_to_ecef(*back), expected, atol=1e-6)
+    off = (system.from_ecef(expected) - points) * np.array(system.metres)
+    np.testing.assert_allclose(off, 0.0, atol=1e-6)
+
+
+FOOT = 1200 / 3937
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "metres"),
+    [
+        ("EPSG:32619", {}, (1.0, 1.0, 1.0)),
+        ("EPSG:2229", {}, (FOOT, FOOT, FOOT)),
+        ("EPSG:2229", {"height_unit": "metre"}, (FOOT, FOOT, 1.0)),
+        ("EPSG:32619", {"height_unit": "foot"}, (1.0, 1.0, 0.3048)),
+        ("EPSG:4979", {}, (111_319.4908, 111_319.4908, 1.0)),
+        ("EPSG:4978", {}, (1.0, 1.0, 1.0)),
+    ],
+)
+def test_units_are_known_in_metres(text: str, options: dict[str, str], metres) -> None:
+    assert coordinate_system(text, **options).metres == pytest.approx(metres, rel=1e-9)
 
 
 def test_grid_north_and_scale_are_not_ignored() -> None:

@@ -179,6 +179,17 @@ def test_points_outside_the_system_are_refused(tmp_path: Path) -> None:
         PointMapper(system, trajectory, MOUNTING).to_map(points, time)
 
 
+def test_a_site_at_the_edge_of_a_geoid_grid_is_mapped(tmp_path: Path) -> None:
+    """Its own points lie on the grid, what the polynomials are fitted for reaches beyond."""
+    system = coordinate_system("EPSG:2949", height=str(folded_geoid(tmp_path / "g.gtx")))
+    trajectory = track((47.9965, -71.2), size=200.0)  # the grid ends 390 m to the north
+    points, time = sweep(trajectory, 300)
+    mapper = PointMapper(system, trajectory, MOUNTING)
+    expected = one_by_one(system, trajectory, points, time)
+    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=PROMISED)
+    np.testing.assert_allclose(mapper.to_scanner(expected, time), points, rtol=0, atol=2 * PROMISED)
+
+
 def test_local_frame_is_a_map_too() -> None:
     trajectory = track()
     points, time = sweep(trajectory)

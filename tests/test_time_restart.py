@@ -76,6 +76,14 @@ def test_times_moved_back_are_those_of_the_file(restart: str, shift: float) -> N
     assert reading.moved_back(moved).tolist() == written.tolist()
 
 
+def test_two_times_can_tell_a_restart_and_one_cannot() -> None:
+    assert restart_of(np.array([DAY - 3.0, 2.0])) == "midnight"
+    assert restart_of(np.array([2.0, WEEK - 3.0])) == "week-end"
+    assert restart_of(np.array([DAY - 3.0])) == ""
+    assert restart_of(np.zeros(0)) == ""
+    assert restart_of(np.array([DAY - 3.0, np.nan, 2.0])) == ""
+
+
 def test_an_option_states_it_or_takes_it_back(tmp_path: Path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
     _, survey = made(tmp_path / "none", track, line, Reading("", (("restart", "none"),)))
