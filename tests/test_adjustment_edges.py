@@ -5,8 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from threadpoolctl import threadpool_info, threadpool_limits
 
 from lispac.adjustment import iteration, scatter, solver
+from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
 from lispac.adjustment.components import _Likelihood
 from lispac.adjustment.observability import require_determined
@@ -16,18 +18,18 @@ from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.passes import in_chunks
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.robust import Loss
-from lispac.adjustment.scatter import unforeseen
+from lispac.adjustment.scatter import unforeseen, with_scatter
 from lispac.adjustment.shapes import fit_shapes
 from lispac.adjustment.shown import significance_words
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient
-from lispac.simulation.closed_form import Ball, exact_survey, observed, six_courses
+from lispac.simulation.closed_form import Ball, Board, exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from tests.surveys import planar_survey
-from tests.test_robustness import PRIOR, TRUTH, shifted, survey
+from tests.test_robustness import PRIOR, TRUTH, shifted, survey, with_strays
 
 MODEL = StochasticModel()
 ROBUST = StochasticModel(loss="tukey")
@@ -259,3 +261,73 @@ def test_of_two_targets_and_halves_of_lines_nothing_is_told_of_their_scatter(
     assert unforeseen(solved).shape == (3,)
     monkeypatch.setattr(scatter, "STRETCHES", 2)
     np.testing.assert_array_equal(unforeseen(solved), np.zeros(3))
+
+
+BESIDE_EACH_OTHER = (
+    Board("T1", (0.0, 15.0, 5.0), (0.0, -1.0, 0.0)),
+    Board("T2", (3.0, 14.0, 3.0), (0.0, -1.0, 1.0)),
+    Board("T3", (-3.0, 16.0, 6.0), (1.0, -2.0, 0.0)),
+    Board("T4", (6.0, 15.0, 4.0), (-3.0, -5.0, 2.0)),
+)
+
+
+def test_what_is_not_foreseen_is_that_of_adjustments_without_each_place(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Two sightings displaced; the jackknife, less what the sigmas foresee (Tukey, Hausman)."""
+    monkeypatch.setattr(scatter, "STRETCHES", 2)  # too few to tell anything of the lines
+    generator = np.random.default_rng(5)
+    exact = exact_survey(TRUTH, BESIDE_EACH_OTHER, six_courses(), 0.5, generator)
+    data = shifted(observed(exact, HYDROGRAPHIC_INS, generator), 2, 0.02)
+    model = replace(MODEL, surface=0.001)
+    whole = adjust(data, TRUTH, model, diagnostics=False)
+    parts = []
+    for target in data.targets:
+        kept = np.array([each.target != target for each in data.sightings])
+        parts.append(adjust(data.of_sightings(kept), TRUTH, model, diagnostics=False))
+    off = np.array([part.boresight - whole.boresight for part in parts])
+    foreseen = np.array([part.sigma**2 - whole.sigma**2 for part in parts])
+    expected = 3 / 4 * np.maximum((off**2 - foreseen).sum(axis=0), 0.0)
+    solved = Solved.of(whole, data, TRUTH)
+    assert solved is not None
+    more = unforeseen(solved)
+    np.testing.assert_allclose(more, expected, rtol=0.01)
+    assert np.count_nonzero(expected) == 2
+    raised = with_scatter(whole, solved)
+    np.testing.assert_allclose(raised.sigma**2, whole.sigma**2 + more)
+    np.testing.assert_allclose(raised.correlation_all, whole.correlation_all)
+
+
+@pytest.mark.parametrize("loss", ["huber", "tukey"])
+def test_the_equations_at_an_answer_say_how_its_weights_follow(
+    few: Observations, loss: str
+) -> None:
+    """By difference quotients of the right-hand side; with weights held they are a tenth off."""
+    strays, _ = with_strays(few, 3)
+    model = StochasticModel(loss=loss, surface=0.001)
+    solved = Solved.of(adjust(strays, PRIOR, model, diagnostics=False), strays, PRIOR)
+    assert solved is not None
+    here, step = solved.here, 1e-6
+    mounting = here.state.mounting
+
+    def pull(turn: np.ndarray) -> np.ndarray:
+        moved = mounting.with_boresight(mounting.boresight + turn)
+        state = replace(here.state, mounting=moved)
+        return here.problem.linearised(state, here.loss).normal.right
+
+    for k, turn in enumerate(step * np.eye(3)):
+        change = (pull(-turn)[k] - pull(turn)[k]) / (2 * step)
+        assert here.normal.matrix[k, k] == pytest.approx(change, rel=0.01)
+
+
+def test_what_is_still_to_come_is_a_geometric_series() -> None:
+    last, change = np.array([8.0, 10.0, 0.0, 4.0]), np.array([4.0, 1.0, 1.0, 4.0])
+    # 2 + 1 + ..., 0.1 + 0.01 + ..., and never slower than by halves
+    np.testing.assert_allclose(iteration._to_come(change, last), [4.0, 1 / 9, 1.0, 4.0])
+
+
+def test_products_are_made_by_the_thread_that_asks_for_them() -> None:
+    with threadpool_limits(limits=3), one_thread():
+        inside = [each for each in threadpool_info() if each["user_api"] == "blas"]
+    assert inside
+    assert [each["num_threads"] for each in inside] == [1] * len(inside)
