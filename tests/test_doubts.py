@@ -9,9 +9,11 @@ import pytest
 from scipy import stats
 
 from lispac.adjustment.critical import rarely_more
+from lispac.adjustment.doubt import MOST_NAMED, some
 from lispac.adjustment.doubts import RULES, doubts
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import Contradiction
+from lispac.adjustment.shown import listed
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.cli.estimate import numbers, print_result
 from lispac.gui.panels import result_words
@@ -209,6 +211,23 @@ def test_a_sound_answer_leaves_no_doubt(
     assert result_words.verdict(result, checks).endswith("the uncertainties can be used.")
     print_result(result, checks)
     assert "To know before" not in capsys.readouterr().out
+
+
+def test_a_value_that_was_stated_and_found_does_not_go_into_a_large_sigma(project: Project) -> None:
+    seen = Estimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
+    wide = _wide(project).result
+    assert wide is not None
+    (large,) = doubts(replace(wide, parameters=(seen,)), None)
+    assert large.code == "large_sigma"
+    assert large.text.endswith("Add targets of other inclinations, or lines in other directions.")
+
+
+def test_a_few_are_all_named_and_of_more_it_is_told_how_many() -> None:
+    names = list("ABCDEFGH")
+    few, more = some(names[:MOST_NAMED]), some(names[: MOST_NAMED + 1])
+    assert few == listed(names[:MOST_NAMED])
+    assert more == listed([*names[:MOST_NAMED], "1 more"])
+    assert some(names).endswith(f" and {len(names) - MOST_NAMED} more")
 
 
 def test_serious_doubts_come_first(project: Project) -> None:

@@ -7,10 +7,12 @@ from lispac.adjustment.line_shifts import AXES, Scores
 from lispac.adjustment.problem import Linearised
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
 from lispac.project import Project
 from lispac.workflow.calibration import observations_of
 from lispac.workflow.survey import load_survey
 from lispac.workflow.targetless import targetless
+from tests.test_robustness import PRIOR, survey
 
 SIGMAS = 6.0
 """A shift, over the prior's sigma of it."""
@@ -66,6 +68,17 @@ def here(demo_project: Project) -> Linearised:
 
 
 def test_scores_are_those_of_dense_matrices(here: Linearised) -> None:
+    _compare_with_dense_matrices(here)
+
+
+def test_scores_of_a_few_boards_are_those_of_dense_matrices() -> None:
+    data = survey(1, 0.3)
+    solved = Solved.of(adjust(data, PRIOR, StochasticModel(), diagnostics=False), data, PRIOR)
+    assert solved is not None
+    _compare_with_dense_matrices(solved.here)
+
+
+def _compare_with_dense_matrices(here: Linearised) -> None:
     normal, problem = here.normal, here.problem
     knots, observations = problem.groups.knots, problem.observations
     assert knots is not None
