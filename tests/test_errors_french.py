@@ -106,11 +106,7 @@ NOT_SAID: dict[str, set[str]] = {
         "StripAlign (NED attitude, *)",
         "RIEGL RiPROCESS",
     },
-    "the language of PROJ": {
-        "+step +proj=unitconvert +xy_in=deg +xy_out=rad",
-        '+step +proj=vgridshift +grids="7" +multiplier=1',
-        "+step +proj=unitconvert +xy_in=rad +xy_out=deg",
-    },
+    "the language of PROJ": {'+proj=vgridshift +grids="7" +multiplier=1'},
     "words of matplotlib": {
         "upper right", "axes fraction", "offset points", "outside upper right",
         "outside right upper", "outside lower center",

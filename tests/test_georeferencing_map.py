@@ -12,6 +12,7 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_matrix
 from lispac.io.sbet import read_sbet, write_sbet
+from lispac.survey import mapping
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference, place, to_lidar
 from lispac.survey.mapping import PointMapper
@@ -107,6 +108,21 @@ def test_far_points_go_the_exact_way() -> None:
     found = mapper.to_map(points, time)
     np.testing.assert_allclose(found, expected, rtol=0, atol=PROMISED)
     np.testing.assert_allclose(mapper.to_scanner(found, time), points, rtol=0, atol=2 * PROMISED)
+
+
+@pytest.mark.parametrize("threads", [None, 1, 3])
+def test_the_pieces_that_threads_take_are_put_together(
+    threads: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    trajectory = track()
+    points, time = sweep(trajectory, 1000)
+    points[::10] *= 250  # these go the exact way
+    mapper = PointMapper(coordinate_system("EPSG:32619"), trajectory, MOUNTING)
+    whole = mapper.to_map(points, time)
+    back = mapper.to_scanner(whole, time)
+    monkeypatch.setattr(mapping, "PIECE", 128)
+    np.testing.assert_array_equal(mapper.to_map(points, time, threads=threads), whole)
+    np.testing.assert_array_equal(mapper.to_scanner(whole, time, threads=threads), back)
 
 
 def test_a_long_survey_is_divided() -> None:

@@ -20,11 +20,10 @@ def geoid_grid(grid: Path) -> Transformer:
         raise InputError(f"{grid}: there is no such geoid grid; check the path.")
     if "," in str(grid) or '"' in str(grid):
         raise InputError(f"{grid}: PROJ takes no commas or quotes in a path; rename the grid.")
-    degrees = "+step +proj=unitconvert +xy_in=deg +xy_out=rad"
-    shift = f'+step +proj=vgridshift +grids="{grid.resolve()}" +multiplier=1'
-    radians = "+step +proj=unitconvert +xy_in=rad +xy_out=deg"
-    try:
-        return Transformer.from_pipeline(f"+proj=pipeline {degrees} {shift} {radians}")
+    try:  # pyproj turns degrees into the radians of the shift, and back
+        return Transformer.from_pipeline(
+            f'+proj=vgridshift +grids="{grid.resolve()}" +multiplier=1'
+        )
     except ProjError as error:
         raise InputError(
             f"{grid}: cannot be read as a geoid grid; give a .gtx or GeoTIFF grid of PROJ."
