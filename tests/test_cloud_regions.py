@@ -93,6 +93,7 @@ def test_points_and_samples_are_placed_with_the_mounting(
     np.testing.assert_array_equal(points, line.xyz[numbers].astype(np.float32))
     np.testing.assert_array_equal(times, line.time[numbers])
     np.testing.assert_array_equal(held.intensities(numbers), line.extra["intensity"][numbers])
+    assert Scan(points, times).intensities(np.array([0, 2])) is None
 
 
 def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
