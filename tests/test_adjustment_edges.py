@@ -331,3 +331,15 @@ def test_products_are_made_by_the_thread_that_asks_for_them() -> None:
         inside = [each for each in threadpool_info() if each["user_api"] == "blas"]
     assert inside
     assert [each["num_threads"] for each in inside] == [1] * len(inside)
+
+
+@pytest.mark.parametrize(("lines", "named"), [(("L1", "L3"), False), (("L1", "L3", "L5"), True)])
+def test_of_two_sightings_of_a_target_neither_is_let_go_of(
+    lines: tuple[str, ...], named: bool
+) -> None:
+    """What would be left of the target nothing could contradict."""
+    whole = survey(1, 0.3)
+    data = whole.of_sightings(np.array([each.line in lines for each in whole.sightings]))
+    problem = Problem.of(shifted(data, 1, 0.3), TRUTH, replace(MODEL, surface=0.001))
+    here = problem.linearised(problem.start(TRUTH, fit_shapes(data, TRUTH)))
+    assert worst_blunder(here, ()) == (Blunder("shift", (1,)) if named else None)
