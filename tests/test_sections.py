@@ -127,8 +127,16 @@ def test_a_distance_has_its_parts_and_a_way_back(first: np.ndarray, second: np.n
         assert turned == pytest.approx(np.pi)
 
 
-def test_east_is_ninety_degrees() -> None:
-    assert np.degrees(distance(np.zeros(3), np.array([0, -2.0, 0])).azimuth) == pytest.approx(90)
+@pytest.mark.parametrize(
+    ("way", "azimuth_deg"),
+    [((2, 0, 0), 0), ((0, -2, 0), 90), ((-2, 0, 0), 180), ((0, 2, 0), 270), ((0, 0, 2), 0)],
+)
+def test_azimuths_go_from_north_by_east_and_straight_up_there_is_none(
+    way: tuple[int, ...], azimuth_deg: float
+) -> None:
+    found = distance(np.ones(3), np.ones(3) + way)
+    assert np.degrees(found.azimuth) == pytest.approx(azimuth_deg)
+    assert (found.slope, found.vertical) == (2.0, way[2])
 
 
 @given(st.floats(0, np.pi), places, st.floats(-3, 3), st.floats(-1.5, 1.5), st.floats(-3, 3))
