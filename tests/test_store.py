@@ -99,6 +99,21 @@ def test_what_all_points_share_takes_no_room(tmp_path: Path) -> None:
     assert without == {"return_number", "colour mode"}
 
 
+def test_columns_take_no_more_room_than_their_values_need(tmp_path: Path) -> None:
+    manifest = stored(tmp_path).manifest
+    assert {c.name: (c.dtype, c.shape) for c in manifest.columns} == {
+        "xyz": ("<f4", (3,)), "time": ("<f8", ()), "number": ("<u4", ()), "before": ("<u4", ()),
+        "row": ("<u4", ()), "octaves": ("<u8", ()), "starts": ("<u8", ()),
+        "coarse_row": ("<u4", ()), "coarse_local": ("<f8", (3,)), "coarse_xyz": ("<f4", (3,)),
+        "coarse_time": ("<f8", ()), "coarse_intensity": ("<u2", ()),
+    }  # fmt: skip
+    for column in manifest.files:
+        values = np.prod(column.shape, dtype=int) * column.count
+        assert column.size == 128 + values * np.dtype(column.dtype).itemsize
+        assert column.size == (tmp_path / manifest.folder / column.file).stat().st_size
+    assert manifest.bytes == sum(column.size for column in manifest.files)
+
+
 def test_order_is_by_cell_and_cells_are_few_runs(tmp_path: Path) -> None:
     found = stored(tmp_path)
     local = place(found.points_lidar.astype(float), found.time)
