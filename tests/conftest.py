@@ -3,14 +3,17 @@
 import gc
 import shutil
 from collections.abc import Generator
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 import hypothesis
 import pytest
 
+from lispac.cli.main import main
 from lispac.project import Project
 from lispac.simulation.survey import SimulatedSurvey, port_survey
-from lispac.workflow.demo import calibrate_demo, make_demo
+from lispac.workflow.demo import make_demo
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
 from tests.sharing import once
@@ -83,16 +86,33 @@ def demo_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 @pytest.fixture(scope="session")
+def told_demo(
+    demo_project: Project, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Path, int, str, str]:
+    """Folder of `lispac demo`, its code and what it said; not to be changed on disk."""
+
+    def tell(folder: Path) -> tuple[Path, int, str, str]:
+        shutil.copytree(demo_project.folder, folder)
+        left = b"left by an earlier run, which the next one replaces"
+        (folder / "raw" / "L1_000.laz").write_bytes(left)
+        with redirect_stdout(StringIO()) as out, redirect_stderr(StringIO()) as err:
+            code = main(["demo", "--output", str(folder), "--no-window"])
+        return folder, code, out.getvalue(), err.getvalue()
+
+    return once(tmp_path_factory, "told", tell)
+
+
+@pytest.fixture(scope="session")
 def calibrated(
-    whole_demo: Project, tmp_path_factory: pytest.TempPathFactory
+    told_demo: tuple[Path, int, str, str], tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Project, Survey]:
     """The built-in survey, calibrated and validated; not to be changed on disk."""
 
-    def calibrate(folder: Path) -> Project:
-        shutil.copytree(whole_demo.folder, folder)
-        return calibrate_demo(open_project(folder))[0]
+    def take(folder: Path) -> Project:
+        shutil.copytree(told_demo[0], folder, ignore=shutil.ignore_patterns("report.*"))
+        return open_project(folder)
 
-    project = once(tmp_path_factory, "calibrated", calibrate)
+    project = once(tmp_path_factory, "calibrated", take)
     return project, load_survey(project)
 
 

@@ -120,15 +120,10 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     assert "ÉTALONNÉ" in french.read_text(encoding="utf-8")
 
 
-def test_demo_prints_answer_truth_and_report(
-    capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
-) -> None:
-    folder = Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
-    left = folder / "raw" / "L1_000.laz"
-    left.write_bytes(b"left by an earlier run, which the next one replaces")
-    code, out, err = run(capsys, "demo", "--output", folder, "--no-window")
+def test_demo_prints_answer_truth_and_report(told_demo: tuple[Path, int, str, str]) -> None:
+    folder, code, out, err = told_demo
     assert code == 0, err
-    assert laspy.read(left).header.point_count > 10_000
+    assert laspy.read(folder / "raw" / "L1_000.laz").header.point_count > 10_000
     for word in ("boresight", "sigma", "truth", "V5", str(folder / "report.pdf")):
         assert word in out
     assert (folder / "report.pdf").exists()

@@ -14,6 +14,10 @@ from lispac.workflow.survey import Survey
 from lispac.workflow.validation import validate_with_truth
 
 
+ENOUGH = 2000
+"""Points of a line whose mean tells how far it moves: between them the moves differ by little."""
+
+
 def moves(project: Project, survey: Survey, plane: Target, lines: tuple[str, str]) -> np.ndarray:
     """How far the first line moves off the second by the angles (3,), metres per radian.
 
@@ -30,8 +34,9 @@ def moves(project: Project, survey: Survey, plane: Target, lines: tuple[str, str
     high = np.min([each.max(axis=0) for each in placed], axis=0)
     found = []
     for sighting, where in zip(sightings, placed, strict=True):
-        both = ((where >= low) & (where <= high)).all(axis=1)
-        points_lidar, time = survey.scans[sighting.line].take(sighting.indices[both])
+        both = sighting.indices[((where >= low) & (where <= high)).all(axis=1)]
+        some = both[:: max(1, len(both) // ENOUGH)]
+        points_lidar, time = survey.scans[sighting.line].take(some)
         poses = survey.trajectory.at(time)
         moved = sensitivity(
             points_lidar, Poses(poses.position, poses.attitude), project.result.mounting,
