@@ -11,8 +11,10 @@ from lispac.survey.time_base import (
     DAY,
     LEAP_DATES,
     WEEK,
+    Match,
     base_of,
     from_gps,
+    leap_seconds,
     leap_seconds_at_gps,
     matches,
     plausible,
@@ -50,6 +52,16 @@ def test_known_instants() -> None:
     assert leap_seconds_at_gps(1_167_264_018.0) == 18
     assert leap_seconds_at_gps(1_167_264_016.9) == 17
     assert leap_seconds_at_gps(0.0) == 0
+
+
+def test_a_leap_second_counts_from_the_start_of_its_day_on() -> None:
+    for count, date in enumerate(LEAP_DATES, start=1):
+        start = (datetime(date.year, date.month, date.day, tzinfo=UTC) - EPOCH).total_seconds()
+        assert leap_seconds(np.array([start - 0.5, start, start + 0.5])).tolist() == [
+            count - 1, count, count,
+        ]  # fmt: skip
+        at_gps = np.array([start + count - 0.5, start + count])
+        assert leap_seconds_at_gps(at_gps).tolist() == [count - 1, count]
 
 
 surveys = st.tuples(
@@ -150,6 +162,26 @@ def test_leap_seconds_taken_from_today_are_said() -> None:
     assert found[0].leap_assumed
     assert "leap seconds of today" in sentence(found)
     np.testing.assert_allclose(found[0].applied(np.array([50_400.0])), 2 * DAY + 50_418)
+
+
+def test_what_was_found_is_one_sentence() -> None:
+    day, week, utc = base_of("gps-day"), base_of("gps-week"), base_of("utc-day")
+    as_they_are = Match(((week, week),), 0.0, 0.5)
+    assert sentence((as_they_are,)) == (
+        "Point times fit the trajectory as they are, with 50.0 % of the points inside it."
+    )
+    moved = Match(((utc, week),), 172_818.0, 1.0, leap_assumed=True)
+    rivals = tuple(Match(((day, week),), 172_818.0 + k, 0.999) for k in (18, -18, 4, 40))
+    assert sentence((moved, *rivals, Match(((day, week),), 7.0, 0.9))) == (
+        "Points in UTC seconds of the day fit the trajectory in GPS seconds of the week after "
+        "adding 172,818.000 s, with 100 % of the points inside it (leap seconds of today, 18 s, "
+        "as neither file tells the date); by the times alone a further shift of +18.000 s or "
+        "-18.000 s or +4.000 s fits as well."
+    )
+    assert sentence(()) == (
+        "No known time base brings the points onto the trajectory; check that both are of the "
+        "same survey, or state the time bases."
+    )
 
 
 def test_line_after_midnight_comes_onto_the_same_trajectory() -> None:
