@@ -6,6 +6,7 @@ from pathlib import Path
 
 from lispac.gui.dialogs.sensor_editor import NEW_POS, SensorEditor
 from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.language import say_moment
 from lispac.gui.settings import AppSettings
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
@@ -28,6 +29,8 @@ HOW = (
     "All are sought as planes on every line, with search radius, threshold and the rest as set in "
     "step 2."
 )
+WRITTEN = 1772633100.0
+"""When unsaved work was written down, seconds since 1970."""
 NOWHERE = (400.0, 400.0, 0.0)
 """North, west, up: no line has seen anything there."""
 
@@ -86,8 +89,8 @@ class Findings:
             ).exec(),
             "add-or-new": lambda: dialogs.add_or_new(project.name),
             "candidate-waits": lambda: dialogs.candidate_waits("T3"),
-            "recover": lambda: dialogs.recover(project.name, "2026-03-04 14:05"),
-            "open-elsewhere": lambda: dialogs.open_elsewhere(project.name, "process 4711 here"),
+            "recover": lambda: dialogs.recover(project.name, say_moment(WRITTEN)),
+            "open-elsewhere": lambda: dialogs.open_elsewhere(project.name, "bridge, process 4711"),
             "overwrite": lambda: dialogs.overwrite(project.name),
         }
 

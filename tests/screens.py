@@ -185,7 +185,10 @@ class Photographer:
             self._ask(name, window.actions_[name].trigger)
         self._ask("details", window.report.details_asked.emit)
         self._ask("preview", window.report.preview_asked.emit)
-        bad = InputError("trajectory.txt, line 17: “12.x” is no number; mend the line.")
+        bad = InputError(
+            "line.las: point 17 has a coordinate or time that is not a number (nan, 2.5, 3.0); "
+            "clean or export it again."
+        )
         self._ask("error", lambda: dialogs.show_error(bad))
         self._ask("unforeseen", lambda: dialogs.show_error(ValueError("for the picture")))
         self._ask("save-changes", lambda: dialogs.save_changes("harbour"))

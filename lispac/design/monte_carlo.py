@@ -107,7 +107,7 @@ class Scatter:
                 ("foretold sigma, deg", "{:.4f}", np.degrees(self.foretold)),
                 ("scatter / foretold", "{:.2f}", self.ratio),
                 ("its sigma", "{:.2f}", self.ratio * self.by_chance),
-                ("95 % intervals right", "{:.1%}", self.hits),
+                ("95 % intervals right", "{:.1f} %", 100.0 * self.hits),
                 ("mean error, deg", "{:+.4f}", np.degrees(self.bias)),
                 ("its sigma, deg", "{:.4f}", np.degrees(self.sigma_bias)),
             )
@@ -119,7 +119,7 @@ class Scatter:
         chance = np.sqrt(0.95 * 0.05 / len(self.errors))
         said = [
             f"The stated sigma of {angle} is too small: its 95 % interval holds the truth in "
-            f"{share:.0%} of the surveys."
+            f"{100 * share:.0f} % of the surveys."
             for angle, share in zip(ANGLES, self.hits, strict=True)
             if share < 0.95 - SURE * chance
         ]

@@ -115,6 +115,12 @@ def say(text: str) -> str:
     return "".join(piece if k % 2 else _said(piece) for k, piece in enumerate(_PIECE.split(text)))
 
 
+def say_with_capital(text: str) -> str:
+    """The text, which begins as large as in English: with a file's name, it may not."""
+    said = say(text)
+    return f"{said[:1].upper()}{said[1:]}" if text[:1].isupper() else said
+
+
 def say_sentences(texts: Iterable[str]) -> list[str]:
     """Phrases that begin small and end without a full stop, as sentences."""
     return [f"{said[:1].upper()}{said[1:].rstrip('.')}." for said in map(say, texts)]

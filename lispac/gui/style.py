@@ -80,7 +80,7 @@ QToolTip {{ color: {s.text}; background: {s.paper}; border: 1px solid {s.border}
 QMainWindow::separator {{ background: {s.window}; width: 5px; height: 5px; }}
 QMainWindow::separator:hover {{ background: {s.chosen_edge}; }}
 QDockWidget {{ font-weight: 600; {_dock_icons(scheme)} }}
-QDockWidget::title {{ background: {s.title}; padding: 5px 8px;
+QDockWidget::title {{ background: {s.title}; padding: 5px 8px 3px 8px;
     border-bottom: 1px solid {s.border}; }}
 QToolBar {{ background: {s.bar}; border: none; border-bottom: 1px solid {s.border};
     padding: 2px 6px; spacing: 2px; }}
@@ -104,7 +104,7 @@ QPushButton[primary="true"] {{ background: {s.fill}; border-color: {s.fill}; col
 QPushButton[primary="true"]:hover {{ background: {s.fill_hover}; }}
 QPushButton[primary="true"]:focus {{ border: 2px solid {s.fill_edge}; padding: 4px 11px; }}
 QPushButton[primary="true"]:disabled {{ background: {s.disabled_fill};
-    border-color: {s.disabled_fill}; color: {s.alternate if not s.dark else s.disabled}; }}
+    border-color: {s.disabled_fill}; color: {s.muted if not s.dark else s.disabled}; }}
 QPushButton[segment="true"] {{ padding: 5px 8px; }}
 QPushButton[segment="true"]:focus {{ padding: 4px 7px; }}
 QPushButton[segment="true"]:checked {{ background: {s.chosen}; border-color: {s.accent};
@@ -131,10 +131,15 @@ QTabWidget > QTabBar::tab:hover {{ background: {s.hover}; }}
 QTabWidget > QTabBar::tab:focus {{ color: {s.accent}; }}
 QLineEdit[wrong="true"], QDoubleSpinBox[wrong="true"] {{ background: {s.wrong_ground};
     border: 1px solid {s.error}; border-radius: 2px; }}
+QAbstractSpinBox {{ min-height: 1.15em; }}
+QPlainTextEdit, QTextEdit {{ border: 1px solid {s.edge_strong}; }}
+QPlainTextEdit:focus, QTextEdit:focus {{ border-color: {s.accent}; }}
+QAbstractScrollArea::corner {{ background: {s.window}; border: none; }}
 QFrame[role="candidate"] {{ background: {s.candidate_ground};
     border: 1px solid {s.candidate_edge}; border-radius: 5px; }}
 QTableView, QListView {{ border: 1px solid {s.border}; gridline-color: {s.grid};
     selection-background-color: {s.chosen}; selection-color: {s.text}; }}
+QTableView[rows="true"] {{ outline: none; }}
 QTableView:focus, QListView:focus {{ border-color: {s.accent}; }}
 QTableCornerButton::section {{ background: {s.header}; border: none; }}
 QHeaderView {{ background: {s.header}; }}

@@ -114,9 +114,10 @@ def scale_of(choice: Choice) -> float:
 def place_facts(choice: Choice) -> dict[str, str]:
     """Frame and unit of settled options, in words."""
     if choice[FRAME.name] == SCANNER:
+        unit = choice[UNIT.name]
         return {
             "frame": "scanner (LiDAR) frame",
-            "unit": f"{choice[UNIT.name]}, turned into metres",
+            "unit": unit if SCANNER_UNITS[unit] == 1.0 else f"{unit}, turned into metres",
         }
     return {"frame": "georeferenced", "unit": "of the coordinate system"}
 

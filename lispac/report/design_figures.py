@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from lispac.adjustment.result import ANGLES
 from lispac.design.monte_carlo import Scatter
@@ -71,10 +72,10 @@ def front_figure(
     values = np.degrees([step.value for step in front])
     axes.plot(minutes, values, "o-", color=BEFORE, markersize=4, linewidth=1.0)
     for step, x, y in zip(front, minutes, values, strict=True):
-        said = f"{len(step.plan.targets)} x {len(step.plan.lines)}"
+        said = f"{len(step.plan.targets)} × {len(step.plan.lines)}"
         axes.annotate(said, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=SMALL,
                       color=INK)  # fmt: skip
-    dress(axes, say("Minutes on site (targets x lines beside each)"), say(f"{label} (deg)"))
+    dress(axes, say("Minutes on site (targets × lines beside each)"), say(f"{label} (deg)"))
     axes.set_ylim(0.0, 1.15 * values.max())
     return figure
 
@@ -97,5 +98,6 @@ def errors_figure(found: Scatter, figure: Figure | None = None, say: Say = uncha
         ratio = found.ratio[k]
         said = f"{angle}: {ratio:.2f} \u00b1 {ratio * found.by_chance:.2f}"
         axes.set_title(say(said), fontsize=TEXT, color=INK, loc="left")
+    panels[0].yaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
     figure.suptitle(say(EXPECTED), fontsize=SMALL, color=INK)
     return figure

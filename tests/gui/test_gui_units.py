@@ -224,7 +224,7 @@ def test_comparisons_are_in_feet_and_copied_in_millimetres(
     driver.rest()
     panel, first = driver.window.histograms, validated.validation[0]
     assert panel.table.item(0, 3).text().replace("\u00a0", " ") == (
-        f"{first.before.rms / FOOT:.4f} → {first.after.rms / FOOT:.4f} ft"
+        f"{first.before.rms / FOOT:.4f} → {first.after.rms / FOOT:.4f}"
     )
     axes = panel.canvas.figure.axes[0]
     assert "(ft)" in axes.get_xlabel()

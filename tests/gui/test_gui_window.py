@@ -308,7 +308,7 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     assert panel.isVisible()
     assert panel.current == "V1"
     assert panel.table.item(0, 3).text() == (
-        f"{comparison.before.rms * 1000:.1f} → {comparison.after.rms * 1000:.1f} mm"
+        f"{comparison.before.rms * 1000:.1f} → {comparison.after.rms * 1000:.1f}"
     )
     axes = panel.canvas.figure.axes[0]
     assert len(axes.patches) + len(axes.collections) >= 2

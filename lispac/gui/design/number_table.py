@@ -124,7 +124,9 @@ class NumberTable(QTableWidget):
             [_signed(head, each, False) for head, each in zip(say_all(heads), fields, strict=True)]
         )
         for k, each in enumerate(fields):
-            self.horizontalHeaderItem(k).setToolTip(self._tip(each))
+            head = self.horizontalHeaderItem(k)
+            head.setToolTip(self._tip(each))
+            head.setTextAlignment(_side(each))
         self.verticalHeader().setDefaultSectionSize(25)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().hide()
@@ -159,9 +161,7 @@ class NumberTable(QTableWidget):
                 item = self.item(r, c)
                 if item is None:
                     item = QTableWidgetItem()
-                    right = not (field.words or field.choices)
-                    side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
-                    item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
+                    item.setTextAlignment(_side(field))
                     item.setFont(theme.tabular(self.font()))
                     item.setToolTip(self._tip(field))
                     self.setItem(r, c, item)
@@ -266,3 +266,10 @@ class _Delegate(QStyledItemDelegate):
         ):
             return True
         return super().eventFilter(editor, event)
+
+
+def _side(field: Field) -> Qt.AlignmentFlag:
+    """Words to the left, numbers to the right, and their heading above them."""
+    words = bool(field.words or field.choices)
+    side = Qt.AlignmentFlag.AlignLeft if words else Qt.AlignmentFlag.AlignRight
+    return side | Qt.AlignmentFlag.AlignVCenter

@@ -4,7 +4,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.design.objective import CRITERIA, Objective
-from lispac.gui import units
+from lispac.gui import theme, units
 from lispac.gui.carrying import fill_in
 from lispac.gui.design.limits import LimitsForm
 from lispac.gui.design.told import sigma_words
@@ -87,6 +87,8 @@ class SearchPanel(QScrollArea):
         right.addStretch(1)
         both = QHBoxLayout(body)
         both.setSpacing(20)
+        for each in (left, right, form, files, buttons):  # else they take that of the whole
+            each.setSpacing(theme.SPACE)
         both.addLayout(left, 1)
         both.addLayout(right, 1)
         self.setWidget(body)

@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.design.monte_carlo import ENOUGH
+from lispac.gui import theme
 from lispac.gui.carrying import fill_in
 from lispac.gui.design.angles_table import AnglesTable
 from lispac.gui.language import say
@@ -78,6 +79,8 @@ class SurveysPanel(QScrollArea):
         left.addLayout(buttons)
         left.addStretch(1)
         both.setSpacing(20)
+        for each in (left, form, buttons):  # else they take that of the whole
+            each.setSpacing(theme.SPACE)
         both.addLayout(left, 2)
         both.addWidget(self.answer, 3)
         self.setWidget(body)

@@ -127,8 +127,8 @@ class CheckDialog(QDialog):
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        row.addWidget(cancel)
-        row.addWidget(self.check)
+        for each in widgets.in_order(self.check, cancel):
+            row.addWidget(each)
         layout.addLayout(row)
         self._form = form
         self.file.textChanged.connect(self._show)

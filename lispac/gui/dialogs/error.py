@@ -32,6 +32,7 @@ def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
     box = QMessageBox(QMessageBox.Icon.Warning, "LISPAC", say(sentence), parent=parent)
     box.setObjectName("error_dialog")
     box.setStandardButtons(QMessageBox.StandardButton.Close)
+    box.setDefaultButton(QMessageBox.StandardButton.Close)
     if details:
         box.setIcon(QMessageBox.Icon.Critical)
         box.setDetailedText(details)

@@ -50,8 +50,8 @@ class FindAgainDialog(QDialog):
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        row.addWidget(cancel)
-        row.addWidget(find)
+        for each in widgets.in_order(find, cancel):
+            row.addWidget(each)
         layout.addLayout(row)
 
     @property

@@ -52,8 +52,8 @@ class IdentityDialog(QDialog):
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        row.addWidget(cancel)
-        row.addWidget(self.keep)
+        for each in widgets.in_order(self.keep, cancel):
+            row.addWidget(each)
         layout.addLayout(row)
         for field in self.fields.values():
             field.textChanged.connect(self._judge)

@@ -43,6 +43,7 @@ class ProposalDialog(QDialog):
         self.table.verticalHeader().hide()
         self.table.setShowGrid(False)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setProperty("rows", True)  # no frame about one cell: it looked like a button
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self._fill(proposal)
         header = self.table.horizontalHeader()
@@ -63,8 +64,8 @@ class ProposalDialog(QDialog):
         reject.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        row.addWidget(reject)
-        row.addWidget(self.accept_button)
+        for each in widgets.in_order(self.accept_button, reject):
+            row.addWidget(each)
         layout.addLayout(row)
         self._count()
 

@@ -61,6 +61,8 @@ class Questions:
             self.parent,
         )
         box.setInformativeText(say("Without saving, what was changed since is lost."))
+        # Qt's own word is another one in each language, and a clumsy one in French
+        box.button(buttons.Discard).setText(say("Do not save"))
         box.setDefaultButton(buttons.Save)
         chosen = box.exec()
         box.deleteLater()

@@ -71,8 +71,8 @@ class SeedDialog(QDialog):
         cancel.setAutoDefault(False)  # Enter finds, wherever the focus is
         row = QHBoxLayout()
         row.addStretch(1)
-        row.addWidget(cancel)
-        row.addWidget(self.find_button)
+        for each in widgets.in_order(self.find_button, cancel):
+            row.addWidget(each)
         layout.addLayout(row)
         QWidget.setTabOrder(self.fields[2], self.find_button)
         QWidget.setTabOrder(self.find_button, cancel)

@@ -87,8 +87,8 @@ class SeedListDialog(QDialog):
         cancel.setAutoDefault(False)  # Enter picks, wherever the focus is
         row = QHBoxLayout()
         row.addStretch(1)
-        row.addWidget(cancel)
-        row.addWidget(self.pick_button)
+        for each in widgets.in_order(self.pick_button, cancel):
+            row.addWidget(each)
         layout.addLayout(row)
         self.choice.changed.connect(self._look)
         self.columns.textChanged.connect(self._look)
@@ -203,6 +203,7 @@ def _table(name: str, words: str, heads: Sequence[str]) -> QTableWidget:
     table.verticalHeader().hide()
     table.setShowGrid(False)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setProperty("rows", True)  # no frame about one cell: it looked like a button
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
     header.setSectionResizeMode(len(heads) - 1, QHeaderView.ResizeMode.Stretch)

@@ -80,8 +80,8 @@ class SensorEditor(QDialog):
         cancel.setAutoDefault(False)
         row = QHBoxLayout()
         row.addStretch(1)
-        row.addWidget(cancel)
-        row.addWidget(self.keep)
+        for each in widgets.in_order(self.keep, cancel):
+            row.addWidget(each)
         layout.addLayout(row)
         cancel.clicked.connect(self.reject)
         self.keep.clicked.connect(self._keep)

@@ -54,8 +54,8 @@ class SensorsDialog(QDialog):
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        row.addWidget(cancel)
-        row.addWidget(self.take)
+        for each in widgets.in_order(self.take, cancel):
+            row.addWidget(each)
         layout.addLayout(row)
 
     @property

@@ -189,8 +189,8 @@ class SettingsDialog(QDialog):
         row = QHBoxLayout()
         row.addWidget(self.restore)
         row.addStretch(1)
-        row.addWidget(cancel)
-        row.addWidget(self.keep)
+        for each in widgets.in_order(self.keep, cancel):
+            row.addWidget(each)
         for each in (self.restore, cancel):
             each.setAutoDefault(False)
         return row

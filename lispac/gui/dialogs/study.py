@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from PySide6.QtCore import QSize
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
@@ -13,6 +14,8 @@ HEAD, ROW, MOST_SHOWN = 64, 24, 10
 """Pixels of the table's headings and of a row, and rows shown at the least."""
 OFF_THE_EDGE = 40
 """Pixels of the screen that are left beside the dialogue."""
+TABLE_AT_LEAST, PLOT_AT_LEAST = HEAD + 3 * ROW, 180
+"""Pixels, on a screen too low for all of it."""
 
 
 class StudyDialog(QDialog):
@@ -58,6 +61,11 @@ class StudyDialog(QDialog):
         self._buttons = row
         self.body.addLayout(row)
 
+    @property
+    def room(self) -> QSize:
+        """What the screen has for it, pixels."""
+        return self.screen().availableGeometry().size() - QSize(OFF_THE_EDGE, OFF_THE_EDGE)
+
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Show rows in the table, all of them where they are few."""
         self.table.show_rows(rows)
@@ -66,18 +74,38 @@ class StudyDialog(QDialog):
             self._widen()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Find room for the table."""
+        """Find room for the table, on the screen that there is."""
         super().showEvent(event)
         self._widen()
+        self._lower()
 
     def _widen(self) -> None:
         """As wide as the table, where the screen is: else its last column would be cut off."""
-        around = self.body.contentsMargins()
+        around, header = self.body.contentsMargins(), self.table.horizontalHeader()
         frame = 2 * self.table.frameWidth() + self.table.verticalScrollBar().sizeHint().width()
-        wanted = self.table.horizontalHeader().length() + frame + around.left() + around.right()
-        wanted = min(wanted, self.screen().availableGeometry().width() - OFF_THE_EDGE)
+        last = header.count() - 1  # stretched to the width there is, which is not what it needs
+        needed = max(header.sectionSizeHint(last), self.table.sizeHintForColumn(last))
+        wanted = header.length() - header.sectionSize(last) + needed
+        wanted += frame + around.left() + around.right()
+        wanted = min(wanted, self.room.width())
         if wanted > self.width():
             self.resize(wanted, self.height())
+
+    def _lower(self) -> None:
+        """No higher than the screen: else the buttons would be below its edge."""
+        room = self.room.height()
+        parts = [(self.table, TABLE_AT_LEAST)]
+        if self.canvas is not None:
+            parts.insert(0, (self.canvas, PLOT_AT_LEAST))
+        for part, least in parts:
+            excess = self.body.minimumHeightForWidth(self.width()) - room
+            if excess > 0:
+                part.setMinimumHeight(max(least, part.minimumHeight() - excess))
+                self.body.invalidate()
+        # Qt would take the words for as many lines as they have where the dialogue is narrowest
+        self.setMinimumHeight(min(self.body.minimumHeightForWidth(self.width()), room))
+        if self.height() > room:
+            self.resize(self.width(), room)
 
     def numbers(self) -> str:
         """What is copied for a spreadsheet."""

@@ -33,7 +33,7 @@ MODELS: tuple[tuple[PosErrors, str, str], ...] = (
     (
         "correlated",
         "Correlated in time",
-        "The POS error drifts slowly, so neighbouring points share it. Sigmas that hold.",
+        "The POS error drifts slowly, so neighbouring points share it. The sigmas are realistic.",
     ),
     (
         "independent",

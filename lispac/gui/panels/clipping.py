@@ -13,6 +13,8 @@ HINT = (
     "Only what lies in the box is drawn, picked and measured. Drag the dots on its sides, or type "
     "its lengths."
 )
+NO_BOX = "–"
+"""What stands for the lengths of none."""
 LENGTHS = (
     ("Depth", "Length of the box across the target, metres"),
     ("Width", "Length of the box along the target, metres"),
@@ -68,8 +70,8 @@ class ClippingPanel(QWidget):
         """Show its lengths, without telling anyone."""
         for k, field in enumerate(self.fields):
             field.setEnabled(box is not None)
-            if box is not None:
-                field.blockSignals(True)
-                field.setValue(2.0 * float(box.half[k]))
-                field.blockSignals(False)
+            field.setSpecialValueText("" if box is not None else NO_BOX)
+            field.blockSignals(True)
+            field.setValue(SMALLEST if box is None else 2.0 * float(box.half[k]))
+            field.blockSignals(False)
         self.reset.setEnabled(box is not None)

@@ -126,7 +126,7 @@ def directions(result: AdjustmentResult, figure: Figure) -> None:
                   color=theme.scheme().series[k], alpha=0.85, label=say(angle))  # fmt: skip
         for row in range(3):
             if share[k, row] > 0.12:
-                text = f"{say(angle)} {share[k, row]:.0%}"
+                text = f"{say(angle)} {100 * share[k, row]:.0f} %"
                 axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
                           va="center", fontsize=SMALL, color=theme.ON_SERIES)  # fmt: skip
         left = left + share[k]

@@ -23,7 +23,7 @@ from lispac.gui.turns import Turn
 from lispac.project import Project
 from lispac.validation.results import DistanceStatistics, PlaneComparison
 
-_HEADS = ("Plane", "n", "Median", "RMS", "95th percentile")
+_HEADS = ("Plane", "n", "Median (mm)", "RMS (mm)", "95 % (mm)")
 _TIPS = (
     "Validation plane",
     "Distances between points of one line and the surface of another",
@@ -146,7 +146,7 @@ class HistogramsPanel(QWidget):
         for row, each in enumerate(comparisons):
             tip = say(f"{each.name}: {each.pooled_from} of lines, {each.model.in_words}")
             for column, text in enumerate(_texts(each)):
-                item = QTableWidgetItem(units.signs(say(text), "mm") if column else text)
+                item = QTableWidgetItem(say(text) if column else text)
                 item.setFont(font)
                 if column:
                     item.setTextAlignment(_RIGHT)
@@ -289,7 +289,7 @@ def _words(state: str, each: DistanceStatistics) -> str:
 def _texts(each: PlaneComparison) -> list[str]:
     def change(*states: float) -> str:
         before, after = (units.figure(1000 * each, "mm", ".1f") for each in states)
-        return f"{before} → {after} mm"
+        return f"{before} → {after}"
 
     return [
         each.name,
@@ -305,7 +305,9 @@ def _table() -> QTableWidget:
     table.setTabKeyNavigation(False)
     table.setObjectName("comparison_table")
     table.setAccessibleName(say("Validation planes before and after"))
-    table.setHorizontalHeaderLabels(say_all(list(_HEADS)))
+    # Units in a second line: all columns are seen on a small screen
+    heads = [units.signs(each, "mm", figures=False) for each in say_all(list(_HEADS))]
+    table.setHorizontalHeaderLabels([head.replace(" (", "\n(") for head in heads])
     for column, tip in enumerate(_TIPS):
         head = table.horizontalHeaderItem(column)
         head.setToolTip(units.signs(say(tip), "mm", figures=False))

@@ -5,7 +5,7 @@ from datetime import datetime
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit
 
-from lispac.gui.language import say
+from lispac.gui.language import say, say_with_capital
 
 MOST_LINES = 2000
 EMPTY = "What the program does, takes for granted and cannot do is noted here, with the time."
@@ -30,4 +30,4 @@ class LogPanel(QPlainTextEdit):
 
     def note(self, text: str) -> None:
         """Add a line."""
-        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {say(text)}")
+        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {say_with_capital(text)}")

@@ -8,7 +8,15 @@ from typing import Literal
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+)
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
@@ -64,8 +72,11 @@ HEIGHT = 220
 """Pixels."""
 _USED = 0.66
 """Share of the way to the edge that the longest part of a lever arm may take."""
-_AXIS, _BODY_AXIS, _DOT, _LABELLED = 22.0, 32.0, 5.0, 24.0
-"""Pixels: of axes, of the scanner's dot, and of a distance that has room for its number."""
+_AXIS, _BODY_AXIS, _DOT, _LABELLED = 22.0, 20.0, 5.0, 24.0
+"""Pixels: of axes, of the scanner's dot, and of a distance that has room for its number. The
+body's axes are the shorter ones: they go through no letter where the scanner is at the POS."""
+_SIDEWAYS = 0.86
+"""Of the way down to the edge, where the words for port and starboard stand: below the hull."""
 _SEEN = 0.25
 """Share of its length from which an axis is drawn in a view: shorter, it points at the eye."""
 
@@ -95,7 +106,7 @@ class MountingSketch(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         """The least size it is of use at, in pixels."""
-        return QSize(260, HEIGHT)
+        return QSize(300, HEIGHT)
 
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
         """Draw a lever arm (metres; forward, left, up) and a boresight (roll, pitch, yaw)."""
@@ -128,6 +139,35 @@ class MountingSketch(QWidget):
         right, up = _AXIS * (_ONTO[view] @ self._rotation_body_scanner[:, axis])
         return start, start + QPointF(float(right), -float(up))
 
+    def hull(self, view: View) -> QPolygonF:
+        """Where the vessel is drawn."""
+        centre, half = self._centre(view), self._half
+        return QPolygonF([centre + QPointF(half * x, -half * y) for x, y in _HULLS[view]])
+
+    def words_beside(self, view: View) -> dict[str, QRectF]:
+        """What stands at the sides of a view, and where."""
+        left, width = self.width() / 2 * VIEWS.index(view), self.width() / 2
+        half, y = self._half, self._centre(view).y()
+        metrics = QFontMetricsF(self._font)
+        line = metrics.height()
+        top, bottom, port, starboard = (say(word) for word in _SIDES[view])
+        wide = {
+            each: metrics.horizontalAdvance(each) + 2 for each in (top, bottom, port, starboard)
+        }
+        side, middle = y + half * _SIDEWAYS, left + width / 2
+        return {
+            top: QRectF(middle - wide[top] / 2, y - half - line - 3, wide[top], line),
+            bottom: QRectF(middle - wide[bottom] / 2, side + line, wide[bottom], line),
+            port: QRectF(left + 4, side, wide[port], line),
+            starboard: QRectF(left + width - 4 - wide[starboard], side, wide[starboard], line),
+        }
+
+    @property
+    def _font(self) -> QFont:
+        font = QFont(self.font())
+        font.setPixelSize(11)
+        return font
+
     @property
     def _half(self) -> float:
         return min(self.width() / 4 - 6, (self.height() - 40) / 2 - 13)
@@ -147,9 +187,7 @@ class MountingSketch(QWidget):
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
         middle = round(self.width() / 2)
         painter.drawLine(middle, 6, middle, self.height() - 24)
-        font = painter.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
+        painter.setFont(self._font)
         for view in VIEWS:
             self._paint_vessel(painter, view)
             self._paint_body_axes(painter, view)
@@ -159,27 +197,16 @@ class MountingSketch(QWidget):
         painter.end()
 
     def _paint_vessel(self, painter: QPainter, view: View) -> None:
-        centre, half = self._centre(view), self._half
-        corners = [centre + QPointF(half * x, -half * y) for x, y in _HULLS[view]]
         painter.setPen(QPen(QColor(theme.EDGE)))
         painter.setBrush(QColor(theme.HULL))
-        painter.drawPolygon(QPolygonF(corners))
+        painter.drawPolygon(self.hull(view))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QColor(theme.TEXT))
         left = self.width() / 2 * VIEWS.index(view)
         painter.drawText(QPointF(left + 7, 15), say(TITLES[view]))
         painter.setPen(QColor(theme.MUTED))
-        width = self.width() / 2
-        top, bottom, port, starboard = (say(word) for word in _SIDES[view])
-        flags, line = Qt.AlignmentFlag, painter.fontMetrics().height()
-        y = centre.y()
-        for words, area, flag in (
-            (top, QRectF(left, y - half - line - 3, width, line), flags.AlignHCenter),
-            (bottom, QRectF(left, y + half, width, line), flags.AlignHCenter),
-            (port, QRectF(left + 5, y + half * 0.62, width, line), flags.AlignLeft),
-            (starboard, QRectF(left, y + half * 0.62, width - 5, line), flags.AlignRight),
-        ):
-            painter.drawText(area, flag, words)
+        for words, area in self.words_beside(view).items():
+            painter.drawText(area, Qt.AlignmentFlag.AlignCenter, words)
 
     def _paint_body_axes(self, painter: QPainter, view: View) -> None:
         centre = self._centre(view)

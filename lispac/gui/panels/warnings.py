@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.language import say
+from lispac.gui.language import say, say_with_capital
 from lispac.gui.panels import widgets
 from lispac.workflow.warnings import Concern, Severity
 
@@ -34,7 +34,7 @@ LOOKS: dict[Severity, tuple[str, str, str]] = {
 TURN_S = 0.015
 """Sentences take a millisecond each to be said in another language."""
 
-NO_PROJECT = "Open or make a project: what there is to be warned of in it appears here."
+NO_PROJECT = "Open or make a project: its warnings appear here."
 NOTHING = "Nothing to warn of. What the files, picks and figures give cause for appears here."
 GO = "Click one, or press Enter on it, to go to its cause."
 WAITING = "Estimating again; these are the warnings from before the change."
@@ -67,7 +67,7 @@ class WarningsPanel(QWidget):
         self.list.itemClicked.connect(lambda item: self._follow(self.list.row(item)))
         self.list.entered_.connect(self._follow)
         self.empty = widgets.label("", "muted", wrap=True, name="warnings_empty")
-        self.empty.setMargin(14)
+        self.empty.setMargin(4)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         filled = QWidget()
         column = QVBoxLayout(filled)
@@ -125,7 +125,7 @@ class WarningsPanel(QWidget):
         while not self.is_filled and time.monotonic() < until:
             concern = self.concerns[self.list.count()]
             if concern.text not in said:
-                said[concern.text] = _sentence(concern.text)
+                said[concern.text] = say_with_capital(concern.text)
             self.list.addItem(_item(concern, said[concern.text]))
             if concern == self._kept:
                 self.list.setCurrentRow(self.list.count() - 1)
@@ -182,12 +182,6 @@ class _List(QListWidget):
             self.entered_.emit(self.currentRow())
         else:
             super().keyPressEvent(event)
-
-
-def _sentence(text: str) -> str:
-    """In the user's language; it begins as large as in English: with a file's name, it may not."""
-    said = say(text)
-    return f"{said[:1].upper()}{said[1:]}" if text[:1].isupper() else said
 
 
 def _item(concern: Concern, text: str) -> QListWidgetItem:

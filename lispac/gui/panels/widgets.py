@@ -3,9 +3,11 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
+    QDialogButtonBox,
     QDoubleSpinBox,
     QFrame,
     QGridLayout,
@@ -13,6 +15,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QScrollArea,
     QSizePolicy,
+    QStyle,
     QVBoxLayout,
     QWidget,
 )
@@ -20,6 +23,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels.number_field import BASES, NumberField
+from lispac.gui.tabbing import ENTERS
 from lispac.gui.units import Base
 
 
@@ -35,7 +39,10 @@ def label(text: str = "", role: str = "", *, wrap: bool = False, name: str = "")
 
 
 class Button(QPushButton):
-    """A push button that gets its focus back after it was disabled for a while."""
+    """A push button that gets its focus back after it was disabled for a while.
+
+    Enter presses it where it has the focus, also in a dialogue that has another for Enter.
+    """
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
@@ -53,6 +60,13 @@ class Button(QPushButton):
                 self.setFocus()
             self._focus_went_to = None
 
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter is for what has the focus: on Cancel it must not do what was cancelled."""
+        if event.key() in ENTERS and not event.isAutoRepeat():
+            self.click()
+        else:
+            super().keyPressEvent(event)
+
 
 def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False) -> Button:
     """A push button."""
@@ -65,6 +79,14 @@ def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool
         made.setIcon(theme.icon(icon, theme.ON_FILL if primary else ""))
         made.setIconSize(QSize(16, 16))
     return made
+
+
+def in_order(accept: QPushButton, reject: QPushButton) -> tuple[QPushButton, QPushButton]:
+    """Two buttons from left to right, in the order that the system's own dialogues have."""
+    layouts = QDialogButtonBox.ButtonLayout
+    how = QApplication.style().styleHint(QStyle.StyleHint.SH_DialogButtonLayout)
+    accept_first = how in (layouts.WinLayout.value, layouts.KdeLayout.value)
+    return (accept, reject) if accept_first else (reject, accept)
 
 
 def number(

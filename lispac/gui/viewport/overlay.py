@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.schemes import LIGHT
-from lispac.gui.viewport.base import Marker, Shading
+from lispac.gui.viewport.base import Array, Marker, Shading
 from lispac.gui.viewport.camera import Camera, Size
 
 EMPTY_TITLE = "Nothing loaded yet"
@@ -34,6 +34,8 @@ AXES = (("N", "axis_x"), ("W", "axis_y"), ("U", "axis_z"))
 """Their colours in the scheme."""
 
 MARGIN = 14.0
+NEIGHBOURS = 40.0
+"""Pixels within which the labels of two spots get into each other's way."""
 
 
 def scale_length(metres_per_pixel: float, longest: float = 150.0) -> float:
@@ -137,7 +139,8 @@ class Overlay(QWidget):
             x, y, depth = spots[k]
             if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
                 spot = QPointF(x, y)
-                box = free_place(spot, metrics, self.markers[k].label, taken)
+                crowded = right_neighbour(spots[:, :2], k)
+                box = free_place(spot, metrics, self.markers[k].label, taken, leftwards=crowded)
                 taken.append(box)
                 placed.append((spot, box, self.markers[k]))
         for spot, box, marker in reversed(placed):
@@ -154,8 +157,10 @@ class Overlay(QWidget):
         painter.setFont(font)
         for k in np.argsort(-seen[2]):  # those pointing away first
             name, colour = AXES[k]
-            tip = centre + QPointF(seen[0, k], -seen[1, k]) * 28.0
-            letter = centre + QPointF(seen[0, k], -seen[1, k]) * 36.0
+            way = QPointF(seen[0, k], -seen[1, k])
+            tip = centre + way * 28.0
+            # As far beyond the tip of an axis that is seen short: it went through its letter
+            letter = tip + way * (9.0 / max(float(np.hypot(way.x(), way.y())), 1e-3))
             pen = QPen(theme.colour(colour), 2.4)
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             painter.setPen(pen)
@@ -267,14 +272,40 @@ class Stage(QWidget):
         self.resized.emit()
 
 
+def right_neighbour(spots: Array, k: int) -> bool:
+    """Whether another spot is close on the right, and none on the left.
+
+    There a label stands on the left: else the lines to the labels of the two would cross.
+
+    Parameters
+    ----------
+    spots : ndarray of shape (n, 2), pixels right and down
+    """
+    with np.errstate(invalid="ignore"):  # what lies behind the camera is nowhere
+        right, down = (spots - spots[k]).T
+    near = (np.hypot(right, down) < NEIGHBOURS) & (right != 0.0)
+    return bool((near & (right > 0.0)).any() and not (near & (right < 0.0)).any())
+
+
 def free_place(
-    spot: QPointF, metrics: QFontMetricsF, label: str, taken: Sequence[QRectF]
+    spot: QPointF,
+    metrics: QFontMetricsF,
+    label: str,
+    taken: Sequence[QRectF],
+    *,
+    leftwards: bool = False,
 ) -> QRectF:
-    """Where a label stands beside its spot: at the upper right, unless another stands there."""
+    """Where a label stands beside its spot: at the upper right, unless another stands there.
+
+    Parameters
+    ----------
+    leftwards : at the upper left rather
+    """
     width, height = metrics.horizontalAdvance(label) + 14.0, metrics.height() + 4.0
     right, left = spot.x() + 12.0, spot.x() - 12.0 - width
     above, below = spot.y() - 18.0 - height, spot.y() + 18.0
-    places = [QRectF(x, y, width, height) for y in (above, below) for x in (right, left)]
+    sides = (left, right) if leftwards else (right, left)
+    places = [QRectF(x, y, width, height) for y in (above, below) for x in sides]
     free = (box for box in places if not any(box.intersects(other) for other in taken))
     return next(free, places[0])
 

@@ -1,5 +1,6 @@
 """What tools draw over the picture and what the mouse does to it: sketches, handles, outlines."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +12,7 @@ from lispac.gui.language import say
 from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.navigation import SNAP, Navigator
-from lispac.gui.viewport.overlay import Overlay
+from lispac.gui.viewport.overlay import Overlay, right_neighbour
 from lispac.gui.viewport.picking import pick
 
 REACH = 9.0
@@ -195,6 +196,8 @@ class Sketching(QObject):
     def _paint(self, painter: QPainter, camera: Camera, size: Size) -> None:
         for sketch in self._sketches.values():
             _paint_sketch(painter, sketch, camera, size)
+        # Words last: no line goes through them, and none lie on others
+        _paint_labels(painter, list(self._sketches.values()), camera, size)
         if self._divides:
             _paint_division(painter, self.share * size.width, size)
         if len(self._outline) > 1:
@@ -243,10 +246,23 @@ def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size)
     if sketch.handles:
         places = np.array([handle.position for handle in sketch.handles])
         _paint_dots(painter, camera.project(places, size), colour, 6.0)
-    if sketch.label and sketch.at is not None:
-        x, y, _ = camera.project(np.array([sketch.at]), size)[0]
-        if np.isfinite(x) and np.isfinite(y):
-            _paint_words(painter, words_of(sketch), QPointF(x, y), colour, size)
+
+
+def _paint_labels(
+    painter: QPainter, sketches: Sequence[Sketch], camera: Camera, size: Size
+) -> None:
+    labelled = [each for each in sketches if each.label and each.at is not None]
+    if not labelled:
+        return
+    spots = camera.project(np.array([each.at for each in labelled]), size)[:, :2]
+    taken: list[QRectF] = []
+    for k, sketch in enumerate(labelled):
+        if np.isfinite(spots[k]).all():
+            leftwards = right_neighbour(spots, k)
+            spot, colour = QPointF(*spots[k]), QColor(*sketch.colour)
+            box = _words_box(painter, words_of(sketch), spot, size, taken, leftwards=leftwards)
+            _paint_words(painter, words_of(sketch), box, colour)
+            taken.append(box)
 
 
 def _paint_dots(painter: QPainter, spots: Array, colour: QColor, radius: float) -> None:
@@ -258,18 +274,40 @@ def _paint_dots(painter: QPainter, spots: Array, colour: QColor, radius: float) 
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _paint_words(painter: QPainter, words: str, spot: QPointF, colour: QColor, size: Size) -> None:
+def _words_box(
+    painter: QPainter,
+    words: str,
+    spot: QPointF,
+    size: Size,
+    taken: Sequence[QRectF],
+    *,
+    leftwards: bool,
+) -> QRectF:
+    """Beside the spot, inside the picture, and where no other words are, if there is such a place.
+
+    Parameters
+    ----------
+    leftwards : on the left rather than on the right
+    """
     metrics = QFontMetricsF(painter.font())
-    words = say(words)
-    lines = words.split("\n")
+    lines = say(words).split("\n")
     width = max(metrics.horizontalAdvance(line) for line in lines) + 16.0
     height = metrics.lineSpacing() * len(lines) + 8.0
-    # Beside the spot, inside the picture.
-    x = min(max(spot.x() + 14.0, 4.0), max(size.width - width - 4.0, 4.0))
-    y = min(max(spot.y() - height - 10.0, BELOW_HINT), max(size.height - height - 4.0, 4.0))
+    most_x, most_y = max(size.width - width - 4.0, 4.0), max(size.height - height - 4.0, 4.0)
+    sides = [spot.x() + 14.0, spot.x() - 14.0 - width]
+    places = [
+        QRectF(min(max(x, 4.0), most_x), min(max(y, BELOW_HINT), most_y), width, height)
+        for y in (spot.y() - height - 10.0, spot.y() + 10.0)
+        for x in (sides[::-1] if leftwards else sides)
+    ]
+    free = (box for box in places if not any(box.intersects(other) for other in taken))
+    return next(free, places[0])
+
+
+def _paint_words(painter: QPainter, words: str, box: QRectF, colour: QColor) -> None:
     painter.setPen(QPen(colour.darker(115), 1.3))
     painter.setBrush(theme.colour("paper", 0.88))
-    painter.drawRoundedRect(QRectF(x, y, width, height), 4.0, 4.0)
+    painter.drawRoundedRect(box, 4.0, 4.0)
     painter.setPen(QColor(theme.TEXT))
-    text = QRectF(x + 8.0, y + 4.0, width - 16.0, height - 8.0)
-    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)
+    text = box.adjusted(8.0, 4.0, -8.0, -4.0)
+    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, say(words))

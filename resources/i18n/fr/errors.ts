@@ -171,7 +171,7 @@
         <translation>De {low} à {high} par pas de {step} : le pas doit être positif, et la seconde valeur ne pas être inférieure à la première.</translation>
     </message>
     <message>
-        <source>The stated sigma of {angle} is too small: its 95 % interval holds the truth in {share:n} of the surveys.</source>
+        <source>The stated sigma of {angle} is too small: its 95 % interval holds the truth in {share:n} % of the surveys.</source>
         <translation>L&apos;écart-type annoncé est trop petit ({angle}) : son intervalle à 95 % contient la vérité dans {share} % des levés.</translation>
     </message>
     <message>
@@ -2606,7 +2606,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Écart-type (°)</translation>
     </message>
     <message>
-        <source>Minutes on site (targets x lines beside each)</source>
+        <source>Minutes on site (targets × lines beside each)</source>
         <translation>Minutes sur place (cibles x lignes à côté de chacune)</translation>
     </message>
     <message>
@@ -2747,11 +2747,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>Inclination is</source>
-        <translation>L&apos;inclinaison est</translation>
+        <translation>Inclinaison</translation>
     </message>
     <message>
         <source>Lines are</source>
-        <translation>Les lignes sont</translation>
+        <translation>Lignes</translation>
     </message>
     <message>
         <source>Why not</source>
@@ -3377,11 +3377,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>looks {looks} deg bow down</source>
-        <translation>pointe {looks}° étrave en bas</translation>
+        <translation>pointe de {looks}° vers le bas</translation>
     </message>
     <message>
         <source>looks {looks} deg bow up</source>
-        <translation>pointe {looks}° étrave en haut</translation>
+        <translation>pointe de {looks}° vers le haut</translation>
     </message>
     <message>
         <source>leans {n:n} deg with its left side up</source>
@@ -3405,11 +3405,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>The lever arm is zero, as if the scanner&apos;s optical centre were at the POS centre: type the measured one.</source>
-        <translation>Le bras de levier est nul, comme si le centre optique du scanner était au centre du POS : saisissez celui qui a été mesuré.</translation>
+        <translation>Le bras de levier est nul, comme si le centre optique du scanneur était au centre du POS : saisissez celui qui a été mesuré.</translation>
     </message>
     <message>
         <source>The lever arm puts the scanner {up:n} m below the POS centre, and on a vessel it is mostly above it: look at the sign of Z, which is positive up here.</source>
-        <translation>Le bras de levier place le scanner {up:n} m sous le centre du POS, or sur un navire il est le plus souvent au-dessus : vérifiez le signe de Z, positif vers le haut ici.</translation>
+        <translation>Le bras de levier place le scanneur {up:n} m sous le centre du POS, or sur un navire il est le plus souvent au-dessus : vérifiez le signe de Z, positif vers le haut ici.</translation>
     </message>
     <message>
         <source>The lever arm is {length:n} m long, and few vessels are: it is stated in metres here.</source>
@@ -3444,7 +3444,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>No line has a {word} at the seed ({nearest_line:kept}: {nearest_line2}) Set the seed on the target, or enlarge the radius.</source>
-        <translation>Aucune ligne n&apos;a ceci au germe : {word} ({nearest_line} : {nearest_line2}) Placez le germe sur la cible, ou agrandissez le rayon.</translation>
+        <translation>Aucune ligne n&apos;a de {word} au germe ({nearest_line} : {nearest_line2}) Placez le germe sur la cible, ou agrandissez le rayon.</translation>
     </message>
     <message>
         <source>Looked for the target in {name:kept}</source>

@@ -3694,7 +3694,7 @@ its sigma</source>
     </message>
     <message>
         <source>Up (m)</source>
-        <translation>En hauteur (m)</translation>
+        <translation>Haut (m)</translation>
     </message>
     <message>
         <source>Before (mm)</source>

@@ -370,6 +370,10 @@
         <translation>{name} a été trouvé et n&apos;est pas encore accepté.</translation>
     </message>
     <message>
+        <source>Do not save</source>
+        <translation>Ne pas enregistrer</translation>
+    </message>
+    <message>
         <source>Without saving, what was changed since is lost.</source>
         <translation>Sans enregistrement, ce qui a été modifié depuis est perdu.</translation>
     </message>
@@ -1324,7 +1328,7 @@
     </message>
     <message>
         <source>look isometric, from the top, front, left, back, right</source>
-        <translation>regarder en isométrie, de dessus, de face, de gauche, de l&apos;arrière, de droite</translation>
+        <translation>vue isométrique, de dessus, de face, de gauche, de l&apos;arrière, de droite</translation>
     </message>
     <message>
         <source>look along the normal of the selected target</source>
@@ -1444,7 +1448,7 @@
     </message>
     <message>
         <source>clip box about the selected target, or none</source>
-        <translation>boîte de découpe autour de la cible sélectionnée, ou aucune</translation>
+        <translation>boîte de découpe autour de la cible, ou aucune</translation>
     </message>
     <message>
         <source>show what a click would take under the resting mouse</source>
@@ -2345,7 +2349,7 @@
     </message>
     <message>
         <source>Hold Ctrl and click a target in the view.</source>
-        <translation>Maintenez Ctrl et cliquez une cible dans la vue 3D.</translation>
+        <translation>Maintenez Ctrl et cliquez sur une cible dans la vue 3D.</translation>
     </message>
     <message>
         <source>{name:name} is seen on fewer than two lines: seed it on another, or leave it out.</source>
@@ -2505,7 +2509,7 @@
     </message>
     <message>
         <source>Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+click: set a seed</source>
-        <translation>Glisser : tourner   ·   Maj+glisser : déplacer   ·   Molette : zoom   ·   Ctrl+clic : poser un germe</translation>
+        <translation>Glisser : tourner · Maj : déplacer · Molette : zoom · Ctrl+clic : germe</translation>
     </message>
     <message>
         <source>Histograms</source>
@@ -3792,7 +3796,7 @@
     </message>
     <message>
         <source>Off the track (m)</source>
-        <translation>À la trace (m)</translation>
+        <translation>Hors trace (m)</translation>
     </message>
     <message>
         <source>Remark</source>
@@ -4239,11 +4243,11 @@
     </message>
     <message>
         <source>Hold &lt;b&gt;Ctrl&lt;/b&gt; and click a target in the view. The plane is sought on every line.</source>
-        <translation>Maintenez &lt;b&gt;Ctrl&lt;/b&gt; et cliquez une cible dans la vue 3D. Le plan est cherché sur toutes les lignes.</translation>
+        <translation>Maintenez &lt;b&gt;Ctrl&lt;/b&gt; et cliquez sur une cible dans la vue 3D. Le plan est cherché sur toutes les lignes.</translation>
     </message>
     <message>
         <source>Hold &lt;b&gt;Ctrl&lt;/b&gt; and click a target in the view. The sphere is sought on every line.</source>
-        <translation>Maintenez &lt;b&gt;Ctrl&lt;/b&gt; et cliquez une cible dans la vue 3D. La sphère est cherchée sur toutes les lignes.</translation>
+        <translation>Maintenez &lt;b&gt;Ctrl&lt;/b&gt; et cliquez sur une cible dans la vue 3D. La sphère est cherchée sur toutes les lignes.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Ctrl&lt;/b&gt;+click gives {name:kept} a sighting of its own on {line:kept}; its other lines stay as they are.</source>
@@ -4509,8 +4513,8 @@
         <translation>Corrélées dans le temps</translation>
     </message>
     <message>
-        <source>The POS error drifts slowly, so neighbouring points share it. Sigmas that hold.</source>
-        <translation>L&apos;erreur du POS dérive lentement : des points voisins la partagent. Des écarts-types qui tiennent.</translation>
+        <source>The POS error drifts slowly, so neighbouring points share it. The sigmas are realistic.</source>
+        <translation>L&apos;erreur du POS dérive lentement : des points voisins la partagent. Les écarts-types sont réalistes.</translation>
     </message>
     <message>
         <source>Independent for each point (thesis mode)</source>
@@ -4889,7 +4893,7 @@
     </message>
     <message>
         <source>Through points</source>
-        <translation>Par points</translation>
+        <translation>Points ajustés</translation>
     </message>
     <message>
         <source>Compare the lines on every validation plane, before and after (F10)</source>
@@ -5692,8 +5696,8 @@ m/s</translation>
         <translation>95 % des distances sont plus petites, en millimètres, avant → après</translation>
     </message>
     <message>
-        <source>95th percentile</source>
-        <translation>95e centile</translation>
+        <source>RMS (mm)</source>
+        <translation>RMS (mm)</translation>
     </message>
     <message>
         <source>n</source>
@@ -5999,7 +6003,7 @@ m/s</translation>
     <name>sightings table</name>
     <message>
         <source>No targets yet. Hold Ctrl and click a target in the view: one row for each appears here.</source>
-        <translation>Pas encore de cible. Maintenez Ctrl et cliquez une cible dans la vue 3D : une rangée pour chacune apparaît ici.</translation>
+        <translation>Pas encore de cible. Maintenez Ctrl et cliquez sur une cible dans la vue 3D : une rangée pour chacune apparaît ici.</translation>
     </message>
     <message>
         <source>Tick to let the whole target take part</source>
@@ -7277,7 +7281,7 @@ m/s</translation>
     </message>
     <message>
         <source>The vessel has passed this quay six times; each line has its colour. The scanner is not mounted as its drawing says, so the same wall stands in six places. Hold Ctrl and click the board in the middle of the view.</source>
-        <translation>Le navire est passé six fois devant ce quai ; chaque ligne a sa couleur. Le scanner n&apos;est pas monté comme son plan le dit : le même mur se trouve donc à six endroits. Maintenez Ctrl et cliquez sur le panneau au milieu de la vue.</translation>
+        <translation>Le navire est passé six fois devant ce quai ; chaque ligne a sa couleur. Le scanneur n&apos;est pas monté comme son plan le dit : le même mur se trouve donc à six endroits. Maintenez Ctrl et cliquez sur le panneau au milieu de la vue.</translation>
     </message>
     <message>
         <source>The plane of the board was found on every line. Press Return to accept it.</source>
@@ -7302,6 +7306,10 @@ m/s</translation>
     <message>
         <source>That is all there is to it. Ctrl+E writes the report that you sign; each step on the left says what is missing and what comes next.</source>
         <translation>C&apos;est tout. Ctrl+E écrit le rapport que vous signez ; chaque étape à gauche dit ce qui manque et ce qui vient ensuite.</translation>
+    </message>
+    <message>
+        <source>Lines in 3D</source>
+        <translation>Lignes en 3D</translation>
     </message>
     <message>
         <source>Start page</source>
@@ -8244,16 +8252,16 @@ m/s</translation>
         <translation>indéterminé</translation>
     </message>
     <message>
-        <source>times</source>
-        <translation>fois</translation>
+        <source>Times</source>
+        <translation>Fois</translation>
     </message>
     <message>
         <source>Target or line that is left out</source>
         <translation>Cible ou ligne laissée de côté</translation>
     </message>
     <message>
-        <source>largest (deg)</source>
-        <translation>le plus grand (°)</translation>
+        <source>Largest (deg)</source>
+        <translation>Plus grand (°)</translation>
     </message>
     <message>
         <source>Largest of the three sigmas without it</source>
@@ -9105,11 +9113,11 @@ m/s</translation>
     </message>
     <message>
         <source>different</source>
-        <translation>différent</translation>
+        <translation>autre</translation>
     </message>
     <message>
         <source>the same</source>
-        <translation>identique</translation>
+        <translation>comme la thèse</translation>
     </message>
     <message>
         <source>The choice of table 3.2 lies near the board that faces the beams ({n:n} deg here), where a roll error moves points along it.</source>
@@ -9192,7 +9200,7 @@ m/s</translation>
     </message>
     <message>
         <source>Click one, or press Enter on it, to go to its cause.</source>
-        <translation>Cliquer sur un avertissement, ou appuyer sur Entrée, pour aller à sa cause.</translation>
+        <translation>Cliquez sur un avertissement, ou appuyez sur Entrée, pour aller à sa cause.</translation>
     </message>
     <message>
         <source>Click to see them all (F12)</source>
@@ -9203,8 +9211,8 @@ m/s</translation>
         <translation>Nouvelle estimation en cours ; ces avertissements sont ceux d&apos;avant la modification.</translation>
     </message>
     <message>
-        <source>Open or make a project: what there is to be warned of in it appears here.</source>
-        <translation>Ouvrez ou créez un projet : ce dont il faut être averti apparaît ici.</translation>
+        <source>Open or make a project: its warnings appear here.</source>
+        <translation>Ouvrez ou créez un projet : ses avertissements apparaissent ici.</translation>
     </message>
     <message>
         <source>Nothing to warn of. What the files, picks and figures give cause for appears here.</source>
@@ -9251,11 +9259,11 @@ m/s</translation>
     </message>
     <message>
         <source>Where the scanner sits on the vessel</source>
-        <translation>Emplacement du scanner sur le navire</translation>
+        <translation>Emplacement du scanneur sur le navire</translation>
     </message>
     <message>
         <source>The scanner at its lever arm, to scale; the vessel about it is of no particular size. Grey: axes of the body. Coloured: axes of the scanner as turned by the prior boresight, small turns shown larger.</source>
-        <translation>Le scanner au bout de son bras de levier, à l&apos;échelle ; le navire autour n&apos;a pas de taille particulière. En gris : axes du corps. En couleur : axes du scanner tournés des angles de visée a priori, les petites rotations étant agrandies.</translation>
+        <translation>Le scanneur au bout de son bras de levier, à l&apos;échelle ; le navire autour n&apos;a pas de taille particulière. En gris : axes du corps. En couleur : axes du scanneur tournés des angles de visée a priori, les petites rotations étant agrandies.</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@ NAMED = ("las", "e57")
 """Formats whose files name their columns; those names stay as they are. Of others they are ours."""
 MOST_COLUMNS = 60
 NARROWEST = 118
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class Preview(QTableWidget):
@@ -32,6 +33,7 @@ class Preview(QTableWidget):
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setTabKeyNavigation(False)
         self.horizontalHeader().setHighlightSections(False)
+        self.horizontalHeader().setDefaultAlignment(_RIGHT)
         self._shown: tuple[object, ...] = ()
         self.combos: list[widgets.Choice] = []
 
@@ -71,7 +73,7 @@ class Preview(QTableWidget):
         for row, cells in enumerate(rows[1:]):
             for column, text in enumerate(cells[:columns]):
                 item = QTableWidgetItem(text)
-                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                item.setTextAlignment(_RIGHT)
                 item.setFont(theme.tabular(self.font()))
                 self.setItem(first + row, column, item)
         if self.rowCount():

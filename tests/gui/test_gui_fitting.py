@@ -1,0 +1,241 @@
+"""Texts have the room they need, and dialogues have it on the screen that there is."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPolygonF
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialogButtonBox,
+    QMessageBox,
+    QPushButton,
+    QSpinBox,
+    QStyle,
+    QStyleOptionDockWidget,
+    QTableWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.design.number_table import NumberTable
+from lispac.gui.design.window import DesignWindow
+from lispac.gui.dialogs.error import error_box
+from lispac.gui.dialogs.identity import IdentityDialog
+from lispac.gui.dialogs.visibility import VisibilityDialog
+from lispac.gui.language import speak
+from lispac.gui.panels import widgets
+from lispac.gui.panels.clipping import ClippingPanel
+from lispac.gui.panels.log import LogPanel
+from lispac.gui.panels.mounting_sketch import MountingSketch
+from lispac.gui.viewport.clipping import Box
+from lispac.gui.viewport.overlay import free_place, right_neighbour
+from lispac.identity import Identity
+from lispac.language.catalogue import LANGUAGES
+from lispac.project import Project
+from lispac.simulation.thesis_site import SITES
+from lispac.simulation.visibility_study import Visibility, visibility
+from tests.gui.support import WAIT_MS, Demo, Driver
+
+SMALL = (1366, 740)
+LOW = QSize(1326, 728)
+"""What a screen of 1366 × 768 has for a dialogue."""
+
+
+@pytest.fixture(params=LANGUAGES)
+def spoken(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
+    """Each language, in the looks of the program."""
+    theme.apply_theme(qapp)
+    speak(request.param)
+    yield request.param
+    speak("en")
+
+
+@pytest.fixture
+def dark(qapp: QApplication) -> Iterator[None]:
+    """The dark looks."""
+    theme.apply_theme(qapp, "dark")
+    yield
+    theme.apply_theme(qapp)
+
+
+@pytest.fixture(scope="module")
+def errors() -> list[Visibility]:
+    """Which error is seen where."""
+    return [visibility(site) for site in SITES.values()]
+
+
+def test_the_title_of_a_panel_is_seen_whole(driver: Driver, qapp: QApplication) -> None:
+    theme.apply_theme(qapp)
+    for title, dock in driver.window.docks.items():
+        dock.raise_()
+        driver.rest()
+        option = QStyleOptionDockWidget()
+        dock.initStyleOption(option)
+        part = QStyle.SubElement.SE_DockWidgetTitleBarText
+        room = dock.style().subElementRect(part, option, dock)
+        assert room.height() >= QFontMetricsF(dock.font()).height(), title
+
+
+def test_letters_of_a_number_field_are_not_cut_off_below(qtbot: QtBot, qapp: QApplication) -> None:
+    theme.apply_theme(qapp)
+    for field in (
+        widgets.number("size", suffix=" m", decimals=2, low=0, high=9, step=1, tip="Size"),
+        QSpinBox(),
+    ):
+        qtbot.addWidget(field)
+        field.resize(field.sizeHint())
+        field.show()
+        line = field.lineEdit()
+        assert line.height() >= line.fontMetrics().height() + 2
+
+
+def test_where_two_scroll_bars_meet_is_of_the_windows_colour(qtbot: QtBot, dark: None) -> None:
+    """Tables have frames in a lighter colour, which that corner was painted in."""
+    table = QTableWidget(40, 40)
+    qtbot.addWidget(table)
+    table.resize(300, 200)
+    table.show()
+    bar = table.verticalScrollBar()
+    corner = QPoint(bar.geometry().center().x(), 0) + bar.mapTo(table, QPoint(0, 0))
+    picture = table.grab().toImage()
+    corner = QPoint(table.width() - 4, table.height() - 4)
+    assert picture.pixelColor(corner * picture.devicePixelRatio()) == QColor(theme.WINDOW)
+
+
+class _Low(VisibilityDialog):
+    """On a low screen."""
+
+    @property
+    def room(self) -> QSize:
+        return LOW
+
+
+def test_a_study_fits_a_low_screen(qtbot: QtBot, spoken: str, errors: list[Visibility]) -> None:
+    """Its buttons lay below the edge, and the last heading ended in the middle of a word."""
+    dialog = _Low(errors)
+    qtbot.addWidget(dialog)
+    dialog.show()
+    qtbot.waitUntil(lambda: dialog.canvas.isVisible(), timeout=WAIT_MS)
+    for site in range(dialog.site.count()):
+        dialog.site.setCurrentIndex(site)
+        QApplication.processEvents()
+        assert dialog.height() <= LOW.height()
+        assert dialog.width() <= LOW.width()
+        close = dialog.findChild(QPushButton, "visibility_close")
+        assert close.mapTo(dialog, close.rect().bottomRight()).y() < LOW.height()
+        assert dialog.canvas.height() >= 150
+        header = dialog.table.horizontalHeader()
+        for section in range(header.count()):
+            assert header.sectionSize(section) >= header.sectionSizeHint(section)
+
+
+def test_comparisons_are_read_without_scrolling_on_a_small_screen(
+    driver: Driver, demo: Demo, validated: Project, spoken: str
+) -> None:
+    window = driver.window
+    window.resize(*SMALL)
+    window.document.open(validated, demo.survey)
+    window.docks["Histograms"].raise_()
+    driver.rest()
+    driver.bot.waitUntil(window.histograms.table.isVisible, timeout=WAIT_MS)
+    assert window.width() == SMALL[0]
+    assert window.histograms.table.horizontalScrollBar().maximum() == 0
+
+
+def test_answers_stand_in_the_systems_order(qtbot: QtBot) -> None:
+    standard = QDialogButtonBox.StandardButton
+    system = QDialogButtonBox(standard.Ok | standard.Cancel)
+    qtbot.addWidget(system)
+    system.show()
+    dialog = IdentityDialog(Identity(), str)
+    qtbot.addWidget(dialog)
+    dialog.show()
+    keep, cancel = (
+        dialog.findChild(QPushButton, f"identity_{name}") for name in ("keep", "cancel")
+    )
+    first = system.button(standard.Ok).x() < system.button(standard.Cancel).x()
+    assert (keep.x() < cancel.x()) == first
+
+
+def test_enter_closes_what_tells_of_an_error(qtbot: QtBot) -> None:
+    """Details are for those who ask for them."""
+    box = error_box(None, ZeroDivisionError("by zero"))
+    qtbot.addWidget(box)
+    assert box.defaultButton() is box.button(QMessageBox.StandardButton.Close)
+
+
+def test_no_line_goes_through_the_letters_of_the_sketch(qtbot: QtBot, qapp: QApplication) -> None:
+    """With the scanner at the POS centre the body's axes lie below the scanner's."""
+    theme.apply_theme(qapp)
+    sketch = MountingSketch()
+    qtbot.addWidget(sketch)
+    sketch.resize(sketch.sizeHint())
+    sketch.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    picture = sketch.grab().toImage()
+    _, tip = sketch.axis_at("above", 0)  # forward: up the picture, inside the hull
+    hull = QColor(theme.HULL)
+    grey = [
+        (x, y)
+        for x in range(round(tip.x()) - 6, round(tip.x()) + 7)
+        for y in range(round(tip.y()) - 13, round(tip.y()) - 2)
+        if (seen := picture.pixelColor(x, y)).lightness() < hull.lightness() - 20
+        and max(seen.red(), seen.green(), seen.blue()) - min(seen.red(), seen.green()) < 30
+    ]
+    assert not grey
+
+
+def test_words_at_the_sides_of_the_sketch_stand_beside_the_hull(spoken: str) -> None:
+    sketch = MountingSketch()
+    sketch.resize(sketch.minimumSizeHint())
+    for place, words in sketch.words_beside("above").items():
+        for other, others in sketch.words_beside("above").items():
+            assert place == other or not words.intersects(others), (place, other)
+        assert not sketch.hull("above").intersects(QPolygonF(words)), place
+
+
+def test_a_clip_box_that_is_none_has_no_length(qtbot: QtBot) -> None:
+    panel = ClippingPanel()
+    qtbot.addWidget(panel)
+    assert [field.text() for field in panel.fields] == ["–"] * 3
+    panel.show_box(Box(np.zeros(3), np.eye(3), np.full(3, 0.5)))
+    assert {field.text() for field in panel.fields} == {"1.00 m"}
+    panel.show_box(None)
+    assert [field.text() for field in panel.fields] == ["–"] * 3
+
+
+def test_a_note_begins_as_large_as_in_english(qtbot: QtBot, qapp: QApplication) -> None:
+    speak("fr")
+    try:
+        log = LogPanel()
+        qtbot.addWidget(log)
+        log.note("LAS coordinates are metres in the LiDAR frame")
+        assert log.toPlainText()[10:].startswith("Les coordonnées")
+    finally:
+        speak("en")
+
+
+def test_lines_to_the_labels_of_two_targets_do_not_cross(qapp: QApplication) -> None:
+    metrics, taken, boxes = QFontMetricsF(qapp.font()), [], []
+    spots = np.array([[300.0, 200.0], [318.0, 202.0], [600.0, 200.0]])
+    for k, spot in enumerate(spots):
+        leftwards = right_neighbour(spots, k)
+        place = QPoint(round(spot[0]), round(spot[1])).toPointF()
+        boxes.append(free_place(place, metrics, f"T{k}", taken, leftwards=leftwards))
+        taken.append(boxes[-1])
+    assert boxes[0].right() < spots[0, 0]
+    assert boxes[1].left() > spots[1, 0]
+    assert boxes[2].left() > spots[2, 0]
+
+
+def test_headings_of_the_design_stand_over_their_numbers(
+    qtbot: QtBot, tmp_path: Path, design: DesignWindow
+) -> None:
+    for table in design.findChildren(NumberTable):
+        for column in range(table.columnCount()):
+            side = table.horizontalHeaderItem(column).textAlignment()
+            if table.rowCount():
+                assert side == table.item(0, column).textAlignment()
+            assert side & (Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignRight)
