@@ -8,7 +8,8 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.project import LineSource, Reading, Settings
-from lispac.survey.time_base import WEEK
+from lispac.survey.time_base import WEEK, Match, base_of
+from lispac.survey.time_stated import Known, contradiction, nowhere, offer
 from lispac.workflow.importing import import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project, with_lines_added
@@ -128,6 +129,49 @@ def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 50_000)
     with pytest.raises(InputError, match="none of its points lies within the trajectory"):
         made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
+
+
+def test_times_that_fit_no_base_say_so() -> None:
+    stated = Known(base_of("gps-week"), stated=True)
+    times = np.array([5e12, 4e12])
+    assert contradiction(times, stated) == (
+        "its times from 4,000,000,000,000.000 to 5,000,000,000,000.000 s cannot be GPS seconds of "
+        "the week, as stated; they fit no known time base; check which column or record is the "
+        "time."
+    )
+    assert contradiction(times, Known(base_of("gps-week"))) == ""
+    assert contradiction(np.array([5.0]), stated) == ""
+
+
+def test_what_the_trajectory_could_count_instead_is_named() -> None:
+    own, track = Known(base_of("gps-adjusted"), stated=True), START + np.arange(0.0, 100.0)
+    times = 2268 * WEEK - 1e9 + START + np.linspace(10, 40, 50)
+    told = (
+        "in adjusted standard GPS time (minus 1e9) (stated) none of its points lies within the "
+        "trajectory, whose times are GPS seconds of the day (as read from the file); "
+    )
+    other = Known(base_of("gps-day"))
+    assert nowhere(own, other, times, track) == (
+        f"{told}by their values these could also be GPS seconds of the week or UTC seconds of the "
+        "week, where the points lie inside: make sure what the trajectory counts, and state it "
+        "(--trajectory-option time=gps-week or --trajectory-option time=utc-week)."
+    )
+    told = told.replace("(as read from the file)", "(stated)")
+    assert nowhere(own, Known(other.base, stated=True), times, track) == (
+        f"{told}state the time base that the times are in, or give the trajectory of the same "
+        "survey."
+    )
+
+
+def test_a_shift_is_offered_where_it_brings_in_a_twentieth_more() -> None:
+    week, utc = base_of("gps-week"), base_of("utc-week")
+    found = (Match(((utc, week),), 18.0, 0.75),)
+    assert offer((), 0.0) == offer(found, 0.71) == ""
+    assert offer(found, 0.5) == (
+        "with +18.000 s added, 75.0 % of its points lie inside: where the scanner wrote UTC "
+        "seconds of the week and the trajectory is in GPS seconds of the week, import it again "
+        "with --time-shift 18"
+    )
 
 
 def test_a_base_that_the_file_does_not_tell_is_said(tmp_path) -> None:
