@@ -2,10 +2,12 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtCore import QByteArray, Qt, QTimer
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from lispac.gui.language import say
+from lispac.gui.tabbing import go_into
 
 Area = Qt.DockWidgetArea
 Docks = dict[str, QDockWidget]
@@ -36,6 +38,30 @@ def laid_out(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) ->
         QMainWindow.DockOption.AnimatedDocks | QMainWindow.DockOption.AllowTabbedDocks
     )
     return docks
+
+
+def switches(docks: Mapping[str, QDockWidget]) -> list[QAction]:
+    """An action for each panel: it comes into sight, or is closed where it is in sight.
+
+    Those of Qt would close one that lies behind another, which is not what was asked for.
+    """
+    return [_switch(dock) for dock in docks.values()]
+
+
+def _switch(dock: QDockWidget) -> QAction:
+    made = QAction(dock.windowTitle(), dock)
+    made.setCheckable(True)
+    dock.visibilityChanged.connect(made.setChecked)  # false for one behind another, too
+    made.triggered.connect(lambda wanted: bring(dock) if wanted else dock.close())
+    return made
+
+
+def bring(dock: QDockWidget) -> None:
+    """Have a panel in front, with the focus."""
+    dock.show()
+    dock.raise_()
+    # It has its place when Qt has laid the tabs out
+    QTimer.singleShot(0, dock, lambda: go_into(dock))
 
 
 def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:

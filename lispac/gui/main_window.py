@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, QUrl, Signal
-from PySide6.QtGui import QCloseEvent, QDesktopServices
+from PySide6.QtGui import QCloseEvent, QDesktopServices, QKeyEvent
 from PySide6.QtWidgets import QMainWindow
 
 from lispac.gui import docks, status, tabbing
@@ -162,7 +162,7 @@ class MainWindow(QMainWindow):
         self._at_first = self.saveState()
         # A dock behind another counts as visible; only this signal tells.
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.be_seen)
-        self.actions_.fill_menus([dock.toggleViewAction() for dock in self.docks.values()])
+        self.actions_.fill_menus(docks.switches(self.docks))
         screen = self.screen().availableGeometry()
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
         kept = self.settings.layout()
@@ -201,6 +201,11 @@ class MainWindow(QMainWindow):
         """Tab and Shift+Tab."""
         return tabbing.go_on(self, forward)
 
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter, where what has the focus makes nothing of it."""
+        if not tabbing.enter(self, event):
+            super().keyPressEvent(event)
+
     def _join_panels(self) -> None:
         data, targets, control = self.data, self.targets, self.controller
         data.line_shown.connect(self.viewport.set_line_visible)
@@ -210,7 +215,7 @@ class MainWindow(QMainWindow):
         data.demo_asked.connect(self.life.demo)
         targets.accepted.connect(control.accept)
         targets.rejected.connect(control.reject)
-        targets.renamed.connect(control.rename)
+        targets.renamed.connect(self._rename)
         targets.removed.connect(control.remove)
         targets.used_changed.connect(control.use_target)
         targets.role_changed.connect(
@@ -316,6 +321,11 @@ class MainWindow(QMainWindow):
         self.table.select(name)
         self.diagnostics.select(name, line)
         self.histograms.select(name)
+
+    def _rename(self, old: str, new: str) -> None:
+        self.controller.rename(old, new)
+        if new.strip() in self.targets.names:  # still the one that was chosen
+            self._select(new.strip(), "")
 
     def _speak(self, language: str) -> None:
         if language != self.settings.language:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.language import say, say_moment
 from lispac.gui.panels import widgets
+from lispac.gui.tabbing import in_turn
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
 
 WAYS = (
@@ -111,6 +112,7 @@ class StartPage(QScrollArea):
         self._projects = [self._project(folder) for folder in folders] or [_nothing()]
         for k, each in enumerate(self._projects):
             self._recent.insertWidget(k + 1, each)
+        in_turn(self.ways[WAYS[-1][0]], self._projects)
 
     def _project(self, folder: Path) -> QCommandLinkButton:
         made = _link("folder-outline", folder.name, _state(folder), bare=True)

@@ -1,16 +1,28 @@
-"""Where Tab leads in the window: to what is in sight, or comes into sight.
+"""Where Tab leads in the window: to what is in sight, or comes into sight; what Enter presses.
 
 Qt keeps a dock that lies behind another visible and only moves it away, so that its fields would
 take keys unseen. An area that scrolls shows no focus, and scrolls by the keys of what is in it.
+Outside dialogues it leaves Enter to nobody, and only Space presses the button with the focus.
 """
 
+from collections.abc import Iterable
+from itertools import pairwise
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QScrollArea, QWidget
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QMainWindow,
+    QPushButton,
+    QScrollArea,
+    QToolButton,
+    QWidget,
+)
 
 Kind = TypeVar("Kind", bound=QWidget)
 Reason = Qt.FocusReason
+ENTERS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 def go_on(window: QMainWindow, forward: bool) -> bool:
@@ -22,6 +34,36 @@ def go_on(window: QMainWindow, forward: bool) -> bool:
     found.setFocus(Reason.TabFocusReason if forward else Reason.BacktabFocusReason)
     _scroll_to(found)
     return True
+
+
+def go_into(dock: QDockWidget) -> None:
+    """Give the focus to the first widget of a panel that takes it."""
+    window = dock.parentWidget()
+    each = dock.nextInFocusChain()
+    while each != dock and not (dock.isAncestorOf(each) and _is_stop(each, window)):
+        each = each.nextInFocusChain()
+    if each != dock:
+        each.setFocus(Reason.TabFocusReason)
+
+
+def in_turn(first: QWidget, others: Iterable[QWidget]) -> None:
+    """Have Tab lead from one widget to others, which were made later and would come last."""
+    for before, after in pairwise([first, *others]):
+        QWidget.setTabOrder(before, after)
+
+
+def enter(window: QMainWindow, event: QKeyEvent) -> bool:
+    """Press the button that has the focus on Enter, and say whether that was it."""
+    focused = window.focusWidget()
+    pressed = (
+        event.key() in ENTERS
+        and not event.isAutoRepeat()
+        and isinstance(focused, QPushButton | QToolButton)
+        and focused.isEnabled()
+    )
+    if pressed:
+        focused.click()
+    return pressed
 
 
 def _next(window: QMainWindow, forward: bool) -> QWidget | None:

@@ -76,3 +76,34 @@ def test_also_those_that_a_former_window_left_elsewhere(
         qtbot.waitUntil(lambda: arrangement(later.window) == before, timeout=SOON_MS)
     finally:
         later.leave()
+
+
+def test_the_menu_brings_a_panel_into_sight_and_closes_the_one_that_is(driver: Driver) -> None:
+    """By keys: one that lies behind another is meant to be seen, and to take the keys."""
+    window, bot = driver.window, driver.bot
+
+    def pick(title: str) -> None:
+        menu = open_menu(bot, window, "View")
+        panels = next(a.menu() for a in menu.actions() if "Panels" in a.text().replace("&", ""))
+        menu.setActiveAction(panels.menuAction())
+        bot.keyClick(menu, Qt.Key.Key_Right)
+        bot.waitUntil(panels.isVisible, timeout=SOON_MS)
+        titles = [action.text() for action in panels.actions()]
+        ticked = [action.text() for action in panels.actions() if action.isChecked()]
+        assert ticked == [each for each in window.docks if is_in_front(window, each)]
+        for _ in range(titles.index(title) - titles.index(panels.activeAction().text())):
+            bot.keyClick(panels, Qt.Key.Key_Down)
+        bot.keyClick(panels, Qt.Key.Key_Return)
+
+    assert not is_in_front(window, "Warnings")
+    pick("Warnings")
+    bot.waitUntil(lambda: is_in_front(window, "Warnings"), timeout=SOON_MS)
+    pick("Patch test")
+    dock = window.docks["Patch test"]
+    bot.waitUntil(lambda: dock.isAncestorOf(QApplication.focusWidget()), timeout=SOON_MS)
+    assert is_in_front(window, "Patch test")
+    assert window.docks["Warnings"].isVisible()
+    pick("Patch test")
+    bot.waitUntil(lambda: not dock.isVisible(), timeout=SOON_MS)
+    pick("Patch test")
+    bot.waitUntil(lambda: is_in_front(window, "Patch test"), timeout=SOON_MS)

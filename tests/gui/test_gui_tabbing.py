@@ -1,10 +1,14 @@
 """Tab and Shift+Tab all the way round the window: the focus is always where it is seen."""
 
 from itertools import pairwise
+from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QListWidget, QScrollArea, QWidget
+from pytestqt.qtbot import QtBot
 
+from lispac.gui import theme
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.panels.convention import TITLE as CONVENTION
 from tests.gui.support import WAIT_MS, Driver, Key, open_step
 
@@ -56,6 +60,36 @@ def test_without_a_project_tab_goes_round_what_is_in_sight(driver: Driver) -> No
     assert round_trip(driver, Key.Key_Backtab) == stops[::-1]
 
 
+def test_recent_projects_come_after_the_ways_to_begin(driver: Driver, demo_copy: Path) -> None:
+    window = driver.window
+    for folder in (demo_copy, demo_copy.parent / "gone"):
+        window.settings.add_recent(folder)
+    page = window.stage.start
+    page.show_recent(window.settings.recent())
+    driver.bot.waitUntil(
+        lambda: all(each.isVisible() for each in page.findChildren(QWidget, "start_recent")),
+        timeout=WAIT_MS,
+    )
+    driver.bot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=WAIT_MS)
+    found = names(round_trip(driver, Key.Key_Tab))
+    assert found[found.index("start_design") + 1] == "start_recent"
+    assert found.count("start_recent") == 1  # what is gone takes no keys
+
+
+def test_a_frame_tells_that_the_view_has_the_focus(adjusted: Driver) -> None:
+    window, view = adjusted.window, adjusted.viewport.widget
+    view.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # one that only records takes none
+    window.workflow.headers[0].setFocus()
+    without = window.stage.grab().toImage()
+    view.setFocus()
+    with_focus = window.stage.grab().toImage()
+    accent = theme.colour("accent").rgb()
+    assert without.pixel(0, without.height() - 1) != accent
+    assert with_focus.pixel(0, without.height() - 1) == accent
+    window.workflow.headers[0].setFocus()
+    assert window.stage.grab().toImage() == without
+
+
 def test_a_dock_is_gone_through_in_front_only(driver: Driver) -> None:
     for front in ("Results", CONVENTION, "Results"):
         bring(driver, front)
@@ -103,3 +137,17 @@ def test_lists_that_are_passed_choose_nothing(adjusted: Driver) -> None:
     assert behind
     round_trip(adjusted, Key.Key_Tab)
     assert [each.currentRow() for each in behind] == rows
+
+
+def test_the_role_of_a_file_comes_after_the_table_it_stands_in(
+    filled: ImportDialog, qtbot: QtBot
+) -> None:
+    """Its list is made when the file is known, and would come after "Cancel"."""
+    filled.table.setFocus()
+    found: list[str] = []
+    while (name := QApplication.focusWidget().objectName()) != "qt_tabwidget_tabbar":
+        found.append(name)
+        assert len(found) < MOST
+        qtbot.keyClick(QApplication.focusWidget(), Key.Key_Tab)
+    rows = [filled.table.item(row, 0).text() for row in range(filled.table.rowCount())]
+    assert found == ["import_files", *(f"role_{name}" for name in rows)]

@@ -1,5 +1,6 @@
 """The target just found, waiting for a yes or a no."""
 
+from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QFrame, QHBoxLayout
 
 from lispac.doubles import overlap_words
@@ -7,6 +8,7 @@ from lispac.gui import units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineLights
+from lispac.gui.tabbing import ENTERS
 from lispac.project import Project, Target
 from lispac.workflow.survey import Survey
 
@@ -31,10 +33,18 @@ class CandidateBox(QFrame):
             "Accept  ⏎", "accept_candidate", icon="check-bold", primary=True, tip="Enter"
         )
         self.reject = widgets.button("Reject  Esc", "reject_candidate", icon="close", tip="Esc")
+        self.reject.installEventFilter(self)
         row = QHBoxLayout()
         row.addWidget(self.accept, 1)
         row.addWidget(self.reject, 1)
         layout.addLayout(row)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Leave Enter to "Reject" where that has the focus: it accepts from anywhere else."""
+        if event.type() == QEvent.Type.ShortcutOverride and event.key() in ENTERS:
+            event.accept()
+            return True
+        return super().eventFilter(watched, event)
 
     def fill(self, candidate: Target, project: Project, survey: Survey | None) -> None:
         """Say what was found, where not, and whether another target has the points already."""

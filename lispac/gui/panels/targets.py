@@ -141,6 +141,11 @@ class TargetsPanel(QWidget):
         if candidate is not None and project is not None:
             self.candidate.fill(candidate, project, self._survey)
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the targets in the list, in its order."""
+        return tuple(self._names)
+
     def select(self, name: str) -> None:
         """Select a target in the list, without telling anyone."""
         if name in self._names and self.current != name:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.gui.viewport.actors import aim, half_space, place_half
 from lispac.gui.viewport.base import (
     Array,
@@ -55,6 +56,7 @@ class VtkViewport:
         self.signals = ViewportSignals(self._stage)
         self.canvas = Canvas(self._stage)
         self.canvas.setAcceptDrops(False)  # the window opens what is dropped, not the 3D library
+        self.canvas.setAccessibleName(say("Lines in 3D"))
         self._stage.put(self.canvas)
         self._overlay = self._stage.overlay
         self._renderer = self.canvas.renderer
