@@ -13,7 +13,6 @@ from lispac.survey.trajectory import Poses
 from lispac.workflow.survey import Survey
 from lispac.workflow.validation import validate_with_truth
 
-
 ENOUGH = 2000
 """Points of a line whose mean tells how far it moves: between them the moves differ by little."""
 
