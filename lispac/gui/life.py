@@ -15,6 +15,7 @@ from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.estimating import Estimating
 from lispac.gui.language import say
+from lispac.gui.places import kept
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.io.seed_file import looks_like_a_list
@@ -190,7 +191,9 @@ class ProjectLife(QObject):
 
 
 def _beside(folder: Path) -> Path:
-    """A free name beside the project, or at home where nothing can be written there."""
-    parent = folder.parent if os.access(folder.parent, os.W_OK) else Path.home()
+    """A free name beside the project, or at home where nothing can be written or is not kept."""
+    parent = kept(folder.parent)
+    if not os.access(parent, os.W_OK):
+        parent = Path.home()
     names = (f"{folder.name}-{k}" for k in itertools.count(2))
     return next(parent / name for name in names if not (parent / name).exists())

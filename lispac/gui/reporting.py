@@ -7,12 +7,12 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QStandardPaths
+from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 
-from lispac.caches import cache_place
 from lispac.errors import InputError
 from lispac.gui.photographer import Photographer
+from lispac.gui.places import kept
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
@@ -73,7 +73,7 @@ class Reporting(QObject):
         project, survey, options = self._document.project, self._survey, self._options()
         if project is None or project.result is None or survey is None or options is None:
             return
-        path = self._dialogs.report_file(_kept(project.folder) / f"{project.name}.pdf")
+        path = self._dialogs.report_file(kept(project.folder) / f"{project.name}.pdf")
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computing.with_placed(
@@ -170,14 +170,6 @@ class Reporting(QObject):
     @property
     def _survey(self) -> Survey | None:
         return self._document.survey if self._document.survey_is_current else None
-
-
-def _kept(folder: Path) -> Path:
-    """The folder, or the user's documents where it is in the cache, which may be emptied."""
-    if not folder.is_relative_to(cache_place()):
-        return folder
-    documents = QStandardPaths.StandardLocation.DocumentsLocation
-    return Path(QStandardPaths.writableLocation(documents) or Path.home())
 
 
 @contextmanager

@@ -159,3 +159,20 @@ def test_a_folder_that_may_not_be_written_is_refused(demo: Demo, tmp_path: Path)
     (tmp_path / "locked").chmod(stat.S_IRUSR | stat.S_IXUSR)
     with pytest.raises(InputError, match="choose another folder"):
         save_project_as(demo.project, demo.survey, tmp_path / "locked" / "p", progress=no_progress)
+
+
+@pytest.mark.parametrize("cached", [False, True])
+def test_no_project_is_proposed_into_the_cache(
+    harbour: Driver, monkeypatch: pytest.MonkeyPatch, cached: bool
+) -> None:
+    """That of the built-in survey lies there; it is not where one would look for one's own."""
+    folder = harbour.project.folder
+    place = folder.parent if cached else folder / "cache"
+    monkeypatch.setattr("lispac.gui.places.cache_place", lambda: place)
+    asked: list[Path] = []
+    harbour.dialogs.folder_to_save_in = asked.append
+    press(harbour, Key.Key_S, Control | Shift)
+    (proposed,) = asked
+    assert proposed.name == f"{folder.name}-2"
+    assert (proposed.parent == folder.parent) is not cached
+    assert harbour.project.folder == folder
