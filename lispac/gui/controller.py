@@ -215,6 +215,8 @@ class Controller(QObject):
         self._drop_candidate()
         self._document.open(project, survey)
         self._settings.add_recent(project.folder)
+        if self._document.project is None:  # closed again: another window has it
+            return
         for note in survey.notes:
             self.noted.emit(note)
         self.noted.emit(f"Opened {project.folder}")

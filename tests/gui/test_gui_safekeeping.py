@@ -87,6 +87,7 @@ def test_a_project_open_twice_is_noticed(
     other.rest()
     assert f"process {os.getpid()}" in other.dialogs.safety[0]
     assert other.window.document.project is None
+    assert other.window.task_bar.currentMessage() == "", "nothing says that it was opened"
 
     other.dialogs.opens_twice = True
     opened(other, folder)
