@@ -343,3 +343,26 @@ def test_of_two_sightings_of_a_target_neither_is_let_go_of(
     problem = Problem.of(shifted(data, 1, 0.3), TRUTH, replace(MODEL, surface=0.001))
     here = problem.linearised(problem.start(TRUTH, fit_shapes(data, TRUTH)))
     assert worst_blunder(here, ()) == (Blunder("shift", (1,)) if named else None)
+
+
+def test_the_statistic_is_the_quadratic_form_of_the_equations(few: Observations) -> None:
+    """Points, POS errors, surfaces and a stated value that is off, each over its sigma."""
+    data, off = shifted(few, 2, 0.02), replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.02, 0.0, 0.0])
+    stated = (Parameter("lever_x", 0.01),)
+    result = adjust(data, off, MODEL, parameters=stated, diagnostics=False)
+    solved = Solved.of(result, data, off, stated)
+    assert solved is not None
+    assert np.abs(solved.here.departures).max() > 0
+    assert result.chi_square.statistic == pytest.approx(solved.here.normal.quadratic, rel=1e-6)
+
+
+def test_a_contradiction_is_told_from_so_many_sigmas_of_an_angle_on(few: Observations) -> None:
+    wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.04, 0.0, 0.0])
+    problem = Problem.of(few, wrong, MODEL)
+    first = problem.linearised(problem.start(wrong, fit_shapes(few, wrong)))
+    here = problem.linearised(first.step()[0])
+    (found,) = contradictions(here, least=1.0)
+    assert 3.5 < abs(found.w) < 5.5  # beyond 6 it would be told whatever it does
+    sigmas = np.abs(found.moved / np.sqrt(np.diag(here.normal.covariance)[:3])).max()
+    assert sigmas > 1.0
+    assert contradictions(here, least=1.01 * sigmas) == ()
