@@ -368,16 +368,16 @@ def test_chi_square_knows_that_angles_go_together() -> None:
 def test_a_cancelled_campaign_tells_of_what_was_finished_if_that_is_enough() -> None:
     def cancelled_after(count: int) -> Callable[[float, str], None]:
         def progress(fraction: float, message: str = "") -> None:
-            if fraction >= count / 50:
+            if fraction >= count / 14:
                 raise Cancelled
 
         return progress
 
-    whole = surveyed(SMALL, 50)
-    part = surveyed(SMALL, 50, enough=20, progress=cancelled_after(24))
-    assert np.array_equal(part.errors, whole.errors[:24])
-    assert headline("Pier", part, 50) == ("Pier: cancelled after 24 of 50 surveys")
-    assert headline("Pier", whole, 50) == "Pier: 50 surveys simulated and adjusted"
-    for enough in (20, None):
+    whole = surveyed(SMALL, 14)
+    part = surveyed(SMALL, 14, enough=6, progress=cancelled_after(8))
+    assert np.array_equal(part.errors, whole.errors[:8])
+    assert headline("Pier", part, 14) == "Pier: cancelled after 8 of 14 surveys"
+    assert headline("Pier", whole, 14) == "Pier: 14 surveys simulated and adjusted"
+    for enough in (6, None):
         with pytest.raises(Cancelled):
-            surveyed(SMALL, 50, enough=enough, progress=cancelled_after(19))
+            surveyed(SMALL, 14, enough=enough, progress=cancelled_after(5))

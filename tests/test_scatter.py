@@ -18,7 +18,7 @@ from lispac.survey.scan import Scan
 from lispac.workflow.calibration import observations_of
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.targetless import Targetless, targetless
-from tests.test_targetless import FEW, error, with_scans
+from tests.test_targetless import FEW, error, few_surfaces, with_scans
 
 Opened = tuple[Project, Survey]
 
@@ -29,8 +29,8 @@ def thinned(demo_project: Project) -> Opened:
 
 
 @pytest.fixture(scope="module")
-def clean(thinned: Opened) -> Targetless:
-    return targetless(*thinned, count=FEW)
+def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> Targetless:
+    return few_surfaces(thinned, tmp_path_factory)
 
 
 def adjusted(

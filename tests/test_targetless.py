@@ -17,6 +17,7 @@ from lispac.survey.scan import Scan
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.targetless import Targetless, targetless
+from tests.sharing import once
 from tests.test_cli import answer, run
 from tests.test_reference_surveys import angles, make
 
@@ -38,8 +39,13 @@ def thinned(demo_project: Project) -> Opened:
 
 
 @pytest.fixture(scope="module")
-def clean(thinned: Opened) -> Targetless:
-    return targetless(*thinned, count=FEW)
+def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> Targetless:
+    return few_surfaces(thinned, tmp_path_factory)
+
+
+def few_surfaces(thinned: Opened, factory: pytest.TempPathFactory) -> Targetless:
+    """The answer of the scene as it is, which other files hold theirs against as well."""
+    return once(factory, "few surfaces", lambda _folder: targetless(*thinned, count=FEW))
 
 
 def error(found: Targetless, project: Project) -> np.ndarray:

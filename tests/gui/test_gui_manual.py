@@ -12,12 +12,18 @@ from tests.gui.support import Control, Driver, Key, open_step, press
 from tests.manual_tables import folder, tables
 
 
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the manual is built by the first who asks, in all its languages."""
+    return tmp_path_factory.mktemp("cache")
+
+
 @pytest.mark.parametrize("spoken", ["en", "fr"])
 def test_it_is_opened_in_the_language_of_the_window(
-    driver: Driver, spoken: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: Driver, spoken: str, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[QUrl] = []
-    monkeypatch.setattr(caches, "usual_folder", lambda: tmp_path)
+    monkeypatch.setattr(caches, "usual_folder", lambda: cache)
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url) or True)
     monkeypatch.setattr("lispac.gui.manual.language", lambda: spoken)
     press(driver, Key.Key_F1, Qt.KeyboardModifier.ShiftModifier)
