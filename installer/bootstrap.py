@@ -31,6 +31,7 @@ from environment import SetupError, say, script  # noqa: E402
 
 OLDEST_PYTHON = (3, 11)
 NEWEST_PYTHON = (3, 14)  # the locked dependencies have wheels up to here
+IN_TWO = ["--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder"]
 HANGING = [
     "--max-worker-restart=0", "-o", "faulthandler_timeout=330",
     "-o", "faulthandler_exit_on_timeout=true",
@@ -97,9 +98,9 @@ def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, li
     if command == "benchmark":
         options = ["tests/benchmarks", "--benchmark-enable", "--capture=no", "-m", ""]
         return [("benchmarks", [*pytest, *options, *arguments])]
-    # Whole files go to each process: their tests share data that take long to make. Chosen tests
-    # run one by one, so that they can be looked into.
-    chosen = arguments or ["--numprocesses=2", "--dist=loadfile", *HANGING]
+    # Whole files go to each process: their tests share data that take long to make; in the order
+    # of tests/conftest.py. Chosen tests run one by one, so that they can be looked into.
+    chosen = arguments or [*IN_TWO, *HANGING]
     return [*lint_commands(), ("pytest", [*pytest, *chosen])]
 
 

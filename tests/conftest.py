@@ -1,7 +1,9 @@
 """Fixtures every test may use."""
 
 import gc
+import os
 import shutil
+from collections import Counter
 from collections.abc import Generator
 from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
@@ -20,11 +22,24 @@ from tests.sharing import once
 
 hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 
+LONG = {"test_gui_monkey.py": 40, "test_gui_end_to_end.py": 30, "test_coverage.py": 30}
+"""Files of one or a few long tests: as many short ones take as long."""
+
 
 def pytest_configure(config: pytest.Config) -> None:
     """The normal run draws the same examples every time; the long one seeks new ones."""
     if config.option.markexpr == "not long":
         hypothesis.settings.load_profile("same")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Where two processes share the files, long ones come before the many short ones.
+
+    One that begins last of all leaves the other process without work for as long as it takes.
+    """
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        tests = Counter(item.path for item in items)
+        items.sort(key=lambda item: -max(tests[item.path], LONG.get(item.path.name, 0)))
 
 
 @pytest.hookimpl(wrapper=True)
