@@ -15,10 +15,12 @@ SETTLES_S = 1.0
 
 def left_behind() -> list[str]:
     """Name what lives on of what was made since `gc.freeze`, once all that may go has gone."""
-    until = time.monotonic() + SETTLES_S
-    while (left := _left()) and time.monotonic() < until:
+    left = _left()
+    until = time.monotonic() + SETTLES_S  # one look takes as long on a busy machine
+    while left and time.monotonic() < until:
         time.sleep(0.01)
         QCoreApplication.processEvents()
+        left = _left()
     return left
 
 

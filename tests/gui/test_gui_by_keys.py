@@ -1,0 +1,158 @@
+"""The whole way by keys alone: no pointer, no slot, no widget given the focus by the test."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLineEdit, QWidget
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.projects import open_project
+from tests.gui.by_hand import Hands
+from tests.gui.support import Control, Key, press
+
+MOST = 60
+"""More than there are stops in the window."""
+Settled = Callable[[], bool]
+
+
+@pytest.fixture
+def hands(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Hands]:
+    """The program with its own dialogues; the view records, for nobody looks at it here."""
+    made = Hands(qtbot, RecordingViewport, tmp_path)
+    yield made
+    made.leave()
+
+
+def strike(hands: Hands, *keys: Qt.Key) -> None:
+    """Keys to whatever has the focus."""
+    for key in keys:
+        hands.bot.keyClick(QApplication.focusWidget(), key)
+
+
+def tab_to(hands: Hands, name: str) -> QWidget:
+    """Tab until a widget has the focus, which has to be in sight then."""
+    for _ in range(MOST):
+        focused = QApplication.focusWidget()
+        if focused.objectName() == name:
+            assert not focused.visibleRegion().isEmpty()
+            return focused
+        strike(hands, Key.Key_Tab)
+    raise AssertionError(f"Tab does not lead to {name}")
+
+
+def open_from_start_page(hands: Hands, folder: Path) -> None:
+    wanted = str(folder / "project.json")
+
+    def act(dialog: QFileDialog) -> bool:
+        name = dialog.findChild(QLineEdit, "fileNameEdit")
+        if name.text() != wanted:
+            name.selectAll()
+            hands.bot.keyClicks(name, wanted)
+            return False
+        hands.bot.keyClick(name, Key.Key_Return)
+        return True
+
+    hands.answers.foresee(QFileDialog, act)
+    tab_to(hands, "start_open")
+    strike(hands, Key.Key_Return)
+    hands.until(lambda: hands.window.document.project is not None)
+    hands.answered()
+    hands.rest()
+
+
+def type_seed(hands: Hands, name: str, end: Callable[[QDialog], None]) -> None:
+    """F3, and the coordinates of a plane, a field after the other."""
+
+    def act(dialog: SeedDialog) -> bool:
+        for value in demo_seeds()[name][1]:
+            hands.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
+            strike(hands, Key.Key_Tab)
+        end(dialog)
+        return True
+
+    hands.answers.foresee(SeedDialog, act)
+    press(hands, Key.Key_F3)
+    hands.answered()
+    hands.rest()
+
+
+def find(hands: Hands, name: str) -> None:
+    """Let the plane at a seed be found, and see that it is offered."""
+    type_seed(hands, name, lambda dialog: hands.bot.keyClick(dialog, Key.Key_Return))
+    assert hands.window.controller.candidate is not None
+
+
+def rename_last(hands: Hands, to: str) -> None:
+    """F2 on the last row of the targets, which stays selected under its new name."""
+    tab_to(hands, "targets_table")
+    strike(hands, Key.Key_End, Key.Key_Home, *[Key.Key_Down] * (len(hands.project.targets) - 1))
+    strike(hands, Key.Key_F2)
+    hands.bot.keyClicks(QApplication.focusWidget(), to)
+    strike(hands, Key.Key_Return)
+    hands.until(lambda: hands.window.targets.current == to)
+    hands.rest()
+    assert QApplication.focusWidget() is hands.window.targets.table
+
+
+def test_from_the_start_page_to_the_saved_calibration(hands: Hands, demo_copy: Path) -> None:
+    window = hands.window
+    hands.until(lambda: QApplication.focusWidget() is not None)
+    open_from_start_page(hands, demo_copy)
+    for name in ("T1", "T2", "V1"):
+        press(hands, Key.Key_F6 if demo_seeds()[name][0] == "target" else Key.Key_F7)
+        find(hands, name)
+        press(hands, Key.Key_Return)
+    assert [(each.name, each.role) for each in hands.project.targets] == [
+        ("T1", "target"), ("T2", "target"), ("V1", "validation")
+    ]  # fmt: skip
+    press(hands, Key.Key_Z, Control)
+    assert len(hands.project.targets) == 2
+    press(hands, Key.Key_Y, Control)
+    rename_last(hands, "Quay")
+
+    tab_to(hands, "step_adjust")
+    strike(hands, Key.Key_Return)
+    assert tab_to(hands, "cross_check").isChecked()
+    strike(hands, Key.Key_Space)
+    tab_to(hands, "estimate")
+    strike(hands, Key.Key_Return)
+    hands.until(lambda: hands.project.result is not None)
+    hands.rest()
+    press(hands, Key.Key_F10)
+    hands.until(lambda: bool(hands.project.validation))
+    hands.rest()
+    press(hands, Key.Key_S, Control)
+
+    kept = open_project(demo_copy)
+    assert [each.name for each in kept.targets] == ["T1", "T2", "Quay"]
+    assert (np.abs(np.degrees(kept.result.boresight) - kept.truth_deg) < 0.1).all()
+    assert {each.name for each in kept.validation} == {"Quay"}
+    assert not window.isWindowModified()
+
+
+def test_enter_does_what_has_the_focus(hands: Hands, demo_copy: Path) -> None:
+    """On "Cancel" and "Reject" it does not do what was to be cancelled."""
+    hands.until(lambda: QApplication.focusWidget() is not None)
+    open_from_start_page(hands, demo_copy)
+
+    def cancel(dialog: QDialog) -> None:
+        for _ in range(4):
+            if QApplication.focusWidget().objectName() == "seed_cancel":
+                break
+            strike(hands, Key.Key_Tab)
+        assert QApplication.focusWidget().objectName() == "seed_cancel"
+        strike(hands, Key.Key_Return)
+
+    type_seed(hands, "T1", cancel)
+    assert hands.window.controller.candidate is None
+    find(hands, "T1")
+    tab_to(hands, "reject_candidate")
+    strike(hands, Key.Key_Return)
+    assert hands.window.controller.candidate is None
+    assert hands.project.targets == ()
