@@ -279,7 +279,11 @@ def test_coverage_counts_every_point_once(line, steps, cut) -> None:
 
 
 def test_coverage_of_nothing() -> None:
-    assert str(coverage(np.zeros(0), times(0, 5), 1)) == "The line has no points."
+    empty = coverage(np.zeros(0), times(0, 5), 1)
+    assert str(empty) == "The line has no points."
+    assert np.isnan([empty.start, empty.end]).all()
+    assert (empty.count, empty.outside, empty.in_gaps, empty.gaps) == (0, 0, 0, ())
+    assert (empty.longest_gap, joined([empty, empty]).longest_gap) == (1, 1)
     alone = coverage(np.array([7.0, 3.0, 4.0]), np.zeros(0), 1)
     assert alone == Coverage(3.0, 7.0, 3, 3, 0, (), 1)
     none = joined([])
