@@ -233,6 +233,8 @@ def test_lost_precision_is_found() -> None:
         np.array([400_825.0, 400_826.0, 400_831.0]),
         np.array([5.0]),
         times(0, 3, 10),
+        np.array([1e39, 2e39, 4e39]),  # more than 32 bits can hold
+        np.array([1.0, 2.0, np.inf]),
     ],
 )
 def test_sound_times_have_no_doubts(sound: np.ndarray) -> None:

@@ -11,7 +11,7 @@ from lispac.io.formats import format_of
 from lispac.io.line_times import line_times
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY, WEEK
-from lispac.survey.time_restart import as_written, counted_on, restart_of
+from lispac.survey.time_restart import as_written, counted_on, restart_of, restart_words
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
 from lispac.workflow.intake import Intake
@@ -156,6 +156,25 @@ def test_other_steps_are_left_alone(times: np.ndarray) -> None:
     assert restart_of(times) == ""
     assert counted_on(times, "") is times
     assert as_written(times, "none") is times
+
+
+@pytest.mark.parametrize(
+    ("times", "restart", "said"),
+    [
+        (
+            [DAY - 2.5, DAY + 3.0], "midnight",
+            "times restart at midnight (after 86,397.500 s): counted on by 86400 s",
+        ),
+        ([DAY - 2.5], "midnight", "times restart at midnight: counted on by 86400 s"),
+        (
+            [WEEK + 3.0], "week-end",
+            "times are those after the end of the week: counted on by 604800 s",
+        ),
+        ([DAY], "midnight", "times are those after midnight: counted on by 86400 s"),
+    ],
+)  # fmt: skip
+def test_what_is_done_to_times_that_restart_is_said(times, restart: str, said: str) -> None:
+    assert restart_words(np.array(times), restart) == said
 
 
 def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_path, capsys) -> None:
