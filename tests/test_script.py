@@ -19,7 +19,7 @@ from lispac.workflow.editing import without_points
 from lispac.workflow.point_numbers import numbers_text, point_numbers
 from lispac.workflow.script import Script, script_of
 from lispac.workflow.script_text import SHORT, call, in_pieces, written
-from tests.script_runs import run, same_part
+from tests.script_runs import run, run_here, same_part
 
 
 @given(st.lists(st.integers(0, 10**12), max_size=60))
@@ -71,7 +71,7 @@ def made(quay: lispac.OpenProject) -> Script:
 def same_numbers(quay: lispac.OpenProject, script: Script, folder: Path) -> lispac.OpenProject:
     """The project that the script makes, whose report is that of this one."""
     quay.report(folder / "wanted.json")
-    found = run(script.text, folder / "again")
+    found = run_here(script.text, folder / "again")
     assert found == same_part(folder / "wanted.json")
     return lispac.open(folder / "again")
 
