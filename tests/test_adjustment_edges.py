@@ -10,7 +10,7 @@ from threadpoolctl import threadpool_info, threadpool_limits
 from lispac.adjustment import iteration, scatter, solver
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
-from lispac.adjustment.components import _Likelihood
+from lispac.adjustment.components import _Likelihood, surface_sigma
 from lispac.adjustment.observability import require_determined
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.omitted import contradictions
@@ -366,3 +366,25 @@ def test_a_contradiction_is_told_from_so_many_sigmas_of_an_angle_on(few: Observa
     sigmas = np.abs(found.moved / np.sqrt(np.diag(here.normal.covariance)[:3])).max()
     assert sigmas > 1.0
     assert contradictions(here, least=1.01 * sigmas) == ()
+
+
+def test_the_sigma_of_the_surfaces_is_the_likeliest(few: Observations) -> None:
+    """Restricted likelihood (Patterson and Thompson 1971) from equations made for each sigma."""
+    data = shifted(shifted(few, 2, 0.004), 7, -0.003)
+    problem = Problem.of(data, TRUTH, MODEL)
+    state = problem.start(TRUTH, fit_shapes(data, TRUTH))
+
+    def unlikely(sigma: float) -> float:
+        here = problem.with_surface(sigma)
+        normal = here.linearised(state).normal
+        fitted = normal.reduced_right @ normal.covariance @ normal.reduced_right
+        return float(
+            np.linalg.slogdet(normal.reduced)[1]
+            + 2 * np.log(here.surface_sigma).sum()
+            + normal.quadratic
+            - fitted
+        )
+
+    found = surface_sigma(problem.linearised(state))
+    assert 0.0002 < found < 0.01
+    assert unlikely(found) < min(unlikely(0.8 * found), unlikely(1.25 * found))

@@ -130,3 +130,13 @@ def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
     points[third] *= 1 + 0.2 / np.linalg.norm(points[third], axis=1)[:, None]
     fewer = averaged(replace(survey, points_lidar=points), PRIOR, 0.1, strays_apart=True)
     assert fewer.left_out == third.sum()
+
+
+def test_a_sample_has_its_share_of_the_points_whatever_their_order(survey) -> None:
+    assert np.bincount(survey.sighting).min() > 600
+    chosen = survey.sample(0.5)
+    assert chosen.mean() == pytest.approx(0.5, abs=0.02)
+    order = np.random.default_rng(2).permutation(len(survey))
+    np.testing.assert_array_equal(survey.reordered(order).sample(0.5), chosen[order])
+    # A tenth would be too few of any sighting
+    assert survey.sample(0.1).all()
