@@ -53,13 +53,17 @@ class Name:
         return f"{self.module}:{self.node.lineno} {self.name}"
 
 
+def modules() -> list[Path]:
+    """The core's modules."""
+    return [path for path in sorted(CORE.rglob("*.py")) if "gui" not in path.parts]
+
+
 @cache
 def trees() -> dict[str, ast.Module]:
     """Syntax trees of the core's modules."""
-    paths = (path for path in sorted(CORE.rglob("*.py")) if "gui" not in path.parts)
     return {
         str(path.relative_to(CORE.parent)): ast.parse(path.read_text(encoding="utf-8"))
-        for path in paths
+        for path in modules()
     }
 
 

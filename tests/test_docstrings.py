@@ -23,7 +23,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.documented import CORE, Documented, Name, public, trees
+from tests.documented import CORE, Documented, Name, modules, public, trees
 
 QUANTITY = re.compile(
     r"(^|_)(sigmas?|radius|distances?|height|width|angles?|times?|duration|thickness|spacing|"
@@ -162,7 +162,7 @@ def lacks(found: Name) -> Iterator[str]:
         yield f"{found.where}: frame of what it returns"
 
 
-ROOMS = sorted({module.split("/")[1] for module in trees()} - {"__init__.py"})
+ROOMS = sorted({path.relative_to(CORE).parts[0] for path in modules()} - {"__init__.py"})
 
 
 @cache
