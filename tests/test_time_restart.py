@@ -69,9 +69,9 @@ def test_no_point_is_lost_on_any_way(period: float, order: str, tmp_path: Path) 
 def test_times_moved_back_are_those_of_the_file(restart: str, shift: float) -> None:
     reading = Reading("", (("restart", restart),), shift)
     period = {"midnight": DAY, "week-end": WEEK, "none": 0.0}[restart]
-    written = np.array([period - 0.5, 0.25, 3.0]) if period else np.array([5.0, 6.5])
+    written = np.array([period - 0.5, 0.0, 3.0]) if period else np.array([5.0, 6.5])
     moved = reading.moved(written)
-    counted = [period - 0.5, period + 0.25, period + 3.0] if period else [5.0, 6.5]
+    counted = [period - 0.5, period, period + 3.0] if period else [5.0, 6.5]
     assert moved.tolist() == [time + shift for time in counted]
     assert reading.moved_back(moved).tolist() == written.tolist()
 
