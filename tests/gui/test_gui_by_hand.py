@@ -148,7 +148,7 @@ def test_pick_undo_redo_rename_estimate_cancel_estimate(
     shows_something(hands, tmp_path / "estimated.png")
 
 
-@pytest.mark.parametrize("button", ["Cancel", "Discard", "Save"])
+@pytest.mark.parametrize("button", ["Cancel", "Do not save", "Save"])
 def test_closing_with_unsaved_changes(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
 ) -> None:

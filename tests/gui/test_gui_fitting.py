@@ -30,6 +30,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.clipping import ClippingPanel
 from lispac.gui.panels.log import LogPanel
 from lispac.gui.panels.mounting_sketch import MountingSketch
+from lispac.gui.panels.patch_test import PatchTestPanel
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.overlay import free_place, right_neighbour
 from lispac.identity import Identity
@@ -128,6 +129,7 @@ def test_a_study_fits_a_low_screen(qtbot: QtBot, spoken: str, errors: list[Visib
         assert close.mapTo(dialog, close.rect().bottomRight()).y() < LOW.height()
         assert dialog.canvas.height() >= 150
         header = dialog.table.horizontalHeader()
+        assert dialog.table.horizontalScrollBar().maximum() == 0
         for section in range(header.count()):
             assert header.sectionSize(section) >= header.sectionSizeHint(section)
 
@@ -143,6 +145,21 @@ def test_comparisons_are_read_without_scrolling_on_a_small_screen(
     driver.bot.waitUntil(window.histograms.table.isVisible, timeout=WAIT_MS)
     assert window.width() == SMALL[0]
     assert window.histograms.table.horizontalScrollBar().maximum() == 0
+
+
+def test_the_curve_of_the_patch_test_is_beside_the_picture_at_once(
+    qtbot: QtBot, qapp: QApplication
+) -> None:
+    """It was below it until the panel was made larger once more."""
+    theme.apply_theme(qapp)
+    panel = PatchTestPanel()
+    qtbot.addWidget(panel)
+    panel.resize(1240, 252)
+    panel.show()
+    QApplication.processEvents()
+    panel._middle.setCurrentIndex(1)
+    QApplication.processEvents()
+    assert panel.curve.x() > panel.picture.x()
 
 
 def test_answers_stand_in_the_systems_order(qtbot: QtBot) -> None:

@@ -83,9 +83,11 @@ class StudyDialog(QDialog):
         """As wide as the table, where the screen is: else its last column would be cut off."""
         around, header = self.body.contentsMargins(), self.table.horizontalHeader()
         frame = 2 * self.table.frameWidth() + self.table.verticalScrollBar().sizeHint().width()
-        last = header.count() - 1  # stretched to the width there is, which is not what it needs
-        needed = max(header.sectionSizeHint(last), self.table.sizeHintForColumn(last))
-        wanted = header.length() - header.sectionSize(last) + needed
+        # Sections have not yet the width they get, and the last is stretched to what there is
+        wanted = sum(
+            max(header.sectionSizeHint(column), self.table.sizeHintForColumn(column)) + 1
+            for column in range(header.count())
+        )
         wanted += frame + around.left() + around.right()
         wanted = min(wanted, self.room.width())
         if wanted > self.width():

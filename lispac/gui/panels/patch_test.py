@@ -107,7 +107,9 @@ class PatchTestPanel(QWidget):
         super().resizeEvent(event)
         more = max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + SPACE
         wide = self._inside.minimumSizeHint().width() + (0 if self._beside else more)
-        self._place_curve(beside=wide <= self._area.viewport().width())
+        # What is in it is as wide as before just now
+        room = event.size().width() - self._area.verticalScrollBar().sizeHint().width()
+        self._place_curve(beside=wide <= room)
 
     def _buttons(self) -> None:
         make = widgets.button
