@@ -3,7 +3,13 @@
 import numpy as np
 import pytest
 
+from lispac.adjustment.adaptation import with_noise
 from lispac.adjustment.noise import _design_effect
+from lispac.adjustment.problem import Problem
+from lispac.adjustment.robust import LOSSES
+from lispac.adjustment.shapes import fit_shapes
+from lispac.adjustment.stochastic import StochasticModel
+from tests.test_robustness import TRUTH, survey, with_strays
 
 BLOCKS = np.repeat(np.arange(400), 25)
 
@@ -38,3 +44,16 @@ def test_a_little_more_than_chance_is_told() -> None:
     rng = np.random.default_rng(6)
     residuals = rng.normal(size=400)[BLOCKS] * np.sqrt(0.5 / 24) + rng.normal(size=len(BLOCKS))
     assert _design_effect(residuals, BLOCKS) == pytest.approx(1.5, abs=0.3)
+
+
+def test_strays_are_noise_unless_a_loss_takes_their_weight() -> None:
+    strays, _ = with_strays(survey(1, 0.3), 3)
+    noise, scale = {}, {}
+    for loss in LOSSES:
+        problem = Problem.of(strays, TRUTH, StochasticModel(loss=loss)).with_blocks()
+        state = problem.start(TRUTH, fit_shapes(survey(1, 0.3), TRUTH))
+        told = with_noise(problem, state)
+        noise[loss], scale[loss] = told.noise, told.scale
+    np.testing.assert_array_equal(scale["none"], 1.0)
+    np.testing.assert_array_equal(noise["huber"], noise["tukey"])
+    assert (noise["none"] > 3.0 * noise["tukey"]).all(), noise

@@ -60,6 +60,7 @@ def test_of_each_module_the_same_changes_are_drawn() -> None:
         ("a = b + c", "a = b - c", False),
         ('say("A plane.", a)', 'say("XXA plane.XX", a)', True),
         ('say("A plane.", a)', 'say("A plane.", None)', False),
+        ('if loss != "none":', 'if loss != "NONE":', False),
         ("for _ in range(20):", "for _ in range(21):", True),
         ("for _ in range(20):", "for _ in range(22):", False),
         ("zip(a, b, strict=True)", "zip(a, b, strict=False)", True),

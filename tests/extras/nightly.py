@@ -245,8 +245,12 @@ def answered(difference: str, answers: Answers) -> bool:
 
 
 def _bare(code: str) -> str:
-    """The code without texts, guards against unequal lengths, and how it is set."""
-    code = re.sub(r"\s+", "", re.sub(r"""(["']).*?\1""", '""', code))
+    """The code without texts, guards against unequal lengths, and how it is set.
+
+    A text that something is compared with stays: it decides what is done.
+    """
+    code = re.sub(r"""([!=]=\s*)?(["']).*?\2""", lambda text: text[0] if text[1] else '""', code)
+    code = re.sub(r"\s+", "", code)
     return re.sub(r",(?=[)\]])", "", re.sub(r"\bstrict=True\b", "", code))
 
 
