@@ -80,6 +80,9 @@ def test_two_times_can_tell_a_restart_and_one_cannot() -> None:
     assert restart_of(np.array([DAY - 3.0, 2.0])) == "midnight"
     assert restart_of(np.array([2.0, WEEK - 3.0])) == "week-end"
     assert restart_of(np.array([DAY - 3.0])) == ""
+    # A line of less than half a day, most of it after midnight
+    long = np.r_[np.linspace(0.95 * DAY, DAY - 1, 50), np.linspace(1, 0.4 * DAY, 200)]
+    assert restart_of(long) == "midnight"
     assert restart_of(np.zeros(0)) == ""
     assert restart_of(np.array([DAY - 3.0, np.nan, 2.0])) == ""
 
