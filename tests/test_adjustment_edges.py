@@ -244,6 +244,12 @@ def test_a_pass_over_no_points_calls_nothing() -> None:
     assert called == []
     in_chunks(lambda first, last: called.append((first, last)), np.array([5, 9]))
     assert called == [(0, 2)]
+    called.clear()
+    in_chunks(lambda first, last: called.append((first, last)), np.arange(1, 40_001))
+    first, last = np.array(sorted(called)).T
+    assert len(called) == 16
+    np.testing.assert_array_equal([*first, 40_000], [0, *last])
+    assert np.ptp(last - first) <= 2
 
 
 def test_a_value_that_is_not_seen_has_no_significance() -> None:
@@ -313,7 +319,7 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
     def pull(turn: np.ndarray) -> np.ndarray:
         moved = mounting.with_boresight(mounting.boresight + turn)
         state = replace(here.state, mounting=moved)
-        return here.problem.linearised(state, here.loss).normal.right
+        return here.problem.linearised(state, Loss(loss)).normal.right
 
     for k, turn in enumerate(step * np.eye(3)):
         change = (pull(-turn)[k] - pull(turn)[k]) / (2 * step)

@@ -140,3 +140,12 @@ def test_a_sample_has_its_share_of_the_points_whatever_their_order(survey) -> No
     np.testing.assert_array_equal(survey.reordered(order).sample(0.5), chosen[order])
     # A tenth would be too few of any sighting
     assert survey.sample(0.1).all()
+
+
+def test_two_points_of_a_sighting_stay_two(survey) -> None:
+    """They lie on a straight line, which has no plane to average over."""
+    two = np.flatnonzero(survey.sighting == 3)[:2]
+    kept = (survey.sighting != 3) | np.isin(range(len(survey)), two)
+    fewer = averaged(survey.where(kept), TRUTH, 0.5, longest=100.0)
+    expected = np.sort(survey.points_lidar[two], axis=0)
+    np.testing.assert_allclose(np.sort(fewer.points_lidar[fewer.sighting == 3], axis=0), expected)
