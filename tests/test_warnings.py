@@ -81,7 +81,10 @@ def test_serious_things_come_first(tmp_path: Path) -> None:
 
 def test_an_answer_older_than_a_refused_estimate_is_told_of(tmp_path: Path) -> None:
     told = said(sample_project(tmp_path), refused_since="All targets face one way.")
-    assert told[refused_since("All targets face one way.").text] == ("serious", Cause("result"))
+    doubt = refused_since("All targets face one way.")
+    assert told[doubt.text] == ("serious", Cause("result"))
+    assert doubt.code == "refused_since"
+    assert "was refused: All targets face one way. The angles are those of" in doubt.text
 
 
 def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> None:
