@@ -78,6 +78,7 @@ def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
     tmp_path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
+    (tmp_path / "pytest.ini").write_text("[pytest]\n")  # the folder may lie in the checkout
     tests = tmp_path / "test_table.py"
     tests.write_text(
         "import os\n"

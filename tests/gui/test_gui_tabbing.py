@@ -5,10 +5,8 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QListWidget, QScrollArea, QWidget
-from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.panels.convention import TITLE as CONVENTION
 from tests.gui.support import WAIT_MS, Driver, Key, open_step
 
@@ -137,17 +135,3 @@ def test_lists_that_are_passed_choose_nothing(adjusted: Driver) -> None:
     assert behind
     round_trip(adjusted, Key.Key_Tab)
     assert [each.currentRow() for each in behind] == rows
-
-
-def test_the_role_of_a_file_comes_after_the_table_it_stands_in(
-    filled: ImportDialog, qtbot: QtBot
-) -> None:
-    """Its list is made when the file is known, and would come after "Cancel"."""
-    filled.table.setFocus()
-    found: list[str] = []
-    while (name := QApplication.focusWidget().objectName()) != "qt_tabwidget_tabbar":
-        found.append(name)
-        assert len(found) < MOST
-        qtbot.keyClick(QApplication.focusWidget(), Key.Key_Tab)
-    rows = [filled.table.item(row, 0).text() for row in range(filled.table.rowCount())]
-    assert found == ["import_files", *(f"role_{name}" for name in rows)]

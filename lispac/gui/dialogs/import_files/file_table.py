@@ -17,7 +17,6 @@ from lispac.gui import theme
 from lispac.gui.dialogs.import_files import words
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
-from lispac.gui.tabbing import in_turn
 from lispac.io.registry import Kind
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
@@ -115,8 +114,6 @@ class FileTable(QTableWidget):
             out = intake.state(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
                 self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
-        places = [(row, column) for row in range(self.rowCount()) for column in (ROLE, FORMAT)]
-        in_turn(self, [combo for place in places if (combo := self.cellWidget(*place))])
         if self.current is None and self._paths:
             self.selectRow(0)
 
