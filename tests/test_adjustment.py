@@ -191,7 +191,14 @@ def test_closed_loop_without_noise(
 
 @pytest.mark.parametrize(
     "model",
-    [INDEPENDENT, CORRELATED, StochasticModel("correlated", position_time=5.0, attitude_time=5.0)],
+    [
+        INDEPENDENT,
+        CORRELATED,
+        pytest.param(
+            StochasticModel("correlated", position_time=5.0, attitude_time=5.0),
+            marks=pytest.mark.long,
+        ),
+    ],
 )
 def test_sigmas_hold_when_the_errors_are_what_the_model_says(model: StochasticModel) -> None:
     """Error over sigma is a unit normal variable: its squares over many surveys are chi-square."""

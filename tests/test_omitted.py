@@ -76,7 +76,7 @@ def test_estimating_it_settles_the_matter() -> None:
     assert np.abs(held.contradictions[0].moved - moved).max() < 0.3 * estimated.sigma.max()
 
 
-@pytest.mark.parametrize("bent", [0.0, 0.003])
+@pytest.mark.parametrize("bent", [pytest.param(0.0, marks=pytest.mark.long), 0.003])
 def test_nothing_is_contradicted_where_all_is_right(bent) -> None:
     """Surfaces that differ by 3 mm from line to line are no lever arm; 1 in 100 by chance."""
     told = 0

@@ -86,6 +86,7 @@ def test_a_prior_two_degrees_off_gives_the_same_answer(thinned: Opened, clean: P
     assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
 
 
+@pytest.mark.long  # with a prior two degrees off they are cut again as well
 def test_objects_laid_with_lines_apart_are_cut_again(
     thinned: Opened, laid: Laid, clean: PatchTest
 ) -> None:

@@ -7,6 +7,7 @@ import textwrap
 import tomllib
 import zipfile
 from dataclasses import asdict, replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -161,9 +162,17 @@ def test_letterhead_and_texts_stand_in_pdf_and_html(
     assert page.sources[0].startswith("data:image/svg+xml;base64,")
 
 
-@pytest.mark.parametrize("page", ["a4", "letter"])
-@pytest.mark.parametrize("language", ["en", "fr"])
-@pytest.mark.parametrize("blank", [True, False])
+@pytest.mark.parametrize(
+    ("blank", "language", "page"),
+    [
+        (True, "fr", "a4"),
+        (False, "en", "letter"),
+        *(
+            pytest.param(*each, marks=pytest.mark.long)
+            for each in product((True, False), ("en", "fr"), ("a4", "letter"))
+        ),
+    ],
+)
 def test_page_one_ends_with_the_signature(
     project: Project, template: Path, tmp_path: Path, page: Page, language: str, blank: bool
 ) -> None:

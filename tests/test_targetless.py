@@ -132,6 +132,7 @@ def jumped(opened: Opened, truth: Mounting, wrong: str) -> Opened:
     return with_scans(opened, change)
 
 
+@pytest.mark.long
 def test_leaves_over_half_the_scene_and_water_do_little(thinned: Opened, clean: Targetless) -> None:
     """By how much over many surveys: `test_targetless_clutter`."""
     found = targetless(*leaves_and_waves(thinned, true_mounting(thinned[0])), count=FEW)
