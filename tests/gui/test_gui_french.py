@@ -23,7 +23,7 @@ from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
-from lispac.gui.language import speak, unsaid
+from lispac.gui.language import say, speak, unsaid
 from lispac.gui.settings import AppSettings
 from lispac.gui.studies import SITES
 from lispac.gui.viewport.recording import RecordingViewport
@@ -224,3 +224,20 @@ def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QAppli
         assert unsaid() == ()
     finally:
         speak("en")
+
+
+@pytest.mark.parametrize(
+    ("where", "said"),
+    [("bridge-2, process 4711", "bridge-2, processus 4711"),
+     ("another program", "un autre programme")],
+)  # fmt: skip
+def test_another_program_or_window_is_named_in_french(where: str, said: str) -> None:
+    speak("fr")
+    try:
+        found = say(
+            f"It is open in {where}. Of two windows the one that saves last overwrites the other, "
+            "and unsaved work of the second is not kept against a crash."
+        )
+    finally:
+        speak("en")
+    assert found.startswith(f"Il est ouvert ailleurs\N{NO-BREAK SPACE}: {said}. De deux fenêtres")

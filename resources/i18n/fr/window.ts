@@ -282,8 +282,12 @@
         <translation>{name} est déjà ouvert dans une autre fenêtre.</translation>
     </message>
     <message>
-        <source>It is open in {where:kept}. Of two windows the one that saves last overwrites the other, and unsaved work of the second is not kept against a crash.</source>
-        <translation>Il est ouvert ici : {where}. De deux fenêtres, celle qui enregistre en dernier écrase l&apos;autre, et le travail non enregistré de la seconde n&apos;est pas protégé contre un plantage.</translation>
+        <source>{host:kept}, process {process:kept}</source>
+        <translation>{host}, processus {process}</translation>
+    </message>
+    <message>
+        <source>It is open in {where}. Of two windows the one that saves last overwrites the other, and unsaved work of the second is not kept against a crash.</source>
+        <translation>Il est ouvert ailleurs : {where}. De deux fenêtres, celle qui enregistre en dernier écrase l&apos;autre, et le travail non enregistré de la seconde n&apos;est pas protégé contre un plantage.</translation>
     </message>
     <message>
         <source>0.01 deg aside parts the lines by {parted}</source>
