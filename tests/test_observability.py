@@ -8,6 +8,7 @@ import pytest
 
 from lispac.adjustment.averaging import averaged
 from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.normal import inverse
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.shapes import points_local
@@ -305,3 +306,10 @@ def test_parts_are_compared_without_what_none_of_them_sees() -> None:
     found = cross_checks(points, PRIOR, result, (held,))
     for one, other in zip(expected.parts, found.parts, strict=True):
         np.testing.assert_allclose(other.significance, one.significance, rtol=0.05, atol=0.05)
+
+
+@pytest.mark.parametrize("weight", [-1e-9, 0.0, np.nan])
+def test_an_unknown_without_weight_is_refused(weight: float) -> None:
+    """Also one whose weight rounding has made negative, beside large ones that it goes with."""
+    with pytest.raises(RankDeficient, match="do not determine boresight and targets"):
+        inverse(np.array([[weight, 1e3], [1e3, 1e10]]))

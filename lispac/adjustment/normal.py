@@ -7,6 +7,7 @@ neighbouring knots and so does the Gauss-Markov prior. In thesis mode there are 
 nor knots, and what is left is thesis equation B.8; the covariance is B.12.
 """
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -249,13 +250,15 @@ def inverse(matrix: Array) -> Array:
     ------
     RankDeficient
     """
-    scale = 1 / np.sqrt(np.maximum(np.diag(matrix), np.finfo(float).tiny))
-    try:
-        factor = scipy.linalg.cho_factor(matrix * np.outer(scale, scale))
-    except np.linalg.LinAlgError as error:
+    diagonal, factor = np.diag(matrix), None
+    scale = 1 / np.sqrt(np.maximum(diagonal, np.finfo(float).tiny))
+    if np.all(diagonal > 0.0):  # rounding leaves others of what nothing determines
+        with suppress(np.linalg.LinAlgError):
+            factor = scipy.linalg.cho_factor(matrix * np.outer(scale, scale))
+    if factor is None:
         raise RankDeficient(
             "These points do not determine boresight and targets; add targets or lines."
-        ) from error
+        )
     solved = scipy.linalg.cho_solve(factor, np.diag(scale))
     return np.asarray(solved * scale[:, None])
 
