@@ -198,8 +198,8 @@ def push(hands: Hands, text: str) -> None:
     hands.answers.foresee(QMessageBox, act)
 
 
-def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
-    """Ctrl+O, and the file's name; then the button of the question that follows, if one does."""
+def name_project(hands: Hands, folder: Path) -> None:
+    """Type the project's file into the file dialogue that comes next."""
     wanted = str(folder / "project.json")
 
     def act(dialog: QFileDialog) -> bool:
@@ -212,6 +212,11 @@ def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
         return True
 
     hands.answers.foresee(QFileDialog, act)
+
+
+def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
+    """Ctrl+O, and the file's name; then the button of the question that follows, if one does."""
+    name_project(hands, folder)
     if then:
         push(hands, then)
     press(hands, Key.Key_O, Control)

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.projects import open_project
-from tests.gui.by_hand import Hands
+from tests.gui.by_hand import Hands, name_project
 from tests.gui.support import Control, Key, press
 
 MOST = 60
@@ -47,18 +47,7 @@ def tab_to(hands: Hands, name: str) -> QWidget:
 
 
 def open_from_start_page(hands: Hands, folder: Path) -> None:
-    wanted = str(folder / "project.json")
-
-    def act(dialog: QFileDialog) -> bool:
-        name = dialog.findChild(QLineEdit, "fileNameEdit")
-        if name.text() != wanted:
-            name.selectAll()
-            hands.bot.keyClicks(name, wanted)
-            return False
-        hands.bot.keyClick(name, Key.Key_Return)
-        return True
-
-    hands.answers.foresee(QFileDialog, act)
+    name_project(hands, folder)
     tab_to(hands, "start_open")
     strike(hands, Key.Key_Return)
     hands.until(lambda: hands.window.document.project is not None)
