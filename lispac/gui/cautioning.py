@@ -12,9 +12,9 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QScrollArea, QWidget
 
 from lispac.causes import Cause
+from lispac.gui.docks import raise_panel
 from lispac.gui.panels.fields import Fold
 from lispac.gui.status import ADJUST, DATA, STEPS, TARGETS
-from lispac.gui.tools import bring
 from lispac.targets.quality import SightingQuality
 from lispac.workflow.warnings import Concern, concerns
 
@@ -65,7 +65,7 @@ class Cautioning(QObject):
 
     def open(self) -> None:
         """Bring the list to the front, and the keyboard into it."""
-        bring(self._panel)
+        raise_panel(self._panel)
         self._panel.take_focus()
 
     def stop(self) -> None:
@@ -172,7 +172,7 @@ class Cautioning(QObject):
             self._open_step(TARGETS)
             _focus(window.targets.table)
         else:
-            bring(window.table)
+            raise_panel(window.table)
             window.table.go_to(cause.name, cause.line)
             _focus(window.table)
 
@@ -198,21 +198,19 @@ class Cautioning(QObject):
 
     def _to_page(self, cause: Cause) -> None:
         diagnostics = self._window.diagnostics
-        bring(diagnostics)
+        raise_panel(diagnostics)
         diagnostics.open(cause.name)
         _focus(diagnostics.list)
 
     def _to_step(self, cause: Cause) -> None:
-        step = STEPS.index(cause.name)
-        self._open_step(step)
-        _focus(self._window.workflow.headers[step])
+        self._window.workflow.go_to(STEPS.index(cause.name))
 
     def _to_result(self, _cause: Cause) -> None:
-        bring(self._window.results)
+        raise_panel(self._window.results)
         _focus(self._window.results.angles)
 
     def _open_step(self, step: int) -> None:
-        bring(self._window.workflow)
+        raise_panel(self._window.workflow)
         self._window.workflow.open(step)
 
 

@@ -64,6 +64,14 @@ def bring(dock: QDockWidget) -> None:
     QTimer.singleShot(0, dock, lambda: go_into(dock))
 
 
+def raise_panel(panel: QWidget) -> None:
+    """Show the dock of a panel in front of its neighbours, wherever the focus is."""
+    dock = panel.parentWidget()
+    assert isinstance(dock, QDockWidget)
+    dock.show()
+    dock.raise_()
+
+
 def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
     """Give the panels the room they have at first."""
     sides = [docks["Workflow"], docks["Results"]]

@@ -58,7 +58,7 @@ from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import undressed
 from lispac.gui.tools import Tools
 from lispac.gui.tour import Tour
-from lispac.gui.viewing_actions import THEMED
+from lispac.gui.viewing_actions import STEP_ACTIONS, THEMED
 from lispac.gui.viewport.base import PickedPoint, Viewport
 
 Area = Qt.DockWidgetArea
@@ -261,6 +261,7 @@ class MainWindow(QMainWindow):
             "before": lambda: self.computing.show("prior"),
             "after": lambda: self.computing.show("estimated"),
             "toggle": self._toggle,
+            **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
             "arrange": lambda: docks.arrange(self, self.docks, self._at_first),
             "english": lambda: self._speak("en"),
             "french": lambda: self._speak("fr"),

@@ -3,10 +3,11 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QDockWidget, QWidget
+from PySide6.QtWidgets import QWidget
 
 from lispac.gui.clipping import Clipping
 from lispac.gui.comparing import Comparing
+from lispac.gui.docks import raise_panel
 from lispac.gui.hovering import Hovering, Wanted
 from lispac.gui.lasso import Lasso
 from lispac.gui.measuring import Measuring
@@ -33,13 +34,13 @@ class Tools(QObject):
         self.pointing = Pointing(view, actions)
         self.measuring = Measuring(view, actions, self.pointing, note)
         self.sections = Sections(
-            window.document, window.runner, window.scene, view, actions, self.pointing, bring
+            window.document, window.runner, window.scene, view, actions, self.pointing, raise_panel
         )
         self.comparing = Comparing(
             window.document, window.scene, window.computing, view, actions, note
         )
-        self.clipping = Clipping(window.scene, view, actions, bring, note)
-        self.patching = Patching(window, bring)
+        self.clipping = Clipping(window.scene, view, actions, raise_panel, note)
+        self.patching = Patching(window, raise_panel)
         self.lasso = Lasso(
             window.document, window.scene, view, actions, self.pointing, self.clipping, note,
             window.controller.refused.emit,
@@ -71,11 +72,3 @@ class Tools(QObject):
             PATCH_TEST: (self.patching.panel, below),
             CLIPPING: (self.clipping.panel, below),
         }
-
-
-def bring(panel: QWidget) -> None:
-    """Show the dock of a panel in front of its neighbours."""
-    dock = panel.parentWidget()
-    assert isinstance(dock, QDockWidget)
-    dock.show()
-    dock.raise_()

@@ -2,6 +2,7 @@
 
 from lispac.gui.colouring import COLOURINGS
 from lispac.gui.settings import THEMES
+from lispac.gui.status import STEPS
 
 Described = tuple[str, str, str, object, str]
 """Text, short text for the toolbar, icon, keys, tip."""
@@ -13,6 +14,12 @@ COLOURED = {name: f"colour_{name}" for name in COLOURINGS}
 
 THEMED = {choice: f"theme_{choice}" for choice in THEMES}
 """Action of each theme."""
+
+STEP_ACTIONS: dict[str, Described] = {
+    f"step_{k}": (f"&{k}  {title}", title, "", f"Ctrl+{k}", f"Go to step {k} of the workflow")
+    for k, title in enumerate(STEPS, 1)
+}
+"""Each opens a step, in the order of the steps."""
 
 VIEW_ACTIONS: dict[str, Described] = {
     "fit": ("&Fit all", "Fit all", "fit-to-page-outline", "F", "Bring everything into view"),
@@ -109,6 +116,7 @@ VIEW_MENU: Menu = (
     "copy_picture",
     "",
     "warnings",
+    ("S&teps", tuple(STEP_ACTIONS)),
     ("&Panels", ("DOCKS", "", "arrange")),
     ("T&heme", tuple(THEMED.values())),
     ("Lan&guage · Langue", ("english", "french")),
@@ -179,6 +187,7 @@ KEYS = (
         ("L, Shift + L", "lasso: add points to the selected target, remove points"),
     )),
     ("The project", (
+        ("Ctrl + 1, 2, 3, 4, 5", "go to a step of the workflow"),
         ("F9, F10", "estimate, validate"),
         ("Shift + F9", "study the distance between points"),
         ("Shift + F10, F11", "check against a reference, calibrations over the years"),

@@ -145,3 +145,17 @@ def test_enter_does_what_has_the_focus(hands: Hands, demo_copy: Path) -> None:
     strike(hands, Key.Key_Return)
     assert hands.window.controller.candidate is None
     assert hands.project.targets == ()
+
+
+def test_a_key_leads_to_each_step(hands: Hands) -> None:
+    """Also where its panel lies behind another, or was closed."""
+    window = hands.window
+    hands.until(lambda: QApplication.focusWidget() is not None)
+    window.docks["Workflow"].close()
+    steps = Key.Key_5, Key.Key_1, Key.Key_3, Key.Key_2, Key.Key_4
+    for key, name in zip(steps, ("report", "data", "adjust", "targets", "validate"), strict=True):
+        press(hands, key, Control)
+        focused = QApplication.focusWidget()
+        assert focused.objectName() == f"step_{name}"
+        assert not focused.visibleRegion().isEmpty()
+        assert window.workflow.headers[window.workflow.opened] is focused

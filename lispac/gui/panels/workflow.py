@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.docks import raise_panel
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import STEPS, State, StepStatus
@@ -55,6 +56,12 @@ class WorkflowPanel(QWidget):
         if step != self.opened:
             self.opened = step
             self.step_opened.emit(step)
+
+    def go_to(self, step: int) -> None:
+        """Open one step, numbered from 0, before other panels, and give its header the focus."""
+        raise_panel(self)
+        self.open(step)
+        self.headers[step].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def scroll_to(self, widget: QWidget) -> None:
         """Have a widget of the open step in sight, once it has its place."""

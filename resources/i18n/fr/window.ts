@@ -4154,6 +4154,10 @@
         <translation>{n}  {title}</translation>
     </message>
     <message>
+        <source>&amp;{n:n}  {title}</source>
+        <translation>&amp;{n}  {title}</translation>
+    </message>
+    <message>
         <source>{n:n}  {title}: {sentence}</source>
         <translation>{n}  {title} : {sentence}</translation>
     </message>
@@ -9171,8 +9175,20 @@ m/s</translation>
         <translation>Tout ce dont il faut être averti ; chaque avertissement mène à sa cause</translation>
     </message>
     <message>
+        <source>S&amp;teps</source>
+        <translation>Étapes &amp;du travail</translation>
+    </message>
+    <message>
+        <source>Go to step {n:n} of the workflow</source>
+        <translation>Aller à l’étape {n} du travail</translation>
+    </message>
+    <message>
         <source>the warnings, all in one list</source>
         <translation>les avertissements, dans une seule liste</translation>
+    </message>
+    <message>
+        <source>go to a step of the workflow</source>
+        <translation>aller à une étape du travail</translation>
     </message>
     <message>
         <source>Serious</source>
