@@ -9187,6 +9187,10 @@ m/s</translation>
         <translation>les avertissements, dans une seule liste</translation>
     </message>
     <message>
+        <source>Ctrl + 1, 2, 3, 4, 5</source>
+        <translation>Ctrl + 1, 2, 3, 4, 5</translation>
+    </message>
+    <message>
         <source>go to a step of the workflow</source>
         <translation>aller à une étape du travail</translation>
     </message>
