@@ -42,6 +42,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         items.sort(key=lambda item: -max(tests[item.path], LONG.get(item.path.name, 0)))
 
 
+def pytest_collection_finish() -> None:
+    """Modules and tests stay to the end: no search for garbage has to go through them each time."""
+    gc.collect()
+    gc.freeze()
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
     """As in the program, no worker deletes widgets: what a window leaves is collected after it.

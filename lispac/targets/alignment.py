@@ -113,7 +113,7 @@ def align(clouds: Mapping[str, Cloud]) -> Alignment:
     prior = scene.boresight
     best, met_before = prior, scene.met(prior)
     met = met_before
-    for start in scene.starts(_Scene.of(clouds, GLANCE)):
+    for start in scene.starts(clouds):
         boresight = scene.refined(start)
         share = scene.met(boresight)
         if share > met:
@@ -191,14 +191,16 @@ class _Scene:
         place = Georeferencer.of(self.place.trajectory, mounting)
         return [place(line.points_lidar, line.time) for line in self.lines]
 
-    def starts(self, glance: "_Scene") -> Iterator[Array]:
+    def starts(self, clouds: Mapping[str, Cloud]) -> Iterator[Array]:
         """The prior boresight; then those about it that bring the lines nearest to each other.
 
         Parameters
         ----------
-        glance : the same scene with fewer points, by which these are found
+        clouds : mapping of line name to Cloud
+            Of the scene; the others are found by fewer of their points.
         """
         yield self.boresight
+        glance = _Scene.of(clouds, GLANCE)  # spread only where the prior boresight was not enough
         turns = [STARTS * np.array(turn) for turn in product((-1, 0, 1), repeat=3) if any(turn)]
         stepped = [glance.stepped(self.boresight + turn, REACHES[0]) for turn in turns]
         shares = np.array([glance.met(boresight) for boresight in stepped])
