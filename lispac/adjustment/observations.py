@@ -83,7 +83,8 @@ class Observations:
     @cached_property
     def target_of_sighting(self) -> NDArray[np.int64]:
         """Index into ``targets`` for each sighting, shape (sightings,)."""
-        return np.array([self.targets.index(s.target) for s in self.sightings], dtype=np.int64)
+        number = {target: k for k, target in enumerate(self.targets)}
+        return np.array([number[s.target] for s in self.sightings], dtype=np.int64)
 
     @cached_property
     def lines(self) -> tuple[str, ...]:

@@ -98,7 +98,7 @@ def _test(
 
 
 def _nothing(problem: Problem) -> bool:
-    return bool(problem.usual_surface.max() < 2 * SMALLEST_SURFACE)
+    return float(problem.usual_surface.max()) < 2 * SMALLEST_SURFACE
 
 
 def _only(every: Linearised, parameters: tuple[Parameter, ...]) -> Linearised:
