@@ -31,8 +31,10 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMessageBox
 
+from lispac.report.pdf import write_pdf
 from tests.gui.monkey_hands import Doing, Hands
 from tests.gui.pulse import Draws, Pulse, resident_mb, timed_viewport
+from tests.report_sample import sample_content, sample_project
 
 STEP_MS = 12
 STALL_MS = 200.0
@@ -328,6 +330,9 @@ def main() -> int:
     logbook = Logbook(session.log_folder, session.tell_unforeseen)
     logbook.begin()
     monkey = Monkey(session, folder, wanted.seed, draws)
+    # The first report takes a quarter of a gigabyte for good, fonts and what typst keeps, the next
+    # ones nothing: where it came late, it looked like growth
+    write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {})
     for logger in (LOG, logging.getLogger("py.warnings")):
         logger.addHandler(Records(monkey))
     sys.unraisablehook = lambda known: monkey.caught(
