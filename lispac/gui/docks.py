@@ -58,8 +58,7 @@ def _switch(dock: QDockWidget) -> QAction:
 
 def bring(dock: QDockWidget) -> None:
     """Have a panel in front, with the focus."""
-    dock.show()
-    dock.raise_()
+    raise_panel(dock.widget())
     # It has its place when Qt has laid the tabs out
     QTimer.singleShot(0, dock, lambda: go_into(dock))
 
