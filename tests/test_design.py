@@ -55,10 +55,16 @@ def test_a_small_site_is_searched_exactly(best) -> None:
 
 
 def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One seed in thirty ends with the second best, from which no single exchange leads away.
+
+    Which one it is depends on the last digit of the numbers, and so on the processor.
+    """
     monkeypatch.setattr("lispac.design.search.EXACTLY", 10)
-    found = search(SMALL, plans=800)
-    assert not found.exact
-    assert found.value == pytest.approx(best.value, rel=0.02)
+    found = [search(SMALL, plans=400, seed=seed) for seed in range(5)]
+    assert not any(design.exact for design in found)
+    beyond = np.array([design.value for design in found]) / best.value - 1
+    assert np.median(beyond) < 1e-9
+    assert beyond.max() < 0.05
 
 
 def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-import scipy.linalg
 from numpy.typing import NDArray
 
 from lispac.adjustment.adaptation import with_surface
+from lispac.adjustment.banded import forward
 from lispac.adjustment.normal import columns_basis
 from lispac.adjustment.problem import RELEASED, Linearised, Problem
 
@@ -156,9 +156,9 @@ def _chance(linearised: Linearised, found: Blunder) -> float:
 
     normal = linearised.normal
     own, by_unknowns, by_pos, right = _new_unknowns(linearised, found)
-    solved = scipy.linalg.cho_solve_banded((normal.factor, True), by_pos.T)
-    mixed = by_unknowns - by_pos @ normal.by_unknowns
-    information = own - by_pos @ solved - mixed @ normal.covariance @ mixed.T
+    half = forward(normal.factor, by_pos.T)
+    mixed = by_unknowns - half.T @ normal.halved
+    information = own - half.T @ half - mixed @ normal.covariance @ mixed.T
     correction, change = normal.solve()
     pull = right - by_unknowns @ correction - by_pos @ change.reshape(-1)
     # What the data do not see (a shift along the boards) cannot be tested.

@@ -12,6 +12,7 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
+from lispac.adjustment.banded import factor_of, forward
 from lispac.adjustment.problem import RELEASED, Linearised
 from lispac.adjustment.result import Component
 
@@ -275,13 +276,13 @@ class _Likelihood:
         places = np.arange(len(matrix))
         matrix[places, places] += self.diagonal * (prior - trust[0])
         right = (normal.right - self.prior_right) * trust[0] + self.prior_right * prior
-        factor = scipy.linalg.cholesky_banded(band, lower=True)
-        solved = scipy.linalg.cho_solve_banded((factor, True), np.column_stack([mixed.T, pull]))
-        reduced = matrix - mixed @ solved[:, :-1]
+        factor = factor_of(band)
+        halved, halved_pull = forward(factor, mixed.T), forward(factor, pull)
+        reduced = matrix - halved.T @ halved
         scale = 1 / np.sqrt(np.diag(reduced))
         lower = np.linalg.cholesky(reduced * np.outer(scale, scale))
         explained = scipy.linalg.solve_triangular(
-            lower, (right - mixed @ solved[:, -1]) * scale, lower=True
+            lower, (right - halved.T @ halved_pull) * scale, lower=True
         )
         fixed = self.fixed_quadratic + self.surface_quadratic
         data = normal.quadratic - sum(self.prior_quadratic) - fixed
@@ -290,7 +291,7 @@ class _Likelihood:
             + float(np.dot(self.prior_quadratic, trust))
             + self.fixed_quadratic
             + self.surface_quadratic * smooth
-            - float(pull @ solved[:, -1])
+            - float(halved_pull @ halved_pull)
             - float(explained @ explained)
         )
         determinants = 2 * np.log(factor[0]).sum() + 2 * np.log(np.diag(lower) / scale).sum()

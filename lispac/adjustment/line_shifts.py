@@ -11,9 +11,9 @@ others.
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg
 from numpy.typing import NDArray
 
+from lispac.adjustment.banded import forward
 from lispac.adjustment.problem import Linearised
 
 Array = NDArray[np.float64]
@@ -69,9 +69,9 @@ class Scores:
         weighted = np.array([[knots.weighted(each) for each in own] for own in shifts])
         size = len(lines) * AXES
         flat, given = weighted.reshape(size, -1), shifts.reshape(size, -1)
-        alone = scipy.linalg.cho_solve_banded((normal.factor, True), flat.T)
-        through = flat @ normal.by_unknowns
-        after = flat @ alone + through @ normal.covariance @ through.T
+        half = forward(normal.factor, flat.T)
+        through = half.T @ normal.halved
+        after = half.T @ half + through @ normal.covariance @ through.T
         prior = flat @ given.T
         root = np.sqrt(np.diag(prior))
         variance = (prior - after) / np.outer(root, root)

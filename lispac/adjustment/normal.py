@@ -16,6 +16,7 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
+from lispac.adjustment.banded import backward, factor_of, forward
 from lispac.adjustment.sums import Groups
 from lispac.errors import RankDeficient
 
@@ -79,11 +80,6 @@ class Layout:
         return cls(active, shapes, tuple(slices), size, index)
 
 
-AT_ONCE = 32
-"""Unknowns that are solved for together: SciPy keeps the interpreter meanwhile, and a window that
-works on the same plan would stand still."""
-
-
 FEW_SURFACES = 24
 """Sightings up to which it is quicker to eliminate the POS error before the surfaces."""
 
@@ -118,35 +114,36 @@ class Normal:
 
     @cached_property
     def factor(self) -> Array:
-        """Cholesky factor of ``band``, in the same shape."""
-        return np.asarray(scipy.linalg.cholesky_banded(self.band, lower=True))
+        """Cholesky factor ``L`` of ``band``, in the same shape."""
+        return factor_of(self.band)
+
+    @cached_property
+    def halved(self) -> Array:
+        """``L^-1`` times ``mixed``, shape (6 knots, u): its square is the POS error's share."""
+        return forward(self.factor, self.mixed.T)
+
+    @cached_property
+    def halved_pull(self) -> Array:
+        """``L^-1`` times ``pull``, shape (6 knots,)."""
+        return forward(self.factor, self.pull)
 
     @cached_property
     def by_unknowns(self) -> Array:
         """Change of the POS error by each other unknown, shape (6 knots, u), times minus one."""
-        solved = np.empty_like(self.mixed)
-        for first in range(0, len(solved), AT_ONCE):
-            some = slice(first, first + AT_ONCE)
-            solved[some] = scipy.linalg.cho_solve_banded((self.factor, True), self.mixed[some].T).T
-        return solved.T
+        return backward(self.factor, self.halved)
 
     @cached_property
     def reduced(self) -> Array:
         """Normal matrix with the POS error eliminated, shape (u, u)."""
         if not len(self.pull):
             return self.matrix
-        reduced = self.matrix - self.mixed @ self.by_unknowns
+        reduced = self.matrix - self.halved.T @ self.halved
         return np.asarray((reduced + reduced.T) / 2)
-
-    @cached_property
-    def pulled(self) -> Array:
-        """Change of the POS error by its own right-hand side alone, shape (6 knots,)."""
-        return np.asarray(scipy.linalg.cho_solve_banded((self.factor, True), self.pull))
 
     @cached_property
     def reduced_right(self) -> Array:
         """Right-hand side with the POS error eliminated, shape (u,)."""
-        return self.right - self.mixed @ self.pulled if len(self.pull) else self.right
+        return self.right - self.halved.T @ self.halved_pull if len(self.pull) else self.right
 
     @cached_property
     def covariance(self) -> Array:
@@ -234,7 +231,8 @@ class Normal:
         correction = self.covariance @ self.reduced_right
         if not len(self.pull):
             return correction, np.zeros((0, 6))
-        return correction, (self.pulled - self.by_unknowns @ correction).reshape(-1, 6)
+        half = self.halved_pull - self.halved @ correction
+        return correction, backward(self.factor, half).reshape(-1, 6)
 
 
 def _span(rows: Array) -> slice:

@@ -6,7 +6,9 @@ from time import perf_counter
 
 import numpy as np
 import pytest
+import scipy.linalg
 
+from lispac.adjustment.banded import backward, factor_of, forward
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.survey.georeferencing import Mounting
@@ -47,3 +49,33 @@ def test_adjustment(points):
             print(f", {THESIS[0] / time:,.0f} to {THESIS[1] / time:,.0f} x the thesis", end="")
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
     print(f"; peak memory of the process {before:.2f} GB before, {peak:.2f} GB after")
+
+
+@pytest.mark.parametrize(("knots", "unknowns"), [(60, 20), (500, 30), (500, 200)])
+def test_banded(knots, unknowns):
+    """Eliminating the POS error, against LAPACK's solution of the same matrix in the same run."""
+    random = np.random.default_rng(1)
+    band = random.normal(size=(12, 6 * knots))
+    band[0] = 30.0
+    right = random.normal(size=(unknowns, 6 * knots))
+    factor = factor_of(band)
+
+    def seconds(solve):
+        taken = []
+        for _ in range(7):
+            start = perf_counter()
+            found = solve()
+            taken.append(perf_counter() - start)
+        return median(taken), found
+
+    solve = scipy.linalg.cho_solve_banded
+    theirs, expected = seconds(lambda: solve((factor, True), right.T))
+    half, halved = seconds(lambda: forward(factor, right.T))
+    whole, found = seconds(lambda: backward(factor, halved))
+    assert found == pytest.approx(expected)
+    print(
+        f"\n{knots:4d} knots, {unknowns:3d} unknowns: LAPACK {theirs * 1e3:6.2f} ms, forward "
+        f"{half * 1e3:6.2f} ms (1/{theirs / half:.0f}), both {(half + whole) * 1e3:6.2f} ms "
+        f"(1/{theirs / (half + whole):.0f})",
+        end="",
+    )

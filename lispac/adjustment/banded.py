@@ -1,0 +1,98 @@
+"""Triangular systems of a banded matrix with many right-hand sides.
+
+LAPACK solves them one by one, and SciPy keeps the interpreter meanwhile. Here a row of all of them
+is one step, so that it lies in the processor's cache and is calculated in vectors: some ten times
+the speed, and a window that works on the same plan goes on.
+"""
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import NDArray
+
+from lispac.adjustment.passes import kernel
+
+Array = NDArray[np.float64]
+
+
+def factor_of(band: Array) -> Array:
+    """Cholesky factor ``L`` of a symmetric positive definite matrix.
+
+    Parameters
+    ----------
+    band : ndarray of shape (width, n)
+        Its lower diagonals, as LAPACK wants them.
+
+    Returns
+    -------
+    ndarray of shape (width, n)
+        In the same form.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        Where it is not positive definite.
+    """
+    return np.asarray(scipy.linalg.cholesky_banded(band, lower=True, check_finite=False))
+
+
+def forward(factor: Array, right: Array) -> Array:
+    """``L^-1 right``: the product of two of these is one with the inverse of the matrix between.
+
+    Golub and Van Loan, *Matrix Computations*, algorithm 4.3.2, a row of all right-hand sides at
+    once.
+
+    Parameters
+    ----------
+    factor : ndarray of shape (width, n)
+        From `factor_of`.
+    right : ndarray of shape (n,) or (n, m)
+
+    Returns
+    -------
+    ndarray of the same shape
+    """
+    found = np.array(right, dtype=np.float64, order="C")
+    _forward(factor, found.reshape(len(found), -1))
+    return found
+
+
+def backward(factor: Array, half: Array) -> Array:
+    """``L^-T half``: what `forward` gave becomes the solution.
+
+    Parameters
+    ----------
+    factor : ndarray of shape (width, n)
+        From `factor_of`.
+    half : ndarray of shape (n,) or (n, m)
+
+    Returns
+    -------
+    ndarray of the same shape
+    """
+    found = np.array(half, dtype=np.float64, order="C")
+    _backward(factor, found.reshape(len(found), -1))
+    return found
+
+
+@kernel()
+def _forward(factor, found):  # type: ignore[no-untyped-def]
+    width, n = factor.shape
+    for i in range(n):
+        for j in range(max(0, i - width + 1), i):
+            share = factor[i - j, j]
+            for k in range(found.shape[1]):
+                found[i, k] -= share * found[j, k]
+        for k in range(found.shape[1]):
+            found[i, k] /= factor[0, i]
+
+
+@kernel()
+def _backward(factor, found):  # type: ignore[no-untyped-def]
+    width, n = factor.shape
+    for i in range(n - 1, -1, -1):
+        for j in range(i + 1, min(n, i + width)):
+            share = factor[j - i, i]
+            for k in range(found.shape[1]):
+                found[i, k] -= share * found[j, k]
+        for k in range(found.shape[1]):
+            found[i, k] /= factor[0, i]
