@@ -107,6 +107,14 @@ def demo_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 @pytest.fixture(scope="session")
+def sparse_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """The same with a sixth of the points: to look for surfaces takes as long as they are many."""
+    return once(
+        tmp_path_factory, "sparse", lambda folder: make_demo(folder, points_per_second=25_000.0)
+    )
+
+
+@pytest.fixture(scope="session")
 def told_demo(
     demo_project: Project, tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Path, int, str, str]:

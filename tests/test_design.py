@@ -82,7 +82,7 @@ def test_the_search_beats_the_thesis_on_its_own_terms() -> None:
     for criterion, gain in (("largest", 1.5), ("A", 1.5)):
         objective = Objective(criterion)
         usual = objective.of(thesis_plan(LARGE))
-        found = search(LARGE, objective, plans=600)
+        found = search(LARGE, objective, plans=400)
         print(f"{criterion}: {np.degrees(usual):.4f} -> {np.degrees(found.value):.4f} deg")
         assert found.value < usual / gain
         assert len(found.plan.lines) == 6

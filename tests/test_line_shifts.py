@@ -11,8 +11,8 @@ from lispac.adjustment.stochastic import StochasticModel
 from lispac.project import Project
 from lispac.workflow.calibration import observations_of
 from lispac.workflow.survey import load_survey
-from lispac.workflow.targetless import targetless
 from tests.test_robustness import PRIOR, survey
+from tests.test_targetless import few_surfaces
 
 SIGMAS = 6.0
 """A shift, over the prior's sigma of it."""
@@ -57,10 +57,10 @@ def test_what_is_given_tells_nothing_more() -> None:
 
 
 @pytest.fixture(scope="module")
-def here(demo_project: Project) -> Linearised:
-    survey = load_survey(demo_project)
-    found = targetless(demo_project, survey, count=6).project
-    prior, model = found.mounting("prior"), demo_project.settings.stochastic_model
+def here(sparse_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Linearised:
+    survey = load_survey(sparse_project)
+    found = few_surfaces((sparse_project, survey), tmp_path_factory).project
+    prior, model = found.mounting("prior"), sparse_project.settings.stochastic_model
     observations = observations_of(found, survey, mounting=found.mounting("estimated"))
     solved = Solved.of(adjust(observations, prior, model), observations, prior)
     assert solved is not None

@@ -67,7 +67,7 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
         assert len(found["lines"]) == 6, found
     assert open_project(project).settings.pos_errors == "correlated"  # unless told otherwise
     thesis = answer(capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks")
-    honest = answer(capsys, "estimate", project, "--pos-errors", "correlated")
+    honest = answer(capsys, "estimate", project, "--pos-errors", "correlated", "--no-cross-checks")
     error = angles(honest, "boresight_deg") - truth
     said = (
         f"truth {truth}, thesis mode {angles(thesis, 'boresight_deg')}, "

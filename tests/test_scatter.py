@@ -24,8 +24,8 @@ Opened = tuple[Project, Survey]
 
 
 @pytest.fixture(scope="module")
-def thinned(demo_project: Project) -> Opened:
-    return demo_project, load_survey(demo_project)
+def thinned(sparse_project: Project) -> Opened:
+    return sparse_project, load_survey(sparse_project)
 
 
 @pytest.fixture(scope="module")

@@ -14,6 +14,9 @@ from lispac.project import Project
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, place, to_lidar
 from lispac.survey.scan import Scan
+from lispac.workflow.calibration import estimate
+from lispac.workflow.demo import demo_seeds
+from lispac.workflow.picking import pick
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.targetless import Targetless, targetless
@@ -32,10 +35,10 @@ WET = 10
 
 
 @pytest.fixture(scope="module")
-def thinned(demo_project: Project) -> Opened:
-    """The built-in survey with a third of its points, and nothing picked."""
-    assert not demo_project.targets
-    return demo_project, load_survey(demo_project)
+def thinned(sparse_project: Project) -> Opened:
+    """The built-in survey with a sixth of its points, and nothing picked."""
+    assert not sparse_project.targets
+    return sparse_project, load_survey(sparse_project)
 
 
 @pytest.fixture(scope="module")
@@ -177,9 +180,9 @@ def test_one_line_and_lines_that_share_nothing_are_refused(thinned: Opened) -> N
         targetless(project, pair)
 
 
-def test_two_lines_alone_are_warned_of(thinned: Opened) -> None:
+def test_two_lines_alone_are_warned_of(demo_project: Project) -> None:
     """On the two real surveys of two lines the answer is off by several of its sigmas."""
-    project, survey = thinned
+    project, survey = demo_project, load_survey(demo_project)
     pair = list(survey.scans)[::2][:2]
     two = replace(
         survey,
@@ -207,9 +210,12 @@ def test_harbour_from_the_command_line(
     assert open_project(project).result is None
 
 
-def test_targets_and_the_scene_tell_more_together(calibrated: Opened) -> None:
+def test_targets_and_the_scene_tell_more_together(thinned: Opened) -> None:
     """And what is seen of a target's board is not counted twice."""
-    project, survey = calibrated
+    project, survey = thinned
+    for name in ("T1", "T2"):
+        project = pick(project, survey, demo_seeds()[name][1], name=name)
+    project = estimate(project, survey, cross_check=False)
     found = targetless(project, survey, count=8, with_targets=True)
     assert found.targets == len(project.of_role("target"))
     names = [target.name for target in found.project.targets]

@@ -12,7 +12,10 @@ from pathlib import Path
 
 import pytest
 
-SURVEYS = {"calibrated", "copy", "demo_project", "port", "shared_data", "told_demo", "whole_demo"}
+SURVEYS = {
+    "calibrated", "copy", "demo_project", "port", "shared_data", "sparse_project", "told_demo",
+    "whole_demo",
+}  # fmt: skip
 SLOW = Path("slow-tests.json")
 """Names of tests, in the folder that mutmut makes."""
 

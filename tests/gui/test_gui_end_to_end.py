@@ -9,9 +9,7 @@ from PySide6.QtGui import QImage
 
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.projects import open_project
-from lispac.workflow.script import script_of
 from tests.gui.support import WAIT_MS, Driver
-from tests.script_runs import run, same_part
 
 Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 Control = Qt.KeyboardModifier.ControlModifier
@@ -85,11 +83,3 @@ def test_from_opening_to_the_report(real: Driver, demo_copy: Path, tmp_path: Pat
     saved = open_project(demo_copy)
     assert saved.result.boresight == pytest.approx(result.boresight)
     assert not window.isWindowModified()
-
-    real.dialogs.path = tmp_path / "window.json"
-    bot.keyClick(window, Key.Key_E, Control)
-    real.rest()
-    script = script_of(real.project, window.document.survey)
-    assert script.remarks == ()
-    assert script.text.count("project.seed(") == 3
-    assert run(script.text, tmp_path / "again") == same_part(tmp_path / "window.json")

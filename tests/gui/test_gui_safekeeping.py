@@ -9,7 +9,13 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.safekeeping import ELSEWHERE, LOCK_NAME
 from lispac.gui.viewport.recording import RecordingViewport
-from lispac.io.project_file import FILE_NAME, UNSAVED_NAME, read_project, read_unsaved
+from lispac.io.project_file import (
+    FILE_NAME,
+    UNSAVED_NAME,
+    keep_unsaved,
+    read_project,
+    read_unsaved,
+)
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import WAIT_MS, Control, Driver, Key, press
 
@@ -53,8 +59,9 @@ def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> N
 
 
 def test_what_is_not_wanted_back_is_gone(driver: Driver, folder: Path) -> None:
-    killed_after_editing(folder)
+    keep_unsaved(read_project(folder).without_target("T1"))
     opened(driver, folder)
+    assert driver.dialogs.safety == [f"recover {folder.name}"]
     assert {"T1", "T2"} <= names(driver.project)
     assert not driver.window.isWindowModified()
     assert not (folder / UNSAVED_NAME).exists()
