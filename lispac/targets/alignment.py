@@ -269,12 +269,13 @@ class _Scene:
         faces = [line.faces(points) for line, points in zip(self.lines, placed, strict=True)]
         trees = [build_tree(points) for points in placed]
         for first, second in combinations(range(len(placed)), 2):
-            apart, nearest = trees[second].query(placed[first], distance_upper_bound=reach)
-            here = np.flatnonzero(np.isfinite(apart))
-            there = nearest[here]
             (own, own_flat), (normals, flat) = faces[first], faces[second]
+            here = np.flatnonzero(own_flat)
+            apart, nearest = trees[second].query(placed[first][here], distance_upper_bound=reach)
+            near = np.isfinite(apart)
+            here, there = here[near], nearest[near]
             facing = np.abs((own[here] * normals[there]).sum(axis=1)) > FACING
-            alike = facing & own_flat[here] & flat[there]
+            alike = facing & flat[there]
             yield _Pair(first, second, here[alike], there[alike], normals[there[alike]])
 
 

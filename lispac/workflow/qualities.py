@@ -10,7 +10,7 @@ from lispac.errors import LispacError
 from lispac.geometry.planes import extent_in_plane, fit_plane
 from lispac.geometry.spheres import fit_sphere
 from lispac.progress import Progress, no_progress
-from lispac.project import ROLES, PickedSighting, Project, Role, Settings, Target
+from lispac.project import PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.targets.expected import deviations
 from lispac.targets.hidden import Shown, ends_within, shown_of
@@ -82,7 +82,7 @@ def judge(
     judged: dict[Key, Judged] = {}
     placings = {
         role: _Placing.of(project, survey, estimated=_is_selected_again(project, role))
-        for role in ROLES
+        for role in {target.role for target in project.targets}
     }
     placed = survey.placed(project, "estimated") if project.result is not None else None
     for k, target in enumerate(project.targets):
