@@ -202,7 +202,10 @@ def test_what_is_cancelled_stops(
     assert 0 < len(list(tmp_path.iterdir())) < 200
 
 
-def test_addresses_that_lead_nowhere_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+def test_addresses_that_lead_nowhere_are_refused(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cluster_module, "CONNECT", 1.0)
     words = ("campaign", PORT, "--cluster")
     assert "it is written tcp://HOST:PORT" in refused(capsys, *words, "office-7")
     with socket.socket() as closed:

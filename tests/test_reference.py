@@ -44,6 +44,7 @@ def test_what_scripts_use_is_there_with_an_example(scripts: Path) -> None:
     assert 'class="n">reject</span>' in text
 
 
+@pytest.mark.long
 def test_a_name_that_leads_nowhere_fails(tmp_path: Path) -> None:
     sources = tmp_path / "sources"
     sources.mkdir()
