@@ -146,12 +146,12 @@ def test_the_command_shows_them_side_by_side(
 
 
 def test_compute_asks_keeps_and_says_what_cannot_be_asked(
-    capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path,
+    capsys: pytest.CaptureFixture[str], sparse_project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     from lispac.workflow import patch_test, targetless
 
-    project = replace(demo_project, folder=tmp_path / "p")
+    project = replace(sparse_project, folder=tmp_path / "p")
     project.folder.mkdir()
     write_project(project)
     monkeypatch.setattr(targetless.targetless, "__kwdefaults__", {

@@ -64,6 +64,20 @@ def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
     return quay
 
 
+@pytest.fixture(scope="module")
+def estimated(demo_project: Project) -> Project:
+    quay = seeded(lispac.open(demo_project.folder), "T1", "T2")
+    quay.estimate(cross_check=False)
+    return quay.project
+
+
+@pytest.fixture
+def answered(quay: lispac.OpenProject, estimated: Project) -> lispac.OpenProject:
+    """With two targets and a boresight."""
+    quay.project = estimated
+    return quay
+
+
 def made(quay: lispac.OpenProject) -> Script:
     return script_of(quay.project, quay.survey)
 
@@ -206,10 +220,9 @@ def reference(folder: Path) -> Path:
 
 @pytest.mark.parametrize("beside", [pytest.param(True, marks=pytest.mark.long), False])
 def test_a_check_is_repeated_where_its_reference_is_found(
-    quay: lispac.OpenProject, tmp_path: Path, beside: bool
+    answered: lispac.OpenProject, tmp_path: Path, beside: bool
 ) -> None:
-    seeded(quay, "T1", "T2")
-    quay.estimate(cross_check=False)
+    quay = answered
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     quay.check(reference(elsewhere), reach=0.8)
@@ -225,10 +238,9 @@ def test_a_check_is_repeated_where_its_reference_is_found(
 
 
 def test_a_check_that_its_file_alone_does_not_repeat_is_told(
-    quay: lispac.OpenProject, tmp_path: Path
+    answered: lispac.OpenProject, tmp_path: Path
 ) -> None:
-    seeded(quay, "T1", "T2")
-    quay.estimate(cross_check=False)
+    quay = answered
     found = quay.check(reference(tmp_path))
     quay.project = quay.project.with_absolute(replace(found, system="a system of one's own"))
     quay.save_as(tmp_path / "quay")
@@ -236,9 +248,8 @@ def test_a_check_that_its_file_alone_does_not_repeat_is_told(
     assert "taken to be in a system of one's own" in remark
 
 
-def test_an_answer_that_the_steps_do_not_lead_to_is_told(quay: lispac.OpenProject) -> None:
-    seeded(quay, "T1", "T2")
-    result = quay.estimate(cross_check=False)
+def test_an_answer_that_the_steps_do_not_lead_to_is_told(answered: lispac.OpenProject) -> None:
+    quay, result = answered, answered.result
     off = result.mounting.with_boresight(result.boresight + np.radians([0.0, 0.004, 0.0]))
     quay.project = quay.project.with_result(replace(result, mounting=off))
     (remark,) = made(quay).remarks

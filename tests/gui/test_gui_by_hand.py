@@ -148,7 +148,10 @@ def test_pick_undo_redo_rename_estimate_cancel_estimate(
     shows_something(hands, tmp_path / "estimated.png")
 
 
-@pytest.mark.parametrize("button", ["Cancel", "Do not save", "Save"])
+@pytest.mark.parametrize(
+    "button",
+    ["Save", *(pytest.param(b, marks=pytest.mark.long) for b in ("Cancel", "Do not save"))],
+)
 def test_closing_with_unsaved_changes(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
 ) -> None:

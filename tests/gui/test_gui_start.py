@@ -92,6 +92,7 @@ def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
     return demo_copy
 
 
+@pytest.mark.long  # by mouse and keyboard alone: `test_gui_tour_by_hand`
 def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Path) -> None:
     window = driver.window
     driver.bot.mouseClick(window.stage.start.ways["tour"], Qt.MouseButton.LeftButton)
