@@ -10,6 +10,7 @@ from lispac.geometry.planes import (
     Plane,
     extent_in_plane,
     fit_plane,
+    fit_plane_resisting,
     in_plane_axes,
     plane_through,
     rms_distance,
@@ -104,6 +105,19 @@ def test_extent_gives_width_and_height_of_an_inclined_board():
     np.testing.assert_allclose(extent_in_plane(fit_plane(points), points), [1.23, 0.76], atol=1e-9)
 
 
+def test_strays_on_one_side_hardly_move_the_resisting_plane():
+    rng = np.random.default_rng(8)
+    points = np.column_stack([rng.uniform(-1, 1, (900, 2)), rng.normal(0, 0.003, 900)])
+    points[:270, 0] = np.abs(points[:270, 0])  # all on one half, where they also turn it
+    points[:270, 2] += 0.3
+    level = np.array([0.0, 0.0, 1.0])
+    usual, resisting = fit_plane(points), fit_plane_resisting(points, 0.003)
+    assert abs(usual.d) > 0.05
+    assert abs(resisting.d) < 0.01
+    assert np.degrees(np.arccos(resisting.facing(level).normal @ level)) < 1.0
+    assert resisting.tilt_to(usual) > 0.05
+
+
 def test_a_plane_flipped_is_the_same_plane():
     plane = Plane(np.array([0.0, 0.6, 0.8]), -2.0)
     assert plane.flipped().tilt_to(plane) == 0.0
@@ -128,7 +142,8 @@ def test_grid_and_scan_agree_with_the_definition(cell):
             np.testing.assert_array_equal(grid.within(centre, radius), wanted)
 
 
-def test_scan_in_threads_agrees_with_the_definition():
+def test_scan_in_threads_agrees_with_the_definition(monkeypatch):
+    monkeypatch.setattr("os.cpu_count", lambda: 8)  # more than there are parts
     points = np.random.default_rng(6).uniform(-3, 3, (600_000, 3))
     wanted = np.flatnonzero((points**2).sum(axis=1) <= 1.0)
     np.testing.assert_array_equal(points_within(points, np.zeros(3), 1.0), wanted)
