@@ -302,7 +302,7 @@ def test_without_the_package_it_is_named(
 ) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     said = refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
-    assert "pip install lispac[cluster]" in said
+    assert "pip install -e '.[cluster]'" in said
     with mapper_of(1, None) as mapper:
         assert mapper is map
 

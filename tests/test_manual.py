@@ -1,13 +1,16 @@
 """The manual: built without a warning, whole, and without anything from elsewhere."""
 
+import re
 import shutil
 import sys
+from collections import Counter
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
 
+from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, InputError
 from lispac.installed import resource
 from lispac.workflow import manual
@@ -102,6 +105,31 @@ def test_every_page_is_there_in_both_languages() -> None:
         for language in ("en", "fr")
     }
     assert names["fr"] == names["en"]
+
+
+def test_a_page_has_as_many_headings_items_and_rows_in_both_languages() -> None:
+    for english in sorted((resource("manual") / "en").glob("*.md")):
+        french = english.parents[1] / "fr" / english.name
+        assert _parts(french) == _parts(english), english.name
+
+
+def _parts(page: Path) -> Counter[str]:
+    """How many headings of each level, items of lists and rows of tables a page has."""
+    found: Counter[str] = Counter()
+    fenced = False
+    for row in page.read_text("utf-8").splitlines():
+        if row.startswith("```"):
+            fenced = not fenced
+        elif not fenced and (part := re.match(r"(#+) |-(?= )|\d+\.(?= )|\|", row)):
+            found[part[1] or ("row" if part[0] == "|" else "item")] += 1
+    return found
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_the_page_of_the_command_line_names_every_command(language: str) -> None:
+    text = (resource("manual") / language / "commands.md").read_text("utf-8")
+    commands = next(each.choices for each in build_parser()._actions if each.dest == "command")
+    assert sorted(re.findall(r"^\| `([a-z]+)` \|", text, re.MULTILINE)) == sorted(commands or ())
 
 
 def test_it_is_built_once_and_again_when_a_text_changes(small: Path, tmp_path: Path) -> None:

@@ -1,1 +1,1 @@
-"""What makes the folder of a release that runs without Python; installer/bundle.py builds it."""
+"""What makes the folder of a release that runs without Python; `build.py` builds it."""

@@ -17,11 +17,12 @@ from lispac.io.plan_file import read_site
 from lispac.simulation.closed_form import Board
 from lispac.workflow.campaign import mapper_of
 from lispac.workflow.designing import words_of, write_design
+from lispac.workflow.simulated_setup import file_of
 
 
 def design(arguments: Namespace) -> None:
     """Search; print the best plan, what each part is worth and what less time costs."""
-    title, site = read_site(arguments.site)
+    title, site = read_site(file_of("site", arguments.site, None))
     objective = Objective(arguments.criterion, tuple(arguments.pos_factors))
     with (
         ConsoleProgress() as progress,

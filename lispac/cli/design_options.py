@@ -44,7 +44,11 @@ def _scenarios(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 def _design(commands: "Commands[argparse.ArgumentParser]") -> None:
     design = command(commands, "design", "find the best boards and lines that a site allows")
-    design.add_argument("site", type=Path, metavar="SITE", help="TOML file of what is allowed")
+    design.add_argument(
+        "site", metavar="SITE",
+        help="TOML file of what is allowed, or the name of one that comes with the program: quay, "
+        "quay-and-tower",
+    )  # fmt: skip
     design.add_argument(
         "--for", dest="criterion", choices=CRITERIA, default="largest",
         help="what is to be small: the largest sigma (default), one angle's, or all (A, D)",

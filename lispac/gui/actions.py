@@ -34,7 +34,7 @@ _ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "save_as": ("Save &as…", "Save as", "", Keys.SaveAs,
                 "Save the project in another folder and go on there"),
     "report": ("&Export report…", "Report", "file-document-outline", "Ctrl+E",
-               "Write the report as PDF, HTML or JSON"),
+               "Write the report as PDF, HTML, JSON or tables (CSV in a ZIP)"),
     "lines": ("Export &georeferenced lines…", "Lines", "export-variant", "Ctrl+Shift+E",
               "Write every line as LAZ or LAS in a coordinate system of your choice"),
     "targets": ("Export &targets…", "Targets", "", "",

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer
-from PySide6.QtGui import QIcon
+from PySide6.QtCore import QEvent, QTimer, Signal
+from PySide6.QtGui import QFileOpenEvent, QIcon
 from PySide6.QtWidgets import QApplication
 
 import lispac
@@ -21,6 +21,19 @@ if TYPE_CHECKING:
     from lispac.gui.viewport.base import Viewport
 
 IMPORT_AFTER_MS = 300
+
+
+class Application(QApplication):
+    """Told by the system which document to open: macOS does not start a second program for it."""
+
+    document_asked = Signal(Path)
+
+    def event(self, event: QEvent) -> bool:
+        """Take what is meant for the program as a whole."""
+        if isinstance(event, QFileOpenEvent) and event.file():
+            self.document_asked.emit(Path(event.file()))
+            return True
+        return super().event(event)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -38,7 +51,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     if _no_screen():
         print("lispac-gui: there is no screen to open a window on; use lispac.", file=sys.stderr)
         return 1
-    application = QApplication.instance() or QApplication(sys.argv[:1])
+    application = QApplication.instance() or Application(sys.argv[:1])
     application.setApplicationName("LISPAC")
     application.setApplicationVersion(lispac.__version__)
     application.setWindowIcon(QIcon(str(resource("icons/lispac.png"))))
@@ -57,6 +70,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     # It is there when the first project has been read, and the window is drawn before
     importing = threading.Thread(target=_import_viewport, name="lispac-import")
     QTimer.singleShot(IMPORT_AFTER_MS, importing.start)
+    if isinstance(application, Application):
+        application.document_asked.connect(lambda path: session.window.open_project(path))
     logbook = Logbook(session.log_folder, session.tell_unforeseen)
     logbook.begin()
     if arguments.project is not None:

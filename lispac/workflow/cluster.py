@@ -62,8 +62,8 @@ def cluster_of(address: str) -> Iterator[Mapper]:
         import distributed
     except ImportError as error:
         raise LispacError(
-            "Campaigns on several machines need the package distributed: pip install "
-            "lispac[cluster], on this machine and on the workers."
+            "Campaigns on several machines need the package distributed: python -m pip install -e "
+            "'.[cluster]' in the checkout, on this machine and on the workers."
         ) from error
     if not ADDRESS.fullmatch(address):
         raise LispacError(

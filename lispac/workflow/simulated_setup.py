@@ -48,7 +48,7 @@ class Simulation:
 
 
 def supplied(kind: str) -> dict[str, str]:
-    """Names and titles of the scenes, vessels or scanners that come with the program."""
+    """Names and titles of the scenes, vessels, scanners or sites that come with the program."""
     found = {}
     for path in sorted(resource(f"{kind}s").glob("*.toml")):
         with Table.read(path, kind) as table:

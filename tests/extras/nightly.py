@@ -4,7 +4,7 @@
     python -m tests.extras.nightly FOLDER coverage long       these steps
     python -m tests.extras.nightly FOLDER mutation-whole      every change, where the others draw
 
-`coverage` and `mutation` need `python -m pip install coverage mutmut` in the environment; `bundle`
+`coverage` and `mutation` need `python -m pip install -e '.[nightly]'` in the environment; `bundle`
 and `readme` need root and debootstrap (`tests.extras.clean_root`). Exit 1 where a step failed.
 """
 

@@ -50,7 +50,8 @@ class ReportPanel(QWidget):
         layout.addWidget(self.said)
         self.report = widgets.button(
             "Export report…", "export_report", icon="file-document-outline", primary=True,
-            tip="PDF, HTML or JSON; pictures of the view before and after go into it (Ctrl+E)",
+            tip="PDF, HTML, JSON or tables (CSV in a ZIP); pictures of the view before and after "
+            "go into it (Ctrl+E)",
         )  # fmt: skip
         self.preview = widgets.button(
             "Preview", "preview_report", icon="eye-outline",

@@ -3657,8 +3657,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{stem} : aucun de ses {in_gaps} points n&apos;est dans la trajectoire (de {known} à {known2} s) ; vérifiez la date et la base de temps, ou écartez la ligne.</translation>
     </message>
     <message>
-        <source>Campaigns on several machines need the package distributed: pip install lispac[cluster], on this machine and on the workers.</source>
-        <translation>Les campagnes sur plusieurs machines demandent le paquet distributed : pip install lispac[cluster], sur cette machine et sur les autres.</translation>
+        <source>Campaigns on several machines need the package distributed: python -m pip install -e '.[cluster]' in the checkout, on this machine and on the workers.</source>
+        <translation>Les campagnes sur plusieurs machines demandent le paquet distributed : python -m pip install -e '.[cluster]' dans le dossier des sources, sur cette machine et sur les autres.</translation>
     </message>
     <message>
         <source>{address:kept}: not the address of a scheduler; it is written tcp://HOST:PORT, for example tcp://192.168.1.20:8786.</source>

@@ -628,8 +628,8 @@
         <translation>E&amp;xporter le rapport…</translation>
     </message>
     <message>
-        <source>Write the report as PDF, HTML or JSON</source>
-        <translation>Écrire le rapport en PDF, HTML ou JSON</translation>
+        <source>Write the report as PDF, HTML, JSON or tables (CSV in a ZIP)</source>
+        <translation>Écrire le rapport en PDF, HTML, JSON ou tableaux (CSV dans un ZIP)</translation>
     </message>
     <message>
         <source>Export &amp;georeferenced lines…</source>
@@ -3090,8 +3090,8 @@
         <translation>Les lignes sur la carte sont ramenées au scanneur avec le bras de levier et les angles de visée a priori du projet : ils doivent être ceux avec lesquels les lignes ont été faites.</translation>
     </message>
     <message>
-        <source>Survey files (*.las *.laz *.e57 *.ply *.pcd *.txt *.xyz *.csv *.asc *.gz *.sbet *.out *.pos *.smrmsg *.dat);;All files (*)</source>
-        <translation>Fichiers de levé (*.las *.laz *.e57 *.ply *.pcd *.txt *.xyz *.csv *.asc *.gz *.sbet *.out *.pos *.smrmsg *.dat);;Tous les fichiers (*)</translation>
+        <source>All files</source>
+        <translation>Tous les fichiers</translation>
     </message>
     <message>
         <source>New project</source>
@@ -4927,8 +4927,8 @@
         <translation>Exporter le rapport…</translation>
     </message>
     <message>
-        <source>PDF, HTML or JSON; pictures of the view before and after go into it (Ctrl+E)</source>
-        <translation>PDF, HTML ou JSON ; des images de la vue 3D avant et après y sont incluses (Ctrl+E)</translation>
+        <source>PDF, HTML, JSON or tables (CSV in a ZIP); pictures of the view before and after go into it (Ctrl+E)</source>
+        <translation>PDF, HTML, JSON ou tableaux (CSV dans un ZIP) ; des images de la vue 3D avant et après y sont incluses (Ctrl+E)</translation>
     </message>
     <message>
         <source>Look at the pages as they will be printed, and save them as PDF</source>

@@ -37,14 +37,18 @@ from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.settings import AppSettings
 from lispac.identity import BLANK
+from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
 from lispac.workflow.sensors import library
 
-SURVEY_FILES = (
-    "Survey files (*.las *.laz *.e57 *.ply *.pcd *.txt *.xyz *.csv *.asc *.gz *.sbet *.out *.pos "
-    "*.smrmsg *.dat);;All files (*)"
-)
 FILE, TIMELINE, QUALITY, MOUNTING = range(4)
+
+
+def survey_files() -> str:
+    """What the dialogue of files shows: all that a format claims, or everything."""
+    formats = (*POINTS, *TRAJECTORIES, *ACCURACIES)
+    known = dict.fromkeys(f"*{ending}" for each in formats for ending in each.endings)
+    return f"{say('Survey files')} ({' '.join(known)});;{say('All files')} (*)"
 
 
 class ImportDialog(QDialog):
@@ -300,7 +304,7 @@ class ImportDialog(QDialog):
 
     def _ask_files(self) -> None:
         names, _ = QFileDialog.getOpenFileNames(
-            self, say("Survey files"), self._start(), say(SURVEY_FILES)
+            self, say("Survey files"), self._start(), survey_files()
         )
         self.add([Path(name) for name in names])
 
