@@ -120,6 +120,18 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     assert any("Spread, one line left out" in row[0] for t in tables for row in t.rows)
 
 
+def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> None:
+    checks = sample[1]
+    first, second = (part for part in checks.parts if part.kind == "half")
+    lone = replace(second, boresight=None, reason="No target is left on two lines.")
+    for halves, names in (
+        ((first, lone), ["First half alone", "Second half alone"]),
+        ((), []),
+    ):
+        found = [name for name, _ in named_parts(replace(checks, parts=halves))]
+        assert found == names
+
+
 def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> None:
     result = sample[0]
     one = replace(

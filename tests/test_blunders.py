@@ -1,0 +1,47 @@
+"""What a sighting that disagrees is called: shifted as a whole, or of another surface."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment import solver
+from lispac.adjustment.blunders import Blunder
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.shapes import fit_shapes
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.geometry.planes import in_plane_axes
+from lispac.survey.georeferencing import place
+from lispac.survey.trajectory import Poses
+from tests.test_robustness import PRIOR, TRUTH, shifted, survey
+
+
+def turned(clean: Observations, sighting: int, degrees: float) -> Observations:
+    """One sighting turned about an axis of its target's plane through its middle."""
+    own = clean.sighting == sighting
+    normal = fit_shapes(clean, TRUTH)[clean.target_of_sighting[sighting], :3]
+    level = in_plane_axes(normal)[0]
+    poses = Poses(clean.position[own], clean.attitude[own])
+    across = place(clean.points_lidar[own], poses, TRUTH) @ level
+    position = clean.position.copy()
+    position[own] += np.outer((across - across.mean()) * np.radians(degrees), normal)
+    return replace(clean, position=position)
+
+
+@pytest.mark.parametrize(("change", "kind"), [(turned, "surface"), (shifted, "shift")])
+def test_it_is_called_what_it_is(change, kind, monkeypatch: pytest.MonkeyPatch) -> None:
+    said: list[Blunder | None] = []
+    worst = solver.worst_blunder
+
+    def look(*given: object) -> Blunder | None:
+        said.append(worst(*given))  # type: ignore[arg-type]
+        return said[-1]
+
+    monkeypatch.setattr(solver, "worst_blunder", look)
+    amount = 3.0 if kind == "surface" else 0.1
+    found = adjust(change(survey(24, 0.1), 4, amount), PRIOR, StochasticModel(loss="tukey"))
+    first = said[0]
+    assert first is not None
+    assert (first.kind, first.sightings) == (kind, (4,))
+    assert survey(24, 0.1).sightings[4] in found.suspects
