@@ -4,7 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
+from lispac.adjustment.omitted import CRITICAL, contradictions
+from lispac.adjustment.parameters import SWITCHED
+from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
 from tests.test_parameters import INSERTED, KNOWN, MODEL, PRIOR, survey
@@ -68,6 +72,7 @@ def test_estimating_it_settles_the_matter() -> None:
     held = adjust(data, PRIOR, MODEL)
     estimated = adjust(data, PRIOR, MODEL, parameters=(Parameter("lever_x"),))
     assert [each.name for each in held.contradictions] == ["lever_x"]
+    assert 0 < held.contradictions[0].surface < held.surface
     assert not estimated.contradictions
     # One step of a score test foretells the adjustment with the value let go of.
     (found,) = estimated.parameters
@@ -87,6 +92,22 @@ def test_nothing_is_contradicted_where_all_is_right(bent) -> None:
         data = replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
         told += len(adjust(data, PRIOR, MODEL).contradictions)
     assert told <= 2
+
+
+def test_the_level_is_that_of_all_values_together() -> None:
+    assert 2 * len(SWITCHED) * norm.sf(CRITICAL) == pytest.approx(0.01)
+
+
+@pytest.mark.long
+def test_by_chance_one_survey_in_a_hundred_contradicts_a_value() -> None:
+    """Whatever it does to the angles; with a level of one value instead of all it is one in six."""
+    told = 0
+    for seed in range(30):
+        data = survey(KNOWN, 2000 + seed)
+        solved = Solved.of(adjust(data, PRIOR, MODEL, diagnostics=False), data, PRIOR)
+        assert solved is not None
+        told += bool(contradictions(solved.here, least=0.0))
+    assert told <= 1
 
 
 def test_thesis_mode_contradicts_nothing() -> None:

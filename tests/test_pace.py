@@ -42,7 +42,14 @@ def test_the_pace_tells_what_is_known(
 
 @pytest.mark.parametrize(
     ("seconds", "words"),
-    [(0.2, "1 s"), (59.4, "59 s"), (130.0, "2 min 10 s"), (3900.0, "1 h 05 min")],
+    [
+        (0.2, "1 s"),
+        (59.4, "59 s"),
+        (60.0, "1 min 00 s"),
+        (130.0, "2 min 10 s"),
+        (3600.0, "1 h 00 min"),
+        (3900.0, "1 h 05 min"),
+    ],
 )
 def test_durations_are_spoken(seconds: float, words: str) -> None:
     assert spoken(seconds) == words

@@ -71,6 +71,7 @@ def test_a_scan_angle_offset_cannot_be_told_from_roll(sigma) -> None:
     assert found.value is None
     assert found.sigma is None
     assert "do not see the scan-angle offset" in found.reason
+    assert found.prior == 0.0
     assert "scan_angle_offset" not in result.estimated
     if sigma is None:
         assert result.mounting.scan_angle_offset == 0

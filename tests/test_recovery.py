@@ -3,6 +3,7 @@
 import json
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import laspy
 import numpy as np
@@ -19,7 +20,7 @@ from lispac.io.sbet import read_sbet
 from lispac.simulation.survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
-from lispac.survey.recovery import Recovery, recovered
+from lispac.survey.recovery import Recovery, recovered, require_scanner_frame
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 
 WRONG_BORESIGHT = np.radians([0.8, -1.7, 1.1])
@@ -204,3 +205,24 @@ def test_what_has_to_hold_is_said(port: SimulatedSurvey) -> None:
     assert "not adjusted afterwards" in said
     assert "above the ellipsoid" in said
     assert "not shifted to another datum" in said
+
+
+def test_a_point_has_the_pose_of_when_it_was_measured(port: SimulatedSurvey) -> None:
+    trajectory = port_trajectory(port)
+    first, last = trajectory.time[0], trajectory.time[-1]
+    late = SimpleNamespace(
+        trajectory=trajectory, mounting=Mounting(np.zeros(3), np.zeros(3), latency=0.5)
+    )
+    times = np.array([first - 0.6, first - 0.4, first + 0.1, last - 0.6, last - 0.4])
+    assert Recovery.usable(late, times).tolist() == [False, True, True, True, False]
+
+
+@pytest.mark.parametrize(("near", "taken"), [(40, False), (60, True)])
+def test_points_of_which_half_are_too_far_are_in_no_scanner_frame(near: int, taken: bool) -> None:
+    points = np.full((100, 3), 1e6)
+    points[:near] = 10.0
+    if taken:
+        require_scanner_frame(points, Path("line.laz"))
+        return
+    with pytest.raises(InputError, match="not in the scanner frame"):
+        require_scanner_frame(points, Path("line.laz"))

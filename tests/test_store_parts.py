@@ -3,6 +3,7 @@
 import errno
 import hashlib
 import os
+import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -25,6 +26,7 @@ from lispac.survey.store.layout import (
     write_manifest,
 )
 from lispac.survey.store.lock import LOCK, is_held, locked
+from lispac.survey.store.ordering import file_name
 from lispac.survey.store.original import is_unchanged, original_of
 from lispac.survey.store.pieces import MOST, Piece
 from lispac.survey.store.reading import open_store
@@ -254,6 +256,25 @@ def test_a_sample_is_never_larger_than_wanted() -> None:
 
 def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
     assert list(read_ahead(iter([3, 1, 2]), depth=2)) == [3, 1, 2]
+
+
+def test_nothing_is_lost_where_the_reader_is_slower(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lispac.survey.store.ahead.POLL", 0.001)
+    found = []
+    for piece in read_ahead(iter(range(5))):
+        time.sleep(0.02)  # many looks at a full queue
+        found.append(piece)
+    assert found == [0, 1, 2, 3, 4]
+
+
+def test_no_runs_have_no_rows() -> None:
+    rows = rows_of(np.zeros((0, 2), dtype=np.int64))
+    assert (rows.shape, rows.dtype) == ((0,), np.int64)
+
+
+def test_a_column_is_called_after_its_attribute_in_letters_that_every_disk_has() -> None:
+    assert file_name(3, "Ring / angle é") == "attribute-03-Ring___angle__.npy"
+    assert file_name(12, "a" * 60) == f"attribute-12-{'a' * 40}.npy"
 
 
 @pytest.mark.parametrize("rows", [1, 7, 64, 1000])

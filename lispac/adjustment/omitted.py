@@ -8,6 +8,7 @@ error.
 """
 
 from dataclasses import replace
+from statistics import NormalDist
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +24,9 @@ Array = NDArray[np.float64]
 
 FAMILY = 0.01
 """Chance that anything is called wrong where nothing is."""
+
+CRITICAL = -NormalDist().inv_cdf(FAMILY / 2 / len(SWITCHED))
+"""Test value beyond which a value is contradicted; one of many may be by chance (Bonferroni)."""
 
 OF_CONSEQUENCE = 0.5
 """Sigmas by which an angle would move at least for an error that is worth telling."""
@@ -43,8 +47,6 @@ def contradictions(
     least : float
         Sigmas by which an angle would move at least.
     """
-    from scipy.special import ndtri
-
     problem = linearised.problem
     estimated = {parameter.name for parameter in problem.parameters}
     omitted = [Parameter(name) for name in SWITCHED if name not in estimated]
@@ -55,7 +57,6 @@ def contradictions(
     every = problem.with_parameters((*problem.parameters, *omitted))
     all_let_go = every.linearised(linearised.state, linearised.loss)
     sigma_now = np.sqrt(np.diag(linearised.normal.covariance)[:3])
-    critical = -ndtri(FAMILY / 2 / len(SWITCHED))
     found: list[Contradiction] = []
     gone, moved = problem.parameters, np.zeros(3)
     while True:  # what is let go of first may explain what the others seem to want
@@ -63,7 +64,7 @@ def contradictions(
             test for each in omitted if (test := _test(all_let_go, gone, each, moved)) is not None
         ]
         worst = max(tests, key=lambda test: abs(test.w), default=None)
-        if worst is None or abs(worst.w) <= critical:
+        if worst is None or abs(worst.w) <= CRITICAL:
             break
         if abs(worst.w) > PLAIN or (np.abs(worst.moved) >= least * sigma_now).any():
             found.append(worst)

@@ -1,0 +1,122 @@
+"""What a wrong value of the mounting explains is not called a blunder, and what is taken back."""
+
+from dataclasses import dataclass, field, replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment import crosscheck, solver
+from lispac.adjustment.blunders import Blunder
+from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.problem import RELEASED
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.errors import RankDeficient
+from lispac.progress import no_progress
+from tests.test_robustness import PRIOR, survey
+
+STATED = np.full(4, 0.001)
+LET_GO = np.array([0.001, RELEASED, 0.002, RELEASED])
+
+
+@dataclass(frozen=True)
+class Case:
+    """What `_explained` looks at of a problem."""
+
+    parameters: tuple[Parameter, ...] = ()
+    surface_sigma: np.ndarray = field(default_factory=lambda: STATED)
+    usual_surface: np.ndarray = field(default_factory=lambda: STATED)
+
+    def with_parameters(self, parameters: tuple[Parameter, ...]) -> "Case":
+        return replace(self, parameters=parameters)
+
+
+@dataclass(frozen=True)
+class Found:
+    """And of a solution."""
+
+    problem: Case
+    let_go: int
+    state: None = None
+    path: None = None
+
+    @property
+    def linearised(self) -> "Found":
+        return self
+
+
+@pytest.mark.parametrize(
+    ("judged", "remain", "taken"),
+    [
+        ([("x", "y"), ("x",)], {("x", "y"): 0, ("x",): 3}, True),
+        ([("x",), ("x", "y")], {("x",): 3, ("x", "y"): 0}, True),
+        ([("x",), ("x", "y")], {("x",): 1, ("x", "y"): 3}, True),
+        ([("hidden",), ("x", "y")], {("x", "y"): 0}, True),
+        ([("x",), ("x", "y")], {("x",): 3, ("x", "y"): 2}, False),
+        ([(), ()], {}, False),
+    ],
+)
+def test_values_are_let_go_of_where_fewer_sightings_are_left(
+    judged: list[tuple[str, ...]], remain: dict[tuple[str, ...], int], taken: bool,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    """Four sightings without them; each value counts as one. What is hidden is passed over."""
+    start, released = Found(Case(), 0), Found(Case(surface_sigma=LET_GO), 4)
+    names = dict(zip((id(start), id(released)), judged, strict=True))
+
+    def iterated(problem: Case, *_rest: object, **_more: object) -> Found:
+        if any(each.name == "hidden" for each in problem.parameters):
+            raise RankDeficient("hidden")
+        return Found(problem, 0)
+
+    def agreeing(solution: Found, *_rest: object) -> Found:
+        if solution is start:
+            return released
+        wanted = tuple(each.name for each in solution.problem.parameters)
+        return Found(replace(solution.problem, surface_sigma=LET_GO), remain[wanted])
+
+    for name, stand_in in {
+        "contradictions": lambda here, **_: [SimpleNamespace(name=n) for n in names[id(here)]],
+        "iterate": iterated,
+        "_without_blunders": agreeing,
+        "_let_go": lambda solution: solution.let_go,
+        "Parameter": lambda name: SimpleNamespace(name=name),
+    }.items():
+        monkeypatch.setattr(solver, name, stand_in)
+    found = solver._explained(start, [], no_progress)  # type: ignore[arg-type]
+    assert (found is not released) == taken
+    if taken:  # the values themselves stay as they were stated
+        problem = found.linearised.problem
+        assert problem.parameters == ()
+        assert problem.surface_sigma.tolist() == [0.001, RELEASED, 0.001, RELEASED]
+
+
+def test_what_was_taken_back_is_not_let_go_of_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    found, spared = Blunder("shift", (3,)), []
+    todo, back = [found], [found]
+
+    def worst(_here: object, known: set[Blunder]) -> Blunder | None:
+        spared.append(set(known))
+        return todo.pop() if todo else None
+
+    monkeypatch.setattr(solver, "worst_blunder", worst)
+    monkeypatch.setattr(solver, "belonging", lambda _, gone: back.pop() if gone and back else None)
+    model = StochasticModel(loss="tukey")
+    result = adjust(survey(2, 0.1), PRIOR, model, diagnostics=False)
+    assert result.suspects == ()
+    assert spared[:2] == [set(), {found}]
+
+
+def test_a_part_without_an_answer_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
+    points, model = survey(2, 0.3), StochasticModel()
+    whole = adjust(points, PRIOR, model, diagnostics=False)
+
+    def refuse(*_given: object, **_more: object) -> None:
+        raise RankDeficient("These points say nothing.")
+
+    monkeypatch.setattr(crosscheck, "adjust", refuse)
+    parts = cross_checks(points, PRIOR, whole).parts
+    assert {part.reason for part in parts} == {"These points say nothing."}
+    assert all(part.boresight is None for part in parts)
