@@ -227,6 +227,11 @@ def test_components_find_the_errors_that_were_put_in() -> None:
             stated, PRIOR, StochasticModel(surface=0.0), components=True, diagnostics=False
         )
         lidar, position, attitude = result.components
+        assert [each.name for each in result.components] == [
+            "LiDAR",
+            "POS position",
+            "POS attitude",
+        ]
         noise = np.mean([target.noise for target in result.targets])
         logs.append([np.log(lidar.factor * noise), np.log(position.factor)])
         assert attitude.lower < 1 < attitude.upper

@@ -57,6 +57,22 @@ def test_flipped_bit_is_noticed(tmp_path: Path) -> None:
     assert told == [sum(sizes[: k + 1]) / sum(sizes) for k in range(len(sizes))]
 
 
+@pytest.mark.parametrize("name", ["octaves", "starts"])
+def test_where_points_lie_is_checked_though_the_file_seems_unchanged(
+    tmp_path: Path, name: str
+) -> None:
+    """Where these are wrong a search finds other points, and nothing tells."""
+    stored(tmp_path)
+    open_store(tmp_path, "L1")
+    path = tmp_path / "columns-1" / f"{name}.npy"
+    seen, content = path.stat(), bytearray(path.read_bytes())
+    content[-3] ^= 4
+    path.write_bytes(content)
+    os.utime(path, ns=(seen.st_atime_ns, seen.st_mtime_ns))
+    with pytest.raises(ProjectError, match=rf"{name}\.npy.*checksum"):
+        open_store(tmp_path, "L1")
+
+
 def test_a_copied_store_is_checked_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     stored(tmp_path / "L1")
     copy = Path(shutil.copytree(tmp_path / "L1", tmp_path / "copy", copy_function=shutil.copyfile))

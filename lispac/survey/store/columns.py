@@ -89,13 +89,9 @@ class ScatteredColumn:
         windows = places // WINDOW
         for window in np.unique(windows).tolist():
             start = window * WINDOW
-            mapped = np.memmap(
-                self._path,
-                self._dtype,
-                "r+",
-                HEADER + start * self._dtype.itemsize,
-                min(WINDOW, self._count - start),
-            )
+            length = min(WINDOW, self._count - start)
+            offset = HEADER + start * self._dtype.itemsize
+            mapped = np.memmap(self._path, self._dtype, "r+", offset, length)
             inside = windows == window
             mapped[places[inside] - start] = values[inside]
 
