@@ -104,6 +104,7 @@ def test_every_project_has_a_row(
     assert unvalidated["roll_deg"] == good["roll_deg"]
 
 
+@pytest.mark.long
 def test_what_is_found_is_saved_where_that_is_wanted(
     projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

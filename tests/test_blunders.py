@@ -45,3 +45,13 @@ def test_it_is_called_what_it_is(change, kind, monkeypatch: pytest.MonkeyPatch) 
     assert first is not None
     assert (first.kind, first.sightings) == (kind, (4,))
     assert survey(24, 0.1).sightings[4] in found.suspects
+
+
+def test_sigmas_are_taken_again_from_what_is_left() -> None:
+    """Positions stated two and a half times too small, and one sighting 10 cm aside."""
+    stated = shifted(survey(24, 0.1), 4, 0.1).with_sigmas(1.0, 0.4, 1.0)
+    model = StochasticModel(loss="tukey")
+    found = adjust(stated, PRIOR, model, components=True)
+    assert [stated.sightings.index(each) for each in found.suspects] == [4]
+    position = found.components[1]
+    assert position.lower < 2.5 < position.upper

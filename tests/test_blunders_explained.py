@@ -104,7 +104,7 @@ def test_what_was_taken_back_is_not_let_go_of_again(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(solver, "worst_blunder", worst)
     monkeypatch.setattr(solver, "belonging", lambda _, gone: back.pop() if gone and back else None)
     model = StochasticModel(loss="tukey")
-    result = adjust(survey(2, 0.1), PRIOR, model, diagnostics=False)
+    result = adjust(survey(2, 0.1), PRIOR, model)
     assert result.suspects == ()
     assert spared[:2] == [set(), {found}]
 

@@ -87,6 +87,7 @@ def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
     assert shown == [{"sheet"}, {"T1"}]
 
 
+@pytest.mark.long
 def test_the_demo_is_calibrated_from_what_is_proposed(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     proposal = propose(project, survey)

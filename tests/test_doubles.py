@@ -140,6 +140,7 @@ def test_many_pairs_are_counted(project: Project) -> None:
     assert "one of each two" in doubt.plain
 
 
+@pytest.mark.long
 def test_at_the_command_line(
     capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
 ) -> None:

@@ -77,6 +77,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(thinned: Opened, clean: P
     assert np.degrees(np.abs(clean.one_by_one - clean.boresight)).max() < 1e-3
 
 
+@pytest.mark.long
 def test_a_prior_two_degrees_off_gives_the_same_answer(thinned: Opened, clean: PatchTest) -> None:
     project, survey = thinned
     wrong = tuple(float(v) for v in np.array(project.truth_deg) + [2.0, -2.0, 2.0])

@@ -55,6 +55,7 @@ def _digests(folder: Path, names: tuple[str, ...]) -> dict[str, str]:
     return {name: hashlib.sha256((folder / name).read_bytes()).hexdigest() for name in names}
 
 
+@pytest.mark.long
 def test_two_processes_in_two_folders_write_the_same_bytes(tmp_path: Path) -> None:
     found = []
     for folder, seed in ((tmp_path / "one", "1"), (tmp_path / "elsewhere" / "two", "2")):

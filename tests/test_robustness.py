@@ -100,6 +100,7 @@ def test_a_shifted_sighting_is_named_and_does_no_harm(sighting) -> None:
     assert abs(found.shift) == pytest.approx(0.05, abs=3 * abs(found.shift / found.w))
 
 
+@pytest.mark.long  # four of twelve above
 def test_whichever_sighting_is_shifted_it_is_named_and_no_other_line() -> None:
     """Each of twelve by 5 cm, twice; where its own POS error hides the shift it does little."""
     model = StochasticModel(loss="tukey")

@@ -82,6 +82,7 @@ def test_the_steps_are_those_of_the_command_line(
     assert (np.abs(np.array(quay.boresight_deg) - TRUTH) < 3 * np.array(quay.sigma_deg)).all()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("language", "told_as"),
     [

@@ -192,6 +192,7 @@ def test_georeferenced_lines_are_where_the_project_puts_them(
         np.testing.assert_allclose(laspy.read(done.path).xyz, placed[line].sample, atol=0.00051)
 
 
+@pytest.mark.long  # `test_cli` writes them in the whole way
 def test_reports_are_written_in_all_forms(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:

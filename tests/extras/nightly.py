@@ -69,7 +69,7 @@ QUICK = (
 """Arguments of pytest where a change is tried."""
 HANGS = 1800.0
 """Seconds after which tests that have not ended have noticed a change."""
-SAMPLE = 20
+SAMPLE = 10
 """Changes of a module that are tried in a night."""
 ANSWERED = Path(__file__).with_name("survivors.toml")
 """By the line that a change puts in place of ours: why no test has to notice it."""

@@ -22,6 +22,7 @@ def colours_of(path: Path) -> int:
     return len(np.unique(pixels))
 
 
+@pytest.mark.long  # `test_gui_tutorial` goes this way as well
 def test_from_opening_to_the_report(real: Driver, demo_copy: Path, tmp_path: Path):
     window, viewport, bot = real.window, real.viewport, real.bot
 

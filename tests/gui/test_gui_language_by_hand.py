@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -66,6 +67,7 @@ def words(menu: QMenu | QMenuBar) -> list[str]:
     return found
 
 
+@pytest.mark.long
 def test_the_language_is_chosen_and_chosen_back(
     hands: Hands, demo: Demo, picked_folder: Path, tmp_path: Path
 ) -> None:

@@ -80,6 +80,7 @@ def test_the_demo_run_in_the_window_is_the_script_run_without_it(
     assert run(script, tmp_path / "again") == wanted
 
 
+@pytest.mark.long
 def test_what_follows_from_a_click_is_told_where_the_script_gives_another_answer(
     opened: Driver,
 ) -> None:
