@@ -1,0 +1,20 @@
+"""Passes over many points in parts."""
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.passes import CHUNKS, FEW, in_chunks
+
+
+@pytest.mark.parametrize(
+    "counts",
+    [[], [0], [5], [FEW + 1], [3, 0, 4], [10] * 5000, [1, 30 * FEW, 1], [0, 0, 2 * FEW]],
+    ids=lambda counts: f"{len(counts)} of {sum(counts)}",
+)
+def test_each_element_is_dealt_with_once_and_in_one_part(counts: list[int]) -> None:
+    taken: list[tuple[int, int]] = []
+    in_chunks(lambda first, last: taken.append((first, last)), np.cumsum(counts, dtype=np.int64))
+    assert len(taken) <= CHUNKS
+    elements = [k for first, last in sorted(taken) for k in range(first, last)]
+    assert elements == list(range(len(counts)))
+    assert (len(taken) > 1) == (sum(counts) >= FEW and len(counts) > 1)
