@@ -55,3 +55,6 @@ def test_what_is_not_positive_definite_is_refused() -> None:
     band[0, 4] = -1.0
     with pytest.raises(np.linalg.LinAlgError):
         factor_of(band)
+    band[0, 4] = np.nan
+    with pytest.raises(ValueError, match="infs or NaNs"):
+        factor_of(band)

@@ -5,6 +5,8 @@ is one step, so that it lies in the processor's cache and is calculated in vecto
 the speed, and a window that works on the same plan goes on.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
@@ -31,8 +33,10 @@ def factor_of(band: Array) -> Array:
     ------
     numpy.linalg.LinAlgError
         Where it is not positive definite.
+    ValueError
+        Where a number in it is not finite.
     """
-    return np.asarray(scipy.linalg.cholesky_banded(band, lower=True, check_finite=False))
+    return np.asarray(scipy.linalg.cholesky_banded(band, lower=True))
 
 
 def forward(factor: Array, right: Array) -> Array:
@@ -51,9 +55,7 @@ def forward(factor: Array, right: Array) -> Array:
     -------
     ndarray of the same shape
     """
-    found = np.array(right, dtype=np.float64, order="C")
-    _forward(factor, found.reshape(len(found), -1))
-    return found
+    return _swept(_forward, factor, right)
 
 
 def backward(factor: Array, half: Array) -> Array:
@@ -69,8 +71,12 @@ def backward(factor: Array, half: Array) -> Array:
     -------
     ndarray of the same shape
     """
-    found = np.array(half, dtype=np.float64, order="C")
-    _backward(factor, found.reshape(len(found), -1))
+    return _swept(_backward, factor, half)
+
+
+def _swept(sweep: Callable[[Array, Array], None], factor: Array, right: Array) -> Array:
+    found = np.array(right, dtype=np.float64, order="C")
+    sweep(factor, found.reshape(len(found), -1))
     return found
 
 
