@@ -5,7 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from lispac.gui.language import pieces
+from lispac.gui.language import pieces, say, speak
+from lispac.gui.status import STEPS
+from lispac.gui.viewing_actions import STEP_ACTIONS
 from tests.said import covered
 from tests.told import told
 
@@ -52,3 +54,12 @@ def _shown(text: str) -> bool:
 def test_what_the_window_shows_can_be_said_in_french(module: str) -> None:
     texts = [piece for _, text in told(ROOT / module) for piece in pieces(text)]
     assert [text for text in texts if _shown(text) and not covered(text)] == []
+
+
+def test_the_menu_calls_the_steps_what_their_headers_are_called() -> None:
+    speak("fr")
+    try:
+        for k, (text, *_) in enumerate(STEP_ACTIONS.values()):
+            assert say(text).replace("&", "") == say(f"{k + 1}  {STEPS[k]}")
+    finally:
+        speak("en")

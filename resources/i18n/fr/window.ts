@@ -4490,6 +4490,10 @@
         <translation>4  Validation</translation>
     </message>
     <message>
+        <source>&amp;4  Validate</source>
+        <translation>&amp;4  Validation</translation>
+    </message>
+    <message>
         <source>4  Validate: {sentence}</source>
         <translation>4  Validation : {sentence}</translation>
     </message>
