@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import Message
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Kind = Literal["trajectory", "accuracy", "points"]
@@ -63,6 +64,8 @@ class Finding:
         A sentence for each thing the user should look at before importing.
     assumptions : tuple of str
         What the reader takes for granted with these options: frame, unit, signs, time base.
+    messages : tuple of Message
+        Warnings and notes about the content of the file.
     """
 
     facts: Mapping[str, str]
@@ -70,6 +73,7 @@ class Finding:
     choice: Choice = None  # type: ignore[assignment]
     doubts: tuple[str, ...] = ()
     assumptions: tuple[str, ...] = ()
+    messages: tuple[Message, ...] = ()
 
     def __post_init__(self) -> None:
         if self.choice is None:

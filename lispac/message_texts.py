@@ -1,0 +1,69 @@
+"""English texts of messages, one entry a code.
+
+A text has up to three sentences: what is wrong (with the number and the object), what it means for
+the result, what to do. French texts are in ``resources/i18n/fr``.
+"""
+
+from collections.abc import Mapping, Sequence
+from string import Formatter
+from typing import Any
+
+import numpy as np
+
+from lispac.messages import Action, Message
+
+TEXTS: Mapping[str, str] = {}
+"""Text of each message code; `MessageFormatter` explains the format specifications."""
+
+ACTIONS: Mapping[str, str] = {}
+"""Label of each action code, as on a button."""
+
+
+class MessageFormatter(Formatter):
+    """Formats SI values in the units a surveyor reads.
+
+    ``n`` is a count with thousands separators, ``m``, ``mm``, ``s``, ``ms``, ``hz`` and ``deg``
+    are numbers in that unit (``deg`` from radians), ``percent`` comes from a ratio and ``names``
+    joins names by commas. The unit itself is written in the text. A precision may follow a dot:
+    ``m.1``; without one, three significant digits are given.
+    """
+
+    SCALES: Mapping[str, float] = {
+        "m": 1.0, "mm": 1e3, "s": 1.0, "ms": 1e3, "hz": 1.0, "deg": float(np.degrees(1.0)),
+        "percent": 100.0,
+    }  # fmt: skip
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        """Format one value by its specification."""
+        unit, _, digits = format_spec.partition(".")
+        if unit == "n":
+            return f"{int(value):,}"
+        if unit == "names":
+            return _joined(value)
+        if unit in self.SCALES:
+            number = float(value) * self.SCALES[unit]
+            return f"{number:,.{int(digits)}f}" if digits else _significant(number)
+        return str(super().format_field(value, format_spec))
+
+
+def message_text(message: Message) -> str:
+    """English text of a message."""
+    return MessageFormatter().vformat(TEXTS[message.code], (), dict(message.params))
+
+
+def action_text(action: Action) -> str:
+    """English label of an action."""
+    return MessageFormatter().vformat(ACTIONS[action.code], (), dict(action.params))
+
+
+def _significant(number: float) -> str:
+    """A number with three significant digits, without an exponent."""
+    if number == 0 or not np.isfinite(number):
+        return f"{number:g}"
+    decimals = max(0, 2 - int(np.floor(np.log10(abs(number)))))
+    return f"{number:,.{decimals}f}"
+
+
+def _joined(names: Sequence[str]) -> str:
+    names = [names] if isinstance(names, str) else list(names)
+    return f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else "".join(names)

@@ -1,0 +1,64 @@
+"""Messages to the user as values: a code, a level, parameters, a subject and actions.
+
+A message holds SI numbers and names, never formatted text. `lispac.message_texts` makes its English
+text; no other code looks at the words of a message.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from lispac.causes import Cause
+
+Value = str | int | float | Sequence[str]
+"""A parameter: a name, a count, an SI quantity (metres, seconds, radians, ratios) or names."""
+
+
+class Level(StrEnum):
+    """How serious a message is."""
+
+    ERROR = "error"
+    """The result cannot be used, or a file cannot be read."""
+    WARNING = "warning"
+    """The result may be wrong or less precise than stated."""
+    NOTE = "note"
+    """Information that needs no action."""
+
+
+@dataclass(frozen=True)
+class Action:
+    """What the user can do about a message.
+
+    Attributes
+    ----------
+    code : str
+        What is done: ``set_option``, ``exclude_line``, ``split_line``.
+    params : mapping of str to str
+        With what: name and value of an option, the name of a line.
+    """
+
+    code: str
+    params: Mapping[str, str] = field(default_factory=dict, hash=False)
+
+
+@dataclass(frozen=True)
+class Message:
+    """One message to the user.
+
+    Attributes
+    ----------
+    code : str
+        Stable name of the condition: ``audit.time_step``.
+    level : Level
+    params : mapping of str to Value
+        What the text is filled with, in SI units.
+    subject : Cause or None
+        Line, target, field or step that the message is about.
+    actions : tuple of Action
+    """
+
+    code: str
+    level: Level
+    params: Mapping[str, Value] = field(default_factory=dict, hash=False)
+    subject: Cause | None = None
+    actions: tuple[Action, ...] = ()
