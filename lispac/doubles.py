@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.doubt import MOST_NAMED, Doubt
 from lispac.adjustment.doubts import doubts
-from lispac.causes import Cause
+from lispac.causes import RESULT, Cause
+from lispac.message_texts import message_text
+from lispac.messages import Level
 from lispac.picks import PickedSighting, Target
 from lispac.project import Project
 
@@ -146,8 +148,22 @@ def _doubles(targets: tuple[Target, ...]) -> tuple[Doubt, ...]:
 
 def doubts_of(project: Project, also: Iterable[Doubt] = ()) -> tuple[Doubt, ...]:
     """All doubts about a project, with an answer or without one, serious things first."""
-    also = (*doubles(project), *also)
+    also = (*project_doubts(project), *also)
     return doubts(project.result, project.cross_checks, also) if project.result else also
+
+
+def project_doubts(project: Project) -> tuple[Doubt, ...]:
+    """Doubts that follow from picks and files, before any adjustment."""
+    return (*doubles(project), *data_warnings(project))
+
+
+def data_warnings(project: Project) -> tuple[Doubt, ...]:
+    """Warnings about the imported files, which apply to every result computed from them."""
+    return tuple(
+        Doubt(message.code, True, message_text(message), message.subject or RESULT)
+        for message in project.data_messages
+        if message.level is not Level.NOTE
+    )
 
 
 def _at(found: Overlap) -> Cause:

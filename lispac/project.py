@@ -17,6 +17,7 @@ from lispac.adjustment.robust import LOSSES, LossName
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, Identity
+from lispac.messages import Message
 from lispac.opinions import METHODS, Method, Opinion
 from lispac.picks import ROLES as ROLES
 from lispac.picks import SHAPES as SHAPES
@@ -193,6 +194,8 @@ class Project:
     """The lines against a static scan or surveyed points, where that has been checked."""
     opinions: tuple[Opinion, ...] = ()
     """What other methods say of the same lines, one of each method at most."""
+    data_messages: tuple[Message, ...] = ()
+    """Warnings and notes about the imported files, as of the last time they were read."""
 
     @property
     def name(self) -> str:
@@ -303,6 +306,10 @@ class Project:
     ) -> "Project":
         """Keep the comparison of the validation planes, and why some could not be compared."""
         return replace(self, validation=validation, not_compared=not_compared)
+
+    def with_data_messages(self, messages: tuple[Message, ...]) -> "Project":
+        """Keep the warnings and notes about the imported files."""
+        return replace(self, data_messages=messages)
 
     def with_absolute(self, absolute: AbsoluteCheck) -> "Project":
         """Keep the comparison with a reference."""

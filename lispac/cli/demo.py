@@ -8,7 +8,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, has_display, print_json
 from lispac.cli.estimate import print_result, project_numbers
 from lispac.cli.validate import print_validation, rms_with_truth
-from lispac.doubles import doubles
+from lispac.doubles import project_doubts
 from lispac.installed import window_command
 from lispac.workflow import demo as demo_survey
 from lispac.workflow.export import write_report
@@ -30,7 +30,7 @@ def demo(arguments: Namespace) -> None:
                     | {"report": str(report), "project": str(project.folder)})  # fmt: skip
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks, doubles(project))
+        print_result(project.result, project.cross_checks, project_doubts(project))
         print("truth      " + "".join(f"{angle:+12.4f}" for angle in truth_deg))
         print_validation(project, true)
         print(f"project    {project.folder}")

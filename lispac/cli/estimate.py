@@ -31,7 +31,7 @@ from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.qualities import as_list, print_doubtful
-from lispac.doubles import doubles
+from lispac.doubles import project_doubts
 from lispac.io.plane_file import read_plane_files
 from lispac.progress import part
 from lispac.project import Project, Settings
@@ -84,7 +84,7 @@ def estimate(arguments: Namespace) -> None:
         print_json(project_numbers(project) | {"qualities": as_list(found)})
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks, doubles(project))
+        print_result(project.result, project.cross_checks, project_doubts(project))
         print_doubtful(found)
 
 
@@ -184,7 +184,7 @@ def _degrees(values: Any) -> dict[str, float] | None:
 def project_numbers(project: Project) -> dict[str, Any]:
     """What `numbers` says, of a project."""
     assert project.result is not None
-    said = numbers(project.result, project.cross_checks, doubles(project))
+    said = numbers(project.result, project.cross_checks, project_doubts(project))
     return said | {"subsample_m": project.settings.subsample}
 
 

@@ -3,7 +3,10 @@
 from argparse import Namespace
 from typing import Any
 
+from lispac.adjustment.shown import plain
 from lispac.cli.console import print_json
+from lispac.cli.messages import message_numbers
+from lispac.message_texts import message_text
 from lispac.workflow.reading import Look, looks
 
 SWITCH = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
@@ -39,6 +42,8 @@ def _print(item: Look) -> None:
         print("  " + " ".join(f"{cell[:WIDEST]:>{WIDEST}s}" for cell in row[:8]))
     for doubt in item.finding.doubts:
         print(f"  doubt: {doubt}")
+    for message in item.finding.messages:
+        print(f"  {message.level}: {plain(message_text(message))}")
 
 
 def _numbers(item: Look) -> dict[str, Any]:
@@ -53,4 +58,5 @@ def _numbers(item: Look) -> dict[str, Any]:
         "options": item.format.settled(finding.choice) if finding else {},
         "assumptions": list(finding.assumptions) if finding else [],
         "doubts": list(finding.doubts) if finding else [],
+        "messages": [message_numbers(each) for each in finding.messages] if finding else [],
     }

@@ -10,6 +10,7 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.estimate_options import noise_and_offsets
+from lispac.cli.messages import message_numbers, print_messages
 from lispac.cli.sensor_options import pos_sigmas, titles
 from lispac.identity import BLANK
 from lispac.project import LineSource, Reading, Settings
@@ -62,7 +63,8 @@ def new(arguments: Namespace) -> None:
         )  # fmt: skip
     points = {name: len(scan) for name, scan in survey.scans.items()}
     if arguments.json:
-        print_json({"project": str(project.folder), "points": points})
+        found = [message_numbers(each) for each in survey.messages]
+        print_json({"project": str(project.folder), "points": points, "messages": found})
         return
     for name, count in points.items():
         heading = math.degrees(survey.heading[name]) % 360
@@ -77,3 +79,4 @@ def _named(paths: Iterable[Path]) -> list[tuple[str, Path]]:
 def _notes(survey: Survey) -> None:
     for note in survey.notes:
         print(f"note: {note}", file=sys.stderr)
+    print_messages(survey.messages)

@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from lispac.caches import DEMO, cache_place
-from lispac.doubles import doubles
+from lispac.doubles import project_doubts
 from lispac.errors import LispacError
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
@@ -396,5 +396,5 @@ def demo_folder() -> Path:
 def _with_lines(project: Project, progress: Progress) -> Opened:
     """The lines of a project; and what is looked for now is known when it is to be shown."""
     survey = load_survey(project, progress=progress)
-    doubles(project)
+    project_doubts(project)
     return project, survey

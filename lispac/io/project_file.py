@@ -30,6 +30,7 @@ from lispac.io.consistency import require_consistent
 from lispac.io.files import remove_abandoned, written_whole
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
 from lispac.io.values import Unfit, decoded, encoded, in_one_line
+from lispac.messages import Message
 from lispac.opinions import Opinion
 from lispac.project import (
     LineSource,
@@ -227,6 +228,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
         "not_compared": dict(project.not_compared),
         "absolute": encoded(project.absolute),
         "opinions": [encoded(each) for each in project.opinions],
+        "data_messages": [encoded(each) for each in project.data_messages],
         "truth_deg": project.truth_deg,
     }
 
@@ -261,6 +263,7 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         if (absolute := content.get("absolute"))
         else None,
         opinions=tuple(decoded(each, Opinion) for each in content["opinions"]),
+        data_messages=tuple(decoded(each, Message) for each in content.get("data_messages", ())),
     )
 
 

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from lispac.errors import LispacError
+from lispac.messages import Value as MessageValue
 
 Value = TypeVar("Value")
 
@@ -22,6 +23,10 @@ def _converter() -> Any:
     converter = Converter(forbid_extra_keys=True)
     converter.register_unstructure_hook_func(_is_array, lambda array: array.tolist())
     converter.register_structure_hook_func(_is_array, lambda value, _: np.array(value, dtype=float))
+    converter.register_structure_hook_func(
+        lambda kind: kind == MessageValue,
+        lambda value, _: tuple(value) if isinstance(value, list) else value,
+    )
     return converter
 
 

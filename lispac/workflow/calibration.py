@@ -180,6 +180,7 @@ def estimate(
     settings.require_sound()
     if settings != project.settings:
         project = project.with_settings(settings)
+    project = project.with_data_messages(survey.messages)
     started = perf_counter()
     selected = select(project, survey, rounds=reselections, progress=part(progress, 0.0, 0.7))
     solved = solve(

@@ -11,6 +11,9 @@ from lispac.geometry.frames import geodetic_to_ecef
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
 from lispac.io.trajectory_facts import UNUSABLE, gap_doubts
+from lispac.message_texts import action_text, message_text
+from lispac.messages import Level as MessageLevel
+from lispac.messages import Message
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import Match, TimeBase, rival_matches, sentence
 from lispac.survey.time_quality import Coverage, short_of_trajectory
@@ -80,6 +83,21 @@ class Remark:
     level: Level
     text: str
     remedies: tuple[Remedy, ...] = ()
+
+
+_LEVELS: Mapping[MessageLevel, Level] = {
+    MessageLevel.ERROR: "error", MessageLevel.WARNING: "doubt", MessageLevel.NOTE: "note",
+}  # fmt: skip
+
+
+def remark_of(message: Message) -> Remark:
+    """A message about a file, with a button for each of its actions."""
+    remedies = tuple(
+        Remedy(action_text(each), option=(each.params["name"], each.params["value"]))
+        for each in message.actions
+        if each.code == "set_option"
+    )
+    return Remark(_LEVELS[message.level], message_text(message), remedies)
 
 
 LEAVE_OUT = Remedy("Leave it out", role="none")
@@ -180,6 +198,8 @@ def _own(entry: Entry, longest_gap: float) -> list[Remark]:
             if UNUSABLE in doubt and isinstance(entry.content, Trajectory):
                 continue  # the reader does not know which gaps are to be bridged
             told.append(Remark("doubt", doubt, _remedies_of(entry, doubt)))
+    if entry.finding is not None:
+        told += [remark_of(message) for message in entry.finding.messages]
     if isinstance(entry.content, Trajectory):
         told += [Remark("doubt", doubt) for doubt in gap_doubts(entry.content.time, longest_gap)]
     if isinstance(entry.content, LineTimes) and not entry.content.reached_end:

@@ -16,6 +16,7 @@ from lispac.io.project_file import (
     read_unsaved,
     write_project,
 )
+from lispac.messages import Message
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
@@ -38,6 +39,7 @@ def create_project(
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
     identity: Identity = BLANK,
+    messages: tuple[Message, ...] = (),
 ) -> Project:
     """Make a project folder that points at the survey's files.
 
@@ -65,6 +67,7 @@ def create_project(
         trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
         identity=identity,
+        data_messages=messages,
     )
     _require_new(project)
     write_project(project)
@@ -138,7 +141,7 @@ def new_project(
         project = create_project(
             folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
             truth_deg=truth_deg, trajectory_reading=trajectory_reading,
-            accuracy_reading=accuracy_reading, identity=identity,
+            accuracy_reading=accuracy_reading, identity=identity, messages=survey.messages,
         )  # fmt: skip
     return project, replace(survey, notes=(*notes, *survey.notes))
 
@@ -208,6 +211,7 @@ def with_lines_added(
     _require_names(edited)
     with taken_back(edited):
         survey = load_survey(edited, progress=progress)
+    edited = edited.with_data_messages(survey.messages)
     return edited, replace(survey, notes=(*notes, *survey.notes))
 
 

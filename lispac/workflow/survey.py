@@ -8,11 +8,15 @@ from typing import Literal
 
 import numpy as np
 
+from lispac.causes import Cause
 from lispac.errors import InputError
+from lispac.io.formats import format_of
 from lispac.io.las_chunks import point_count
+from lispac.io.registry import Kind
 from lispac.io.sbet import SHARED_BASE
+from lispac.messages import Message
 from lispac.progress import Progress, no_progress, part
-from lispac.project import LineSource, Project
+from lispac.project import LineSource, Project, Reading
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
@@ -23,8 +27,15 @@ from lispac.targets.alignment import Alignment, align
 from lispac.workflow.importing import import_line, line_folder
 from lispac.workflow.moved import require_files
 from lispac.workflow.offers import offered, outside
-from lispac.workflow.reading import LAS_ENDINGS, local_trajectory, read_accuracy, read_line
+from lispac.workflow.reading import (
+    LAS_ENDINGS,
+    USUAL,
+    local_trajectory,
+    read_accuracy,
+    read_line,
+)
 
+DATA = Cause.of_step("Data")
 LARGE = 4_000_000
 """Points; lines with more are imported into the project's store, smaller ones are read into memory
 whenever the project is opened, with 64 bytes a point."""
@@ -43,6 +54,8 @@ class Survey:
     heading : median heading of the vessel on each line, radians
     notes : tuple of str
         What was assumed or left out while reading, in words.
+    messages : tuple of Message
+        Warnings and notes about the content of the files.
     """
 
     trajectory: LocalTrajectory
@@ -51,6 +64,7 @@ class Survey:
     clouds: Mapping[str, Cloud]
     heading: Mapping[str, float]
     notes: tuple[str, ...]
+    messages: tuple[Message, ...] = ()
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -126,6 +140,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     notes = _with_shifts(project, notes)
     accuracy, said = _accuracy(project, trajectory)
     notes += said
+    messages = _file_messages(project)
     scans: dict[str, Line] = {}
     clouds: dict[str, Cloud] = {}
     heading: dict[str, float] = {}
@@ -139,7 +154,30 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         heading[line.name] = _median_heading(trajectory, scan)
         _require_picked_on(project, line, scan)
     progress(1.0, "Survey loaded")
-    return Survey(trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)))
+    return Survey(
+        trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages
+    )
+
+
+def _file_messages(project: Project) -> tuple[Message, ...]:
+    """Messages of the readers about the files of a project, as far as the files are there."""
+    files: list[tuple[Kind, Path, Reading, Cause]] = [
+        ("trajectory", project.trajectory, project.trajectory_reading, DATA)
+    ]
+    if project.accuracy is not None:
+        files.append(("accuracy", project.accuracy, project.accuracy_reading, DATA))
+    for line in project.lines:
+        if not line.columns:
+            files.append(("points", line.path, line.reading, Cause.of_line(line.name)))
+    found: list[Message] = []
+    for kind, path, reading, subject in files:
+        format = format_of(reading.format or USUAL[kind])
+        try:
+            messages = format.look(path, dict(reading.options)).messages
+        except InputError:  # the reader itself refuses the file where that matters
+            continue
+        found += [replace(each, subject=each.subject or subject) for each in messages]
+    return tuple(dict.fromkeys(found))
 
 
 def _with_shifts(project: Project, notes: tuple[str, ...]) -> tuple[str, ...]:

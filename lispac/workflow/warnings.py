@@ -14,6 +14,8 @@ from lispac.adjustment.doubt import Doubt
 from lispac.causes import Cause
 from lispac.doubles import doubts_of
 from lispac.io.trajectory_facts import gap_doubts
+from lispac.message_texts import message_text
+from lispac.messages import Level
 from lispac.project import Project
 from lispac.report.cautions import told_of
 from lispac.report.content import report_content
@@ -77,6 +79,8 @@ def concerns(
     stale : whether there was a result that an edit has dropped
     storage : what is wrong with keeping the project, in words
     """
+    if survey is not None:
+        project = project.with_data_messages(survey.messages)
     found = [
         *_storage(storage),
         *_system(project),
@@ -109,6 +113,9 @@ def _data(project: Project, survey: Survey | None) -> Iterator[Concern]:
     for note in survey.notes:
         severity: Severity = "caution" if LEFT_OUT in note else "note"
         yield Concern(severity, note, _file(project, note))
+    for message in survey.messages:  # warnings come with the doubts about the answer
+        if message.level is Level.NOTE:
+            yield Concern("note", message_text(message), message.subject or DATA)
 
 
 def _file(project: Project, note: str) -> Cause:

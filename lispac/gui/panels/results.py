@@ -21,7 +21,7 @@ from lispac.adjustment.doubts import HIGH_CORRELATION
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
-from lispac.doubles import doubles
+from lispac.doubles import project_doubts
 from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import result_words, widgets
@@ -139,7 +139,7 @@ class ResultsPanel(QWidget):
         return widgets.TallArea(outer, 380)
 
     def _fill_words(self, project: Project, result: AdjustmentResult, older: str) -> None:
-        also = list(doubles(project))
+        also = list(project_doubts(project))
         if older:
             also.insert(0, refused_since(older))
         warnings = result_words.warnings(result, project.cross_checks, also)
@@ -189,7 +189,7 @@ class ResultsPanel(QWidget):
         }
         for key, text in texts.items():
             self._values[key].setText(units.signs(say(text), "mm"))
-        words = result_words.verdict(result, project.cross_checks, doubles(project))
+        words = result_words.verdict(result, project.cross_checks, project_doubts(project))
         self._verdict.setText(
             say(f"{words} Errors by the data: {components}." if components else words)
         )

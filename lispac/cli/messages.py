@@ -1,0 +1,39 @@
+"""Messages about files at the command line, as text and as JSON."""
+
+import sys
+from collections.abc import Iterable
+from typing import Any, TextIO
+
+from lispac.adjustment.shown import plain
+from lispac.message_texts import action_text, message_text
+from lispac.messages import Action, Message
+
+
+def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> None:
+    """Print each message with its level and the options that act on it, on stderr by default."""
+    file = file or sys.stderr
+    for message in messages:
+        print(f"{message.level}: {plain(message_text(message))}", file=file)
+        for action in message.actions:
+            print(f"    {_suggestion(action)}", file=file)
+
+
+def message_numbers(message: Message) -> dict[str, Any]:
+    """A message for JSON: code, level, parameters in SI units, subject, actions and text."""
+    subject = message.subject
+    return {
+        "code": message.code,
+        "level": message.level.value,
+        "params": dict(message.params),
+        "subject": subject and {"kind": subject.kind, "name": subject.name, "line": subject.line},
+        "actions": [{"code": each.code, "params": dict(each.params)} for each in message.actions],
+        "text": plain(message_text(message)),
+    }
+
+
+def _suggestion(action: Action) -> str:
+    """An action as the user gives it at the command line."""
+    if action.code == "set_option":
+        switch = action.params.get("switch", "line")
+        return f"--{switch}-option {action.params['name']}={action.params['value']}"
+    return action_text(action)
